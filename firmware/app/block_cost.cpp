@@ -7,10 +7,9 @@
 #include "platform/shared/semihosting.hpp"
 #include "platform/text_line.hpp"
 
-// What the drift model costs: ticks of the timer (in QEMU: instructions) for one block, over a
-// ramp through the trained range while every input changes, and for one sample at any rate; then,
-// of the block, what the network alone costs from its scaled inputs to its drift. Ends by
-// semihosting.
+// Cost of the drift model in timer ticks (in QEMU: instructions): for one block, over a ramp
+// through the trained range with all inputs changing; for one sample at any rate; and, of the
+// block, for the network alone. Ends by semihosting.
 namespace fog::app {
 namespace {
 
@@ -66,9 +65,9 @@ ScaledInputs inputs_at(std::uint32_t index) {
   return inputs;
 }
 
-// Out of line, so that it begins and ends where its caller would be.
-[[gnu::noinline]] void see(Drift& drift, Rate rate) {
-  drift.see(rate);
+// Not inline, so that the measured code begins and ends at a call.
+[[gnu::noinline]] void update_rate(Drift& drift, Rate rate) {
+  drift.update_rate(rate, true);
 }
 
 }  // namespace
@@ -90,10 +89,10 @@ void run() {
   block.print("block");
   Ticks sample;
   for (std::uint32_t i = 1; i <= kBlocks; ++i) {
-    // Below and above any dead band and full scale, in both senses.
+    // Below and above any dead band and full scale, in both senses of rotation.
     const std::int32_t size = INT32_MAX >> (i % 31);
     const Rate rate = Rate::from_raw(i % 2 == 0 ? size : -size);
-    sample.add(ticks_of([&] { see(drift, rate); }) - overhead);
+    sample.add(ticks_of([&] { update_rate(drift, rate); }) - overhead);
   }
   sample.print("sample");
   if constexpr (FOG_MODEL_NETWORK_INPUTS != 0) {

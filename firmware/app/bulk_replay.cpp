@@ -10,14 +10,14 @@
 #include "platform/shared/stack.hpp"
 #include "platform/text_line.hpp"
 
-// The product's pipeline on the board's processor, fed from a file instead of a line: whole
-// recordings in seconds. Reads in.bin and writes out.bin where the emulator was started.
+// The product's pipeline on the board's processor, fed from a file: replays recordings of hours in
+// seconds. Reads in.bin and writes out.bin in the directory where the emulator was started.
 namespace fog::app {
 namespace {
 
 namespace semihosting = platform::semihosting;
 
-// Large, because every call stops the emulator: its cost is per call, not per byte.
+// Large, because the cost of semihosting is per call, not per byte.
 constexpr std::size_t kChunkBytes = 16384;
 
 enum ExitStatus : std::uint32_t { kDone = 0, kNoInput = 1, kNoOutput = 2, kCrashed = 3 };
@@ -32,7 +32,7 @@ class OutputFile {
  public:
   explicit OutputFile(semihosting::File file) : file_(file) {}
 
-  /// Where the next output goes; room for kMaxOutputBytes of it.
+  /// Position of the next output; kMaxOutputBytes fit there.
   std::uint8_t* end() { return &bytes_[size_]; }
 
   void extend(std::size_t count) {
@@ -84,11 +84,11 @@ void replay(semihosting::File input, semihosting::File output_file) {
 
 void run() {
   platform::start_board();
-  // Else a replay that crashes would begin anew for ever.
+  // Otherwise a replay that crashes would restart for ever.
   if (announce_crash(hal::reset_report().last_crash)) {
     give_up("bulk replay: crashed\r\n", kCrashed);
   }
-  pipeline().integrity_token() = IntegrityToken::not_needed();  // nobody flies a replay
+  pipeline().integrity_token() = IntegrityToken::not_needed();  // a replay has no image check
   const semihosting::File input = semihosting::open("in.bin", semihosting::Mode::kRead);
   if (input == semihosting::kNoFile) give_up("bulk replay: no in.bin here\r\n", kNoInput);
   const semihosting::File output = semihosting::open("out.bin", semihosting::Mode::kWrite);

@@ -19,11 +19,11 @@
 #include "platform/board.hpp"
 #include "platform/text_line.hpp"
 
-// The product: sensor stream in, output stream out, for as long as there is power.
+// The product: sensor stream in, output stream out.
 namespace fog::app {
 namespace {
 
-// Each line in a function of its own: their texts are never on the stack together.
+// One function per line, so that their texts are not on the stack at the same time.
 [[gnu::noinline]] void announce_identity(const Model& used) {
   platform::TextLine line;
   line.text("firmware " FOG_BUILD_VERSION " ").hex(FOG_BUILD_SOURCES).text(", processor");
@@ -42,9 +42,8 @@ namespace {
   hal::write_console(line.c_str());
 }
 
-// The last but one line says whether the weights are good, the last whether the image is. Without
-// them the board still answers every sample, with a rate that is not valid: a user sees a fault
-// rather than silence.
+// The last but one line reports the weights, the last one the image. If either is bad, the board
+// still answers every sample, with an invalid rate, so that the user sees a fault and not silence.
 [[gnu::noinline]] void announce(const platform::BoardDescription& board,
                                 const hal::ResetReport& reset) {
   announce_board(board, reset.cause);
@@ -57,12 +56,11 @@ namespace {
   if (!self_test().memory_good()) hal::write_console("memory: FAILS\r\n");
 }
 
-// A board that is sent nothing, or no longer understands what it is sent, tests itself all the
-// same.
+// Period of the self-test while no sample comes.
 constexpr std::uint32_t kIdleMs = 8;
 std::uint32_t tested_ms = 0;
 
-void test_on() {
+void continue_self_test() {
   self_test().step();
   tested_ms = hal::milliseconds();
 }
@@ -84,11 +82,11 @@ void send_compensated(std::uint8_t byte, SilenceClock& silence) {
   if (size == 0) return;
   silence.restart(hal::milliseconds());
   send(frames, size);
-  if (!keep_state_if_due()) test_on();
+  if (!keep_state_if_due()) continue_self_test();
 }
 
-// Bytes that are no frames may come at a bit rate that is not this board's.
-void understand_the_line() {
+// Bytes that form no frame may come at another bit rate than this board's.
+void search_bit_rate() {
   constexpr std::uint32_t kFramesBetweenTries = 100;
   static std::uint32_t frames = 0;
   static std::uint32_t discarded = 0;
@@ -99,16 +97,16 @@ void understand_the_line() {
   discarded = now;
 }
 
-// Where time does not pass as it should nobody can say that samples are late. Out of line, as what
-// follows it: their frames and texts are not to be on the stack while others are.
+// With an inaccurate clock late samples cannot be detected. Not inline, like the functions below,
+// so that their frames and texts are not on the stack at the same time as others.
 [[gnu::noinline]] void break_silence(SilenceClock& silence) {
   while (silence.due(hal::milliseconds())) {
     if (!hal::clock_keeps_time()) continue;
     Frames frames;
     send(frames, pipeline().answer_silence(frames.data()));
     forget_state();
-    test_on();
-    understand_the_line();
+    continue_self_test();
+    search_bit_rate();
   }
 }
 
@@ -119,8 +117,8 @@ SilenceClock silence_from_now() {
 constexpr std::uint32_t kMaxFaults = 5;
 constexpr std::uint32_t kGoodRunMs = 60'000;
 
-// A board that fails again and again, however it is restarted, does no more than say that nothing
-// is valid; until somebody resets it.
+// After repeated failures in spite of restarts, the board only reports that nothing is valid, until
+// it is reset.
 [[gnu::noinline]] void answer_without_samples() {
   hal::write_console("SAFE MODE\r\n");
   for (SilenceClock silence = silence_from_now();;) {
@@ -131,7 +129,7 @@ constexpr std::uint32_t kGoodRunMs = 60'000;
   }
 }
 
-// The watchdog comes first: a start that hangs is a board that is silent for ever.
+// The watchdog comes first: without it a start that hangs would leave the board silent for ever.
 void start() {
   hal::start_watchdog(hal::kWatchdogStartMs);
   platform::start_board();
@@ -158,13 +156,13 @@ void run() {
     for (std::size_t i = 0; i < size; ++i) send_compensated(chunk[i], silence);
     break_silence(silence);
     answer_requests();
-    if (hal::milliseconds() - tested_ms >= kIdleMs) test_on();
+    if (hal::milliseconds() - tested_ms >= kIdleMs) continue_self_test();
     advance_own_thermometer();
     if (!proven && hal::milliseconds() >= kGoodRunMs) {
       hal::report_good_run();
       proven = true;
     }
-    hal::kick_watchdog();  // nowhere else in the loop: kicked means that it went round
+    hal::kick_watchdog();  // the only place in the loop: a kick means a complete pass
   }
 }
 

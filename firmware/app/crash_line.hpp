@@ -6,7 +6,7 @@
 
 namespace fog::app {
 
-/// Tells the console of a crash since power-on. Returns whether there was one.
+/// Writes the last crash since power-on to the console. Returns whether there was one.
 inline bool announce_crash(const hal::CrashRecord& crash) {
   if (crash.exception == 0) return false;
   platform::TextLine line;

@@ -10,16 +10,16 @@
 #include "platform/shared/semihosting.hpp"
 #include "platform/text_line.hpp"
 
-// What the denoiser of this image's model costs per sample: mean and worst instruction counts with
-// fixed and with adaptive thresholds, and its RAM. For QEMU's netduinoplus2 with
-// `-icount shift=0,sleep=off` (tests/bench/run.sh, tests/target).
+// Cost of the denoiser of this image's model per sample: mean and worst instruction counts with
+// fixed and with adaptive thresholds, and its RAM. For QEMU's netduinoplus2 with `-icount
+// shift=0,sleep=off` (tests/bench/run.sh, tests/target).
 namespace fog::app {
 namespace {
 
 using ImageDenoiser = Denoiser<FOG_MODEL_TAPS, FOG_MODEL_LEVELS>;
 
-// White noise of the size that the model expects, so that the thresholds have their normal work;
-// in the second half a rotation, so that heursure weighs risks.
+// White noise of the size that the model expects, so that the thresholds have their normal work; in
+// the second half also a rotation, so that heursure compares risks.
 class Signal {
  public:
   explicit Signal(std::int32_t amplitude) : amplitude_(amplitude) {}
@@ -45,7 +45,7 @@ class Signal {
   std::uint32_t samples_ = 0;
 };
 
-// Kept out of line, so that the call is what a caller of the denoiser pays.
+// Not inline, so that the cost of the call is included.
 [[gnu::noinline]] Rate step(ImageDenoiser& denoiser, Rate rate) {
   return denoiser.step(rate, true).rate;
 }
@@ -67,9 +67,9 @@ void measure(const char* name, ThresholdRule rule) {
   parameters.rule = rule;
   alignas(ImageDenoiser) static std::array<std::uint8_t, sizeof(ImageDenoiser)> memory;
   ImageDenoiser& denoiser = *new (memory.data()) ImageDenoiser(parameters);
-  Signal signal(parameters.thresholds[0] >> 7);  // about a standard deviation
+  Signal signal(parameters.thresholds[0] >> 7);  // about one standard deviation
   const std::uint32_t around = ticks_of(no_step, denoiser, signal.next());
-  const std::uint32_t first = ticks_of(step, denoiser, signal.next()) - around;  // primes the lines
+  const std::uint32_t first = ticks_of(step, denoiser, signal.next()) - around;  // fills the lines
   std::uint32_t total = 0;
   std::uint32_t worst = 0;
   for (std::uint32_t i = 0; i < Signal::kSamples; ++i) {

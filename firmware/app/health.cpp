@@ -18,7 +18,7 @@ namespace {
 
 SampleCounts counted;
 
-// What is not counted is looked up when somebody asks; in the order of the words.
+// Reads the values that are not counted; in the order of the words.
 HealthRecord health_now() {
   const hal::ProcessorNumber processor = hal::processor_number();
   const SelfTest& test = self_test();
@@ -49,7 +49,7 @@ HealthRecord health_now() {
 
 constexpr bool kKvhCommands = (FOG_MODEL_OUTPUT_OPTIONS & kAnswersKvhCommands) != 0;
 
-// A model that is loaded has chosen itself.
+// A loaded model selects the commands itself.
 [[maybe_unused]] bool answers_kvh_commands() {
   return !ModelTable::is_loaded || (model().parameters.output_options & kAnswersKvhCommands) != 0U;
 }
@@ -76,8 +76,8 @@ void answer_kvh_command(std::uint8_t byte) {
   }
 }
 
-// A template, so that an image with a table of its own has none of it; out of line as the health
-// record.
+// A template, so that an image with a built-in table has none of this code. Not inline, like the
+// health record below.
 template <class Table>
 [[gnu::noinline]] void send_slots(const Table& table) {
   const SlotsResponse response = encode_slots_response(table.slots());
@@ -92,7 +92,7 @@ void answer_slots_request(std::uint8_t byte, const Table& table) {
   }
 }
 
-// Out of line: its record and response are not to be on the stack while a table is checked.
+// Not inline: its record and response must not be on the stack while a table is checked.
 [[gnu::noinline]] void answer_health_request() {
   const HealthResponse response = encode_health_response(health_now());
   hal::write_output_stream(response.data(), response.size());

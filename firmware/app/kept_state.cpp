@@ -8,11 +8,11 @@
 namespace fog::app {
 namespace {
 
-// Whether the board has a clock that goes on during a reset (FOG_RESET_CLOCK of the build). Where
-// it has none, nothing of this costs anything.
+// Whether the board has a clock that runs during a reset (FOG_RESET_CLOCK of the build). Without
+// one this code takes neither flash nor time.
 constexpr bool kHasLastingClock = FOG_RESET_CLOCK != 0;
 
-// What it said when the state was written, at the end of the words.
+// Time at which the state was written, after the words.
 using KeptTime = std::uint64_t;
 constexpr std::size_t kTimeWords = kHasLastingClock ? sizeof(KeptTime) / sizeof(std::uint32_t) : 0;
 constexpr KeptTime kUnknown = ~KeptTime{0};
@@ -32,8 +32,8 @@ std::size_t keep_words() {
   return size == 0 ? 0 : size + kTimeWords;
 }
 
-// When the newest sample of the state came, by the clock of this start. After a day nothing is left
-// of it, and milliseconds are about to go round.
+// Arrival time of the newest sample of the state, by the clock of this start. Unknown after a day:
+// by then the state is useless, and the milliseconds are about to wrap.
 [[maybe_unused]] SampleTime newest_sample() {
   constexpr KeptTime kMaxMs = 86'400'000;
   KeptTime then = 0;
@@ -44,7 +44,7 @@ std::size_t keep_words() {
   return {known, hal::milliseconds() - static_cast<std::uint32_t>(now - then)};
 }
 
-// No other image has this, nor the same with another model.
+// Unique to this image and its model.
 std::uint32_t owner() {
   if constexpr (ModelTable::is_loaded) return seal_of_image() ^ model().key();
   return seal_of_image();
@@ -55,10 +55,10 @@ constexpr unsigned bit_of(hal::ResetCause cause) {
 }
 using hal::ResetCause;
 constexpr unsigned kPowerWasLost = bit_of(ResetCause::power_on) | bit_of(ResetCause::brown_out);
-// The board restarts by itself at once. The reset pin may be held, and a debugger may stop the
-// processor, for as long as anybody likes.
-constexpr unsigned kOfItself = bit_of(ResetCause::watchdog) | bit_of(ResetCause::clock_failure) |
-                               bit_of(ResetCause::fault) | bit_of(ResetCause::self_test);
+// Causes after which the board restarts at once. The reset pin or a debugger may stop the processor
+// for any time.
+constexpr unsigned kOwnRestarts = bit_of(ResetCause::watchdog) | bit_of(ResetCause::clock_failure) |
+                                  bit_of(ResetCause::fault) | bit_of(ResetCause::self_test);
 
 }  // namespace
 
@@ -81,7 +81,7 @@ void resume_state(hal::ResetCause cause) {
       const SampleTime newest = newest_sample();
       if (newest.known) return pipeline().resume_after(kept.words(), newest);
     }
-    pipeline().resume(kept.words(), (bit & kOfItself) != 0);
+    pipeline().resume(kept.words(), (bit & kOwnRestarts) != 0);
   } else {
     forget_state();
   }

@@ -4,19 +4,19 @@
 
 namespace fog::app {
 
-/// The pipeline's state as of the last block, in memory that outlives a reset. It counts only with
-/// its own CRC, and only for the very image, which has its model in it, that wrote it.
+/// The pipeline's state at the last block, in memory that outlives a reset. Valid only with its own
+/// CRC and for the same image and model.
 
-/// Writes it anew with the sample after each that ends a block, which has less to do; returns
-/// whether this was one. Wants to be called after every sample: how old the state is is told by the
-/// samples' numbers, which go round.
+/// Writes the state with the sample after the end of a block, which has less other work; returns
+/// whether it did. To be called after every sample, because the age of the state follows from the
+/// sequence numbers, which wrap.
 bool keep_state_if_due();
 
-/// Where samples have stopped, nothing tells how old it is any more.
+/// To be called when samples stop: from then on the age of the state is unknown.
 void forget_state();
 
-/// Once, before the first sample, after a reset for this `cause`: goes on where it left off, if
-/// there is one and the memory has had power ever since. Else forgets it.
+/// To be called once, before the first sample, after a reset with `cause`. Continues from the state
+/// if it is valid and the memory has not lost power; else discards it.
 void resume_state(hal::ResetCause cause);
 
 }  // namespace fog::app

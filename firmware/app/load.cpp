@@ -27,7 +27,7 @@ struct ModelFlash {
 };
 
 ModelFlash flash;
-std::uint32_t heard_ms = 0;  // when the last message came
+std::uint32_t last_message_ms = 0;  // time of the last message
 
 SlotLoader<ModelFlash>& loader() {
   static SlotLoader<ModelFlash> instance(flash, model().load_target(), Pipeline::capacity);
@@ -40,23 +40,23 @@ bool take_load_byte(std::uint8_t byte) {
   static LoadParser parser;
   if (parser.feed(byte)) {
     const LoadAnswer answer = loader().take(parser.message(), hal::service_strap_closed());
-    heard_ms = hal::milliseconds();
+    last_message_ms = hal::milliseconds();
     if (loader().has_begun()) forget_state();
     const LoadAnswerBytes bytes = encode_load_answer(answer);
     hal::write_output_stream(bytes.data(), bytes.size());
   }
-  return table_comes();
+  return is_receiving_table();
 }
 
-bool table_comes() {
+bool is_receiving_table() {
   return loader().has_begun();
 }
 
 void end_loading() {
-  constexpr std::uint32_t kPatienceMs = 5000;     // of several tries of the tool
-  constexpr std::uint32_t kAnswerLeavesMs = 100;  // and may be asked for once more
-  const std::uint32_t patience_ms = loader().has_ended() ? kAnswerLeavesMs : kPatienceMs;
-  if (hal::milliseconds() - heard_ms >= patience_ms) platform::restart_on_request();
+  constexpr std::uint32_t kTimeoutMs = 5000;  // several retries of the tool
+  constexpr std::uint32_t kAnswerMs = 100;    // until the answer is sent, perhaps twice
+  const std::uint32_t patience_ms = loader().has_ended() ? kAnswerMs : kTimeoutMs;
+  if (hal::milliseconds() - last_message_ms >= patience_ms) platform::restart_on_request();
 }
 
 }  // namespace fog::app

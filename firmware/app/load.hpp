@@ -6,20 +6,21 @@
 
 namespace fog::app {
 
-// Tables that come in over the command port (SPEC.md, "Loading a table"), of an image that has its
-// model in a slot.
+// Loading of tables over the command port (SPEC.md, "Loading a table"), in images with the model in
+// a slot.
 
-/// Takes a byte of the command port. True while a table comes: nobody else is to have it.
+/// Takes a byte of the command port. Returns true while a table is loaded: then the byte is not a
+/// request.
 bool take_load_byte(std::uint8_t byte);
 
-/// Whether a table comes. Then no sample is answered, until the board restarts.
-bool table_comes();
+/// Whether a table is being loaded. Then no sample is answered until the board restarts.
+bool is_receiving_table();
 
-/// The board restarts when it has a new table, or nothing more has come for a while.
+/// Restarts the board once a new table is complete or no message has come for a while.
 void end_loading();
 
 inline bool is_loading() {
-  if constexpr (ModelTable::is_loaded) return table_comes();
+  if constexpr (ModelTable::is_loaded) return is_receiving_table();
   return false;
 }
 

@@ -13,8 +13,8 @@
 #include "hal/model_memory.hpp"
 #include "hal/processor.hpp"
 
-// Where an image has its model table from: out of the header that it is built with, or, where that
-// says so, out of a slot of flash.
+// Source of the model table: the header that the image is built with or, if that says so, a slot of
+// flash.
 namespace fog::app {
 
 #ifdef FOG_MODEL_IN_SLOTS
@@ -25,7 +25,7 @@ class ModelTable {
   static constexpr std::size_t sealed_parts = 3;
   using Sealed = SealedScan<sealed_parts>::Parts;
 
-  /// Takes it apart; the error is why there is none.
+  /// Decodes the table; on an error there is no model.
   ModelError read(const ModelShape& capacity, ModelParameters& parameters) {
     const auto memories = hal::model_memories();
     choice_ = choose_slot(
@@ -33,17 +33,17 @@ class ModelTable {
         hal::processor_number(), parameters);
     return choice_.error;
   }
-  /// The gyro's serial number, ASCII; empty where the table has none. Only where there is a table.
+  /// Serial number of the gyro, ASCII; empty if the table has none. Requires a table.
   const char* serial() const {
     return reinterpret_cast<const char*>(choice_.used().table.data + kIdentityAt);
   }
-  /// What the self-test goes over.
+  /// The parts that the self-test checks.
   Sealed sealed(Span<const std::uint8_t> image, Span<const std::uint8_t> constants) const {
     return {image, is_used() ? choice_.used().sealed : Span<const std::uint8_t>{}, constants};
   }
-  /// What no other table has that this image could use.
+  /// Unique among the tables that this image could use.
   std::uint32_t key() const { return is_used() ? table_crc(choice_.used()) : 0; }
-  /// What decides whether another may be loaded.
+  /// The properties that decide whether another table may be loaded.
   LoadTarget load_target() const {
     LoadTarget target{kModelSlots, 0, {}, hal::processor_number()};
     if (!is_used()) return target;
@@ -52,7 +52,7 @@ class ModelTable {
     __builtin_memcpy(target.serial.data(), serial(), sizeof target.serial);
     return target;
   }
-  /// For whoever asks the board.
+  /// For the slots record.
   SlotsRecord slots() const {
     SlotsRecord record{static_cast<std::uint8_t>(choice_.slot), {}};
     for (std::size_t i = 0; i < kModelSlots; ++i) record.slots[i] = record_of(choice_.slots[i]);
@@ -89,21 +89,20 @@ class ModelTable {
     if constexpr (FOG_MODEL_BOUND != 0) {
       if (error == ModelError::none &&
           is_bound_elsewhere(&fog_model[kProcessorAt], hal::processor_number())) {
-        read_model({}, capacity, parameters);  // none
+        read_model({}, capacity, parameters);  // no model
         return ModelError::other_board;
       }
     }
     return error;
   }
-  /// Where it was refused it may have anything. Out of line: whoever contains it has a table of its
-  /// own.
+  /// A refused table may contain anything. Not inline, because the caller has a table of its own.
   [[gnu::noinline]] static const char* serial() {
     return reinterpret_cast<const char*>(&fog_model[kIdentityAt]);
   }
   static Sealed sealed(Span<const std::uint8_t> image, Span<const std::uint8_t> constants) {
     return {image, constants};
   }
-  static constexpr std::uint32_t key() { return 0; }  // the image's seal says it
+  static constexpr std::uint32_t key() { return 0; }  // the seal of the image identifies it
 };
 
 #endif

@@ -5,8 +5,8 @@
 
 namespace fog::app {
 
-/// Whether the board measures the temperature itself (FOG_TEMPERATURE of the build). Where it does
-/// not, nothing of this costs anything.
+/// Whether the board measures the temperature itself (FOG_TEMPERATURE of the build). If not, this
+/// code takes neither flash nor time.
 constexpr bool kOwnThermometer = FOG_OWN_THERMOMETER != 0;
 
 inline void start_own_thermometer() {
@@ -17,7 +17,7 @@ inline void advance_own_thermometer() {
   if constexpr (kOwnThermometer) hal::advance_thermometer();
 }
 
-/// The sample with the board's own temperature, if it has one, in place of the stream's.
+/// The sample with the board's own temperature, if it has one, instead of the stream's.
 inline decltype(auto) with_own_temperature(const SensorSample& sample) {
   if constexpr (kOwnThermometer) {
     const hal::OwnTemperature own = hal::own_temperature();

@@ -16,13 +16,13 @@ namespace fog::app {
 static_assert(FOG_MODEL_LAYOUT == kModelLayout,
               "fog_model.h is for another version of the firmware: run fogcomp export again");
 
-/// The pipeline with room for what the generated header needs, and no more.
+/// The pipeline with the capacity that the generated header needs.
 using Pipeline =
     Compensator<FOG_MODEL_EFFECTS, FOG_MODEL_EXPRESSIONS, FOG_MODEL_NETWORK_INPUTS, FOG_MODEL_TAPS,
                 FOG_MODEL_LEVELS, static_cast<OutputSelection>(FOG_MODEL_OUTPUT),
                 FOG_MODEL_OUTPUT_OPTIONS>;
 
-/// The image's weights, checked once, and sealed: they are in RAM, and must not change any more.
+/// The model of the image, checked once and sealed: it is in RAM and must not change any more.
 struct Model : ModelTable {
   Model() : error(read(Pipeline::capacity, parameters)) {
     seal = seal_of(crc32(bytes().data, bytes().size - seal.size(), kIntactImage));
@@ -46,8 +46,8 @@ inline const Model& model() {
   return instance;
 }
 
-/// The one pipeline of an image, whichever main runs it. Static, because its filters are larger
-/// than the stack. No rate is valid before the self-test has seen the image.
+/// The pipeline of the image. Static, because its filters are larger than the stack. No rate is
+/// valid before the self-test has checked the image.
 inline Pipeline& pipeline() {
   static Pipeline instance(model().parameters,
                            SelfTest::new_token(model().parameters.acquisition.sample_period_us));

@@ -14,9 +14,9 @@
 #include "platform/shared/stack.hpp"
 #include "platform/text_line.hpp"
 
-// Checks what only the target can show: that start-up prepares memory, and that whatever goes wrong
-// ends in a restart which names its cause. It provokes one failure after the other, remembering
-// over each restart how far it got, and exits by semihosting: 0, or 1 after naming what failed.
+// Checks what only the target can show: start-up initialises memory, and every failure ends in a
+// restart that reports its cause. Provokes one failure after the other, remembers its progress over
+// each restart, and exits by semihosting: 0, or 1 after naming what failed.
 namespace fog::app {
 namespace {
 
@@ -38,7 +38,7 @@ volatile std::uint32_t zeroed;
 void check_memory() {
   require(initialised == 0x12345678, "start-up copies initial values");
   require(zeroed == 0, "start-up zeroes the rest");
-  initialised = 0;  // so that the next start has something to restore
+  initialised = 0;  // the next start has to restore it
   zeroed = 1;
 }
 
@@ -98,7 +98,7 @@ void touch_guard() {
   *static_cast<volatile std::uint32_t*>(fog_stack_guard) = 0;
 }
 
-// 4770 is "bx lr": were it executed, the check would go on and fail.
+// 4770 is "bx lr": if it were executed, the check would continue and fail.
 void execute_from_ram() {
   static volatile std::uint16_t code = 0x4770;
   const auto thumb = reinterpret_cast<std::uintptr_t>(&code) | 1U;
@@ -110,7 +110,7 @@ void write_to_image() {
   *image = 0;
 }
 
-// The highest line of both parts: nothing is connected to it here.
+// The highest interrupt line of both parts: not connected here.
 void raise_unused_interrupt() {
   constexpr std::uint32_t kUnused = 31;
   platform::enable_interrupt(kUnused);
@@ -118,7 +118,7 @@ void raise_unused_interrupt() {
   asm volatile("isb");
 }
 
-// The emulated STM32 has no watchdog: there this returns, which is said, and the check ends.
+// The emulated STM32 has no watchdog: there this returns, which is reported, and the check ends.
 void stop_main_loop() {
   hal::start_watchdog(hal::kWatchdogLoopMs);
   const std::uint32_t start_ms = hal::milliseconds();
@@ -137,7 +137,7 @@ void stop_everything() {
 
 constexpr std::uint32_t kHardFault = 3;
 constexpr std::uint32_t kUnusedInterrupt = 16 + 31;
-constexpr std::uint32_t kWatchdogNmi = 2;  // where the watchdog warns before it resets
+constexpr std::uint32_t kWatchdogNmi = 2;  // on parts whose watchdog warns before it resets
 constexpr std::uint32_t kAny = 0;
 
 using hal::ResetCause;
@@ -158,7 +158,7 @@ constexpr Step kSteps[] = {
     {"a write to the image", write_to_image, ResetCause::fault, kHardFault},
     {"an unused interrupt", raise_unused_interrupt, ResetCause::fault, kUnusedInterrupt},
     {"the self-test", platform::restart_board, ResetCause::self_test,
-     kUnusedInterrupt},  // the last one
+     kUnusedInterrupt},  // has to be the last one
     {"a main loop that stops", stop_main_loop, ResetCause::watchdog, kAny},
     {"a processor that hangs with interrupts off", stop_everything, ResetCause::watchdog, kAny},
 };

@@ -11,10 +11,10 @@
 #include "platform/shared/semihosting.hpp"
 #include "platform/text_line.hpp"
 
-// What in.bin costs the product, as instructions: mean and maximum of the bytes that complete a
-// sample (all stages, frames, health and self-test; without the line itself), and of any
-// kSensorFrameBytes bytes in a row, which is what comes in the time of a sample, frames or not. For
-// QEMU's netduinoplus2 with `-icount shift=0,sleep=off` (tests/target/sample_cost.sh).
+// Cost of processing in.bin, in instructions: mean and maximum of the bytes that complete a sample
+// (all stages, frames, health and self-test; without the serial line), and of any kSensorFrameBytes
+// consecutive bytes, the time of a sample. For QEMU's netduinoplus2 with `-icount
+// shift=0,sleep=off` (tests/target/sample_cost.sh).
 namespace fog::app {
 namespace {
 
@@ -46,7 +46,7 @@ Cost self_tests;
 std::uint32_t bytes_so_far = 0;
 bool samples_alone = false;
 
-// As if the bytes had come in time; with extension records between the samples nobody knows.
+// Time as if the bytes had come in real time; unknown with extension records between the samples.
 SampleTime time_of_byte() {
   return {samples_alone, bytes_so_far / kSensorFrameBytes *
                              (model().parameters.acquisition.sample_period_us / 1000)};
@@ -75,7 +75,7 @@ void run() {
   Pipeline& product = pipeline();
   Cost samples;
   Cost any_frame;
-  std::array<std::uint32_t, kSensorFrameBytes> last_ticks{};  // of the bytes before, in a ring
+  std::array<std::uint32_t, kSensorFrameBytes> last_ticks{};  // of the preceding bytes, a ring
   std::uint32_t last_sum = 0;
   std::size_t place = 0;
   std::size_t size = input == semihosting::kNoFile ? 0 : chunk.size();

@@ -8,8 +8,9 @@
 namespace fog::app {
 namespace {
 
-// A flip just behind the scan is found at the end of the next pass, and by the proof's end at the
-// latest if the scan itself is broken: 2 * 2.5 s and 2.5 s + 2 * 3 s, both below the promised 10 s.
+// Worst case of detection: a bit that flips just behind the scan is found at the end of the next
+// pass (2 * 2.5 s), or, if the scan itself is broken, when the token expires (2.5 s + 2 * 3 s).
+// Both are below the specified 10 s.
 constexpr std::uint32_t kImagePassUs = 2'500'000;
 constexpr std::uint32_t kProofUs = 3'000'000;
 
@@ -27,7 +28,7 @@ Span<volatile std::uint32_t> ram() {
   return {map.ram_start, static_cast<std::size_t>(map.ram_end - map.ram_start)};
 }
 
-// Below the frame that asks lies what its callees stand on; 64 words are several times that.
+// Stack used by the callees of the caller, below its frame: 64 words are several times that.
 constexpr std::size_t kCalleesWords = 64;
 
 Span<volatile std::uint32_t> stack_in_use() {
@@ -71,11 +72,10 @@ void SelfTest::run_all() {
   if (memory_good_) token_.publish(crc, crc);
 }
 
-// The CRC is volatile, so that each use of it loads it anew: one flipped bit can make one of them
-// load something else that happens to look good. The proof keeps two of them apart, and the restart
-// judges by a third.
-//
-// What is damaged at the start stays so, and is not worth another restart.
+// The CRC is volatile, so that each use loads it anew: one flipped bit can make only one of them
+// load another value that happens to look good. The token keeps two copies apart; the restart
+// decides by a third load.
+// Damage that is present at the start stays: another restart would not help.
 void SelfTest::step() {
   if (!memory_step() && memory_good_) restart_because("memory fails, restarting\r\n");
   ++memory_blocks_;

@@ -9,27 +9,27 @@
 
 namespace fog::app {
 
-/// The last word of the image, as a little-endian number: no other image has the same.
+/// Last word of the image, little-endian; unique to the image.
 std::uint32_t seal_of_image();
 
-/// The built-in test of image, constants and memory: all of it at the start, then again and again,
-/// a bounded piece a sample. What it finds while running it answers with a restart, after which the
-/// test at the start says whether it was for once or for good.
+/// Built-in test of image, constants and memory: complete at the start, then repeated, a bounded
+/// piece per sample. On a failure while running it restarts the board; the complete test at the
+/// start then shows whether the failure is permanent.
 class SelfTest {
  public:
   /// `sample_period_us` sets the size of a piece: a pass over image and constants takes 2.5 s of
-  /// samples. `constants` are what in RAM must not change, with their seal; a `table` that is not
-  /// part of the image is gone over as well. What the checks come to goes to `proof`.
+  /// samples. `constants`: data in RAM that must not change, with their seal. A `table` outside the
+  /// image is checked as well. Results go to `token`.
   SelfTest(Span<const std::uint8_t> constants, const ModelTable& table,
            std::uint32_t sample_period_us, IntegrityToken& token);
 
-  /// As long as a proof must last for the next one to be there.
+  /// A token whose life lasts until the next result.
   static IntegrityToken new_token(std::uint32_t sample_period_us);
 
-  /// Everything once. Where image or memory is damaged, no sample will have a proof.
+  /// Runs the complete test. If image or memory is damaged, no rate will be valid.
   void run_all();
 
-  /// The next piece, after a sample was answered.
+  /// Runs the next piece, after a sample was answered.
   void step();
 
   bool memory_good() const { return memory_good_; }

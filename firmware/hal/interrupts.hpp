@@ -2,7 +2,8 @@
 
 namespace fog::hal {
 
-/// Between the two no interrupt is served; those that come wait. For a few microseconds at most.
+/// Between hold and release no interrupt is served; interrupts stay pending. A few microseconds at
+/// most.
 void hold_interrupts();
 void release_interrupts();
 

@@ -4,18 +4,19 @@
 
 namespace fog::hal {
 
-// A clock that goes on while the board is held in reset, in images that are built with one
-// (FOG_RESET_CLOCK); else nothing of this exists.
+// A clock that runs while the board is held in reset, only in images built with one
+// (FOG_RESET_CLOCK).
 
-/// Differences of less than a day are good to 4 ms and 100 ppm; none is shorter than what passed.
+/// Differences of less than a day are good to 4 ms and 100 ppm, and never shorter than the true
+/// time.
 struct LastingTime {
-  bool known;        ///< the clock runs, and has not been set since it started
+  bool known;        ///< the clock runs and was not set since then
   std::uint64_t ms;  ///< since an arbitrary time
 };
 
-/// What the clock says. Never waits: starts the clock where it does not run, and says that it is
-/// unknown until it does, some calls and seconds later. Wants to be called once a block, after the
-/// board has been started: two calls within 0.1 ms may find it unknown.
+/// Reads the clock. Never waits: starts the clock if it does not run, and returns unknown until it
+/// does, some calls and seconds later. To be called once per block, after start_board(): of two
+/// calls within 0.1 ms the second may return unknown.
 LastingTime lasting_time();
 
 }  // namespace fog::hal

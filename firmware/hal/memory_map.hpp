@@ -4,7 +4,7 @@
 
 namespace fog::hal {
 
-/// What the built-in tests look at, as the linker placed it; whole words.
+/// Memories that the built-in tests check, as the linker placed them; whole words.
 struct MemoryMap {
   const std::uint8_t* image_start;  ///< in flash: vector table to seal
   const std::uint8_t* image_end;

@@ -6,7 +6,7 @@
 
 namespace fog::hal {
 
-/// Where models lie that are loaded into a board: word aligned, in flash, a sector or more each.
+/// The slots of loaded models: word aligned, in flash, at least one sector each.
 struct ModelMemory {
   const std::int32_t* words;
   std::size_t size;  ///< words
@@ -14,15 +14,14 @@ struct ModelMemory {
 
 std::array<ModelMemory, 2> model_memories();
 
-// What follows takes a flash its time, in which the processor may stand still, and with it samples
-// and requests; then milliseconds stand still as well, and the watchdog is told. Both end, and
-// return false where the flash says that it has failed. What it holds is for the caller to read
-// back.
+// Erasing and programming take time, in which the processor may stop, and with it samples, requests
+// and milliseconds; both inform the watchdog. They return false if the flash reports a failure. The
+// caller reads the contents back.
 
-/// All words of a slot are -1 afterwards. Up to 2.4 s.
+/// Sets all words of a slot to -1. Takes up to 2.4 s.
 bool erase_model_memory(std::size_t slot);
 
-/// Writes `count` words of a slot, from word `at` on, that are erased. Up to 0.4 ms a word.
+/// Writes `count` erased words of a slot, from word `at` on. Takes up to 0.4 ms per word.
 bool program_model_memory(std::size_t slot, std::size_t at, const std::uint32_t* words,
                           std::size_t count);
 

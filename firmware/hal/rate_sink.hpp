@@ -9,7 +9,7 @@ namespace fog::hal {
 void write_output_stream(const std::uint8_t* bytes, std::size_t size);
 
 /// Sends a zero-terminated ASCII text to the console: the boot message, the reason of a refusal.
-/// The console is a port of its own, so the output stream holds frames and nothing else.
+/// The console is a separate port, so the output stream contains only frames.
 void write_console(const char* text);
 
 }  // namespace fog::hal

@@ -11,30 +11,30 @@ enum class ResetCause : std::uint8_t {
   brown_out,
   reset_pin,
   watchdog,       ///< the main loop stopped
-  software,       ///< a debugger's, a boot loader's, or that after a table was loaded
-  clock_failure,  ///< the crystal died while it ran the core
-  fault,          ///< an exception that nothing handles: see the crash record
-  self_test,      ///< it found memory damaged while running
+  software,       ///< by a debugger, a boot loader, or after a table was loaded
+  clock_failure,  ///< the crystal failed while it drove the core
+  fault,          ///< an unhandled exception: see the crash record
+  self_test,      ///< it found damaged memory while running
 };
 
-/// One or two words for people.
+/// One or two words for the boot message.
 const char* describe(ResetCause cause);
 
-/// What the processor knew at the last exception that it could not go on from. It outlives
-/// restarts, not the loss of power.
+/// State of the processor at the last fatal exception. Outlives restarts, but not the loss of
+/// power.
 struct CrashRecord {
   std::uint32_t exception;        ///< number of the exception; 0: there was none
-  std::uint32_t program_counter;  ///< 0 where the stack could not be used any more
+  std::uint32_t program_counter;  ///< 0 if the stack was unusable
   std::uint32_t link_register;    ///< 0 likewise
   std::uint32_t fault_status;     ///< CFSR: what kind of fault
-  std::uint32_t fault_address;    ///< of the access, where fault_status says that it is known
+  std::uint32_t fault_address;    ///< of the access, if fault_status marks it valid
   std::uint32_t uptime_ms;
 };
 
-/// Restarts of the board's own since power was lost or somebody pulled the reset pin.
+/// Restarts by the board itself since the last power-on or reset by pin.
 struct RestartCounts {
   std::uint32_t clock_failures;
-  std::uint32_t faults;  ///< and watchdog, and self-test; since the last good run
+  std::uint32_t faults;  ///< with watchdog and self-test; since the last good run
 };
 
 struct ResetReport {
@@ -43,10 +43,10 @@ struct ResetReport {
   RestartCounts counts;
 };
 
-/// Valid once the board has been started.
+/// Requires start_board().
 const ResetReport& reset_report();
 
-/// The board has run well for long enough: the faults before it count no more.
+/// To be called when the board has run well for long enough: clears the fault counts.
 void report_good_run();
 
 }  // namespace fog::hal

@@ -2,8 +2,8 @@
 
 namespace fog::hal {
 
-/// Whether somebody has closed the board's service strap, without which no model is loaded: it
-/// takes hands on the board, not only its line. Takes some 10 us.
+/// Whether the board's service strap is closed; without it no model is loaded, so that loading
+/// needs access to the board and not only to its line. Takes about 10 us.
 bool service_strap_closed();
 
 }  // namespace fog::hal

@@ -4,18 +4,18 @@
 
 namespace fog::hal {
 
-// A board's own thermometer on the coil, in images that are built with one (FOG_TEMPERATURE); else
-// the temperature is the sensor stream's and nothing of this exists.
+// A thermometer of the board on the coil, only in images built with one (FOG_TEMPERATURE). Other
+// images use the temperature of the sensor stream.
 
 struct OwnTemperature {
   std::int32_t temperature_q16;  ///< degC, LSB 2^-16
-  bool valid;                    ///< measured within the last seconds by a sensor that works
+  bool valid;                    ///< measured within the last seconds by a working sensor
 };
 
-/// Once, after the board has been started.
+/// To be called once, after start_board().
 void start_thermometer();
 
-/// Takes the measurement one step on. Never waits; wants to be called once a millisecond or more.
+/// Advances the measurement. Never waits; to be called at least once per millisecond.
 void advance_thermometer();
 
 /// The last reading.

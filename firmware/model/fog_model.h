@@ -78,9 +78,9 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   0,
   /* network: inputs, hidden neurons */
   2, 6,
-  /* input temperature: (x - 11.6) / 50.00625 degC; signal, decay, centre, reach, shift */
+  /* input temperature: (x - 11.6) / 50.00625 degC; signal, decay, centre, half range, shift */
   0, 0, 760218, 3277210, 9,
-  /* input temperature_rate: (x - 0.00327592356) / 0.509213905 degC/min; signal, decay, centre, reach, shift */
+  /* input temperature_rate: (x - 0.00327592356) / 0.509213905 degC/min; signal, decay, centre, half range, shift */
   1, 0, 109922, 17086383, 6,
   /* fractional bits that large weights cost: hidden neurons, output */
   1, 2,

@@ -4,34 +4,34 @@
 
 namespace fog::platform {
 
-/// What the boot message says of the board.
+/// Description of the board for the boot message.
 struct BoardDescription {
   const char* name;
   std::uint32_t core_clock_hz;
   const char* clock_source;
-  bool clock_is_fallback;  ///< neither the clock nor the speed that the board is meant to have
-  bool restarts_when_power_dips;  ///< the brown-out reset is on, so far as the board can tell
+  bool clock_is_fallback;         ///< not the intended clock source or speed
+  bool restarts_when_power_dips;  ///< the brown-out reset is enabled, as far as known
 };
 
-/// Clocks, ports and the millisecond tick: after it everything in hal/ works. Called once; before
-/// it only the watchdog may be started.
+/// Starts clocks, ports and the millisecond tick; afterwards everything in hal/ works. Call once;
+/// before it only the watchdog may be started.
 void start_board();
 
-/// Valid after start_board().
+/// Requires start_board().
 BoardDescription describe_board();
 
-/// Because the self-test found damage: restarts from the reset vector, as after power-on but for
-/// the reset cause.
+/// Restarts from the reset vector after the self-test found damage; the reset cause tells it from a
+/// power-on.
 [[noreturn]] void restart_board();
 
-/// The same because somebody wants it: the reset cause is `software`.
+/// Restarts on request; the reset cause is `software`.
 [[noreturn]] void restart_on_request();
 
 }  // namespace fog::platform
 
 namespace fog::app {
 
-/// The application: provided by each image, entered once by start-up with memory initialised.
+/// The application, one per image. Start-up calls it once, with memory initialised.
 [[noreturn]] void run();
 
 }  // namespace fog::app

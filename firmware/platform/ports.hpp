@@ -2,14 +2,14 @@
 
 namespace fog::platform {
 
-/// The serial ports behind hal/sample_source.hpp and hal/rate_sink.hpp. start_board() opens them
-/// once the clock that their bit rates derive from is the final one.
+/// The serial ports of hal/sample_source.hpp and hal/rate_sink.hpp. start_board() opens them once
+/// the clock of their bit rates is final.
 void open_sensor_port();
 void open_output_port();
-void open_request_port();  ///< the other direction of the output port, after it
+void open_request_port();  ///< receiver of the output port; open that first
 void open_console_port();
 
-/// Take what the port received: the handlers of their interrupts.
+/// Interrupt handlers of the ports: take the received byte.
 void on_sensor_interrupt();
 void on_request_interrupt();
 

@@ -6,17 +6,17 @@
 
 namespace fog::platform {
 
-/// Bytes from one producer (an interrupt handler) to one consumer (the main loop) without locks.
-/// Each index is written by one side only and counts bytes modulo 2^32, so full and empty differ
-/// and all `kCapacity` places are used. A release store publishes what was done before it; the
-/// other side's acquire load sees it. `__atomic` builtins, because <atomic> is not a freestanding
-/// header everywhere; on a Cortex-M they are plain loads and stores with a barrier.
+/// Lock-free queue of bytes from one producer (an interrupt handler) to one consumer (the main
+/// loop). Each index is written by one side only and counts modulo 2^32, so full and empty differ
+/// and all `kCapacity` slots are used. A release store publishes; the acquire load of the other
+/// side sees it. `__atomic` builtins, because <atomic> is not always available freestanding; on a
+/// Cortex-M they are plain loads and stores with a barrier.
 template <std::uint32_t kCapacity>
 class RingBuffer {
   static_assert(kCapacity != 0 && (kCapacity & (kCapacity - 1)) == 0, "indices wrap by masking");
 
  public:
-  /// Producer. Returns false, and takes nothing, when full.
+  /// Producer. Returns false, and stores nothing, if full.
   bool push(std::uint8_t byte) {
     if (is_full()) return false;
     bytes_[written_ & (kCapacity - 1)] = byte;
@@ -27,7 +27,7 @@ class RingBuffer {
   /// Producer. Once false it stays false until the next push.
   bool is_full() const { return written_ - __atomic_load_n(&read_, __ATOMIC_ACQUIRE) == kCapacity; }
 
-  /// Consumer. Moves up to `capacity` of the oldest bytes to `destination`; returns how many.
+  /// Consumer. Moves up to `capacity` of the oldest bytes to `destination`; returns their number.
   std::size_t pop(std::uint8_t* destination, std::size_t capacity) {
     const std::uint32_t available = __atomic_load_n(&written_, __ATOMIC_ACQUIRE) - read_;
     const std::uint32_t count =

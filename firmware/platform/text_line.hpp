@@ -6,7 +6,7 @@
 
 namespace fog::platform {
 
-/// A line of console text, or two, put together without a library: what does not fit is cut off.
+/// One or two lines of console text, built without a library; excess text is cut off.
 class TextLine {
  public:
   TextLine& text(const char* characters) {
@@ -43,7 +43,7 @@ class TextLine {
     if (length_ + 1 < characters_.size()) characters_[length_++] = character;
   }
 
-  std::array<char, 152> characters_;  // as far as length_
+  std::array<char, 152> characters_;  // valid up to length_
   std::size_t length_ = 0;
 };
 

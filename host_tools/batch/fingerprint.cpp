@@ -35,7 +35,7 @@ void Fingerprint::add(std::string_view word) {
 
 void Fingerprint::add_file(const std::string& path) {
   add(std::filesystem::path(path).filename().string());
-  // Piece by piece: a recording may be larger than the memory.
+  // In pieces: a recording may be larger than the memory.
   const std::unique_ptr<std::FILE, CloseFile> file(::fdopen(open_input(path), "rb"));
   std::array<char, 65536> piece;
   std::size_t size = 0;

@@ -6,13 +6,13 @@
 
 namespace fogcomp::batch {
 
-/// Of everything that decides a gyro's result, as 64 bits (FNV-1a): whether work is to be done
-/// again. It guards against change, not against an adversary.
+/// 64-bit hash (FNV-1a) of everything that determines a gyro's result: shows whether it has to be
+/// computed again. Against accidental change, not against an attacker.
 class Fingerprint {
  public:
-  /// Words are told apart: "ab", "c" is not "a", "bc".
+  /// Word boundaries count: "ab", "c" differs from "a", "bc".
   void add(std::string_view word);
-  /// The file's name without its folder, and its bytes. Throws InputError where it cannot be read.
+  /// The file's name without folder, and its contents. Throws InputError if it cannot be read.
   void add_file(const std::string& path);
 
   /// 16 hexadecimal digits.

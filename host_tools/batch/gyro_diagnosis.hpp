@@ -6,22 +6,21 @@
 
 namespace fogcomp::batch {
 
-/// Why a gyro is as it is: what a diagnosis of its model on its recordings found.
+/// Diagnosis of a gyro's model on its recordings.
 struct GyroDiagnosis {
-  std::string fingerprint;  ///< of the gyro's result, which it belongs to
+  std::string fingerprint;  ///< of the result that it belongs to
   std::string verdict;      ///< "none", "missing_effect", "ambiguous", "unknown"; "": failed
-  std::vector<std::string> effects;  ///< missing, together or one of them
-  double size_dph = 0;               ///< of what is missing, rms
+  std::vector<std::string> effects;  ///< missing together, or one of them
+  double size_dph = 0;               ///< rms of the missing part
   std::optional<double> probability;
   std::string sentence;
-  std::string next;  ///< command line; "": there is none
+  std::string next;  ///< command line; "": none
 };
 
-/// Writes diagnosis.txt in `folder` whole or not at all. Throws InputError where it cannot be
-/// written.
+/// Writes diagnosis.txt in `folder`, completely or not at all. Throws InputError if that fails.
 void save_diagnosis(const GyroDiagnosis& diagnosis, const std::string& folder);
 
-/// Nothing where there is none, or none of that result.
+/// Nothing if there is no diagnosis of that result.
 std::optional<GyroDiagnosis> load_diagnosis(const std::string& folder,
                                             const std::string& fingerprint);
 

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kTitle = "fogcomp-batch 3";
 constexpr const char* kEnd = "end";
 
-// In the shortest form that reads back to the same bits.
+// Shortest form that reads back exactly.
 std::string digits_of(double value) {
   char digits[40];
   return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};

@@ -7,15 +7,15 @@
 
 namespace fogcomp::batch {
 
-/// What is known of one gyro: figures, or why there are none. Whether the figures are good enough
-/// is not in it: limits may change without a fit anew.
+/// Result of one gyro: values, or the reason why there are none. The verdict is not included,
+/// because limits may change without a new fit.
 struct GyroResult {
   std::string gyro;
   std::string fingerprint;  ///< of recordings and options
-  std::string error;        ///< one line; "" where there are figures
+  std::string error;        ///< one line; "" if there are values
   std::vector<std::pair<std::string, double>> figures;
-  std::vector<std::string> notes{};  ///< what has to be known of it, a sentence each
-  /// What was written beside it: name and fingerprint of each file.
+  std::vector<std::string> notes{};  ///< remarks, one sentence each
+  /// Files written with it: name and fingerprint.
   std::vector<std::pair<std::string, std::string>> outputs{};
 
   std::optional<double> figure(const std::string& name) const;
@@ -24,16 +24,16 @@ struct GyroResult {
 /// The file of a gyro's result in `folder`.
 std::string result_path(const std::string& folder);
 
-/// Adds the file `name` of `folder` to the outputs, as it is now.
+/// Adds the present file `name` of `folder` to the outputs.
 void add_output(GyroResult& result, const std::string& folder, const std::string& name);
 
-/// Whether every output is in `folder` as it was written.
+/// Whether every output in `folder` is unchanged.
 bool outputs_are_whole(const GyroResult& result, const std::string& folder);
 
-/// Writes result_path() whole or not at all. Throws InputError where the folder cannot be written.
+/// Writes result_path(), completely or not at all. Throws InputError if the folder is not writable.
 void save_result(const GyroResult& result, const std::string& folder);
 
-/// Nothing where there is no result, or none that this version can read: it is made again then.
+/// Nothing if there is no result that this version can read: it is computed again.
 std::optional<GyroResult> load_result(const std::string& gyro, const std::string& folder);
 
 }  // namespace fogcomp::batch

@@ -39,7 +39,7 @@ std::string broken_limits(const GyroResult& result, const std::vector<Limit>& li
   std::string text;
   for (const Limit& limit : limits) {
     const auto value = result.figure(limit.figure);
-    if (value && limit.keeps(*value)) continue;
+    if (value && limit.meets(*value)) continue;
     text += (text.empty() ? "" : "; ") + limit.figure + " " +
             (value ? format("%.4g", *value) : "is missing") + ", must be " +
             format("%s %g", limit.is_max ? "<=" : ">=", limit.value);

@@ -9,11 +9,11 @@
 namespace fogcomp::batch {
 namespace {
 
-// Of all clean lots, how many have a gyro named.
+// Fraction of clean lots with a reported gyro.
 constexpr double kFalseOutliers = 0.01;
 // The variance of ln(1.4826 MAD) of n normal values is 1.36/n, that of their standard deviation
-// 1/(2n): the spread is known as a standard deviation of so many of them would be. lot_test counts
-// the lots in which it names a gyro.
+// 1/(2n): the spread is as uncertain as a standard deviation of kEfficiency * n values. lot_test
+// counts the reported gyros.
 constexpr double kEfficiency = 0.37;
 
 // Integral of sin^power from 0 to `angle`, by Simpson's rule.
@@ -26,8 +26,8 @@ double sine_integral(double power, double angle) {
   return sum * step / 3;
 }
 
-// Beyond which a value of Student's distribution lies, on either side, with that chance: by
-// t = sqrt(freedom) cot(angle) the tail is an integral of sin^(freedom - 1).
+// Value of Student's distribution that is exceeded, on either side, with this probability: with t =
+// sqrt(degrees of freedom) cot(angle) the tail is an integral of sin^(degrees of freedom - 1).
 double student_bound(double chance, double degrees_of_freedom) {
   constexpr int kHalvings = 50;
   const double right = std::acos(0.0);

@@ -29,7 +29,7 @@ struct Running {
   bool overdue = false;
 };
 
-// Signals are waited for, not handled: nothing is interrupted at a moment that it did not choose.
+// Signals are waited for, not handled, so that they interrupt only at defined points.
 class WatchedSignals {
  public:
   WatchedSignals() {
@@ -38,7 +38,7 @@ class WatchedSignals {
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
       struct sigaction action {};
       sigaction(number, nullptr, &action);
-      if (action.sa_handler != SIG_IGN) sigaddset(&watched_, number);  // nohup stays in force
+      if (action.sa_handler != SIG_IGN) sigaddset(&watched_, number);  // respects nohup
     }
     sigprocmask(SIG_BLOCK, &watched_, &before_);
   }
@@ -47,7 +47,7 @@ class WatchedSignals {
   WatchedSignals& operator=(const WatchedSignals&) = delete;
 
   void restore() const { sigprocmask(SIG_SETMASK, &before_, nullptr); }
-  // The signal that asks for the end, or 0 after a tick or the end of a child.
+  // The signal that requests the end, or 0 after a tick or the end of a child.
   int wait() const {
     const int number = sigtimedwait(&watched_, nullptr, &kTick);
     return number > 0 && number != SIGCHLD ? number : 0;
@@ -58,7 +58,7 @@ class WatchedSignals {
   sigset_t before_;
 };
 
-// The child must not go on as a second parent.
+// The child must not continue as a second parent.
 [[noreturn]] void run_and_exit(const std::function<void(std::size_t)>& work, std::size_t job) {
   int code = 0;
   try {
@@ -78,10 +78,10 @@ std::string death_of(const Running& running, int status, double time_limit_s) {
                   strsignal(WTERMSIG(status)));
   }
   return WEXITSTATUS(status) == 0 ? ""
-                                  : format("its process ended with code %d", WEXITSTATUS(status));
+                                  : format("its process exited with code %d", WEXITSTATUS(status));
 }
 
-// The processes that run now.
+// The running processes.
 class Children {
  public:
   explicit Children(double time_limit_s) : time_limit_s_(time_limit_s) {}
@@ -90,7 +90,7 @@ class Children {
 
   void start(std::size_t job, const std::function<void(std::size_t)>& work,
              const WatchedSignals& signals) {
-    std::fflush(nullptr);  // or the child would print it again
+    std::fflush(nullptr);  // otherwise the child would print it again
     const pid_t process = ::fork();
     if (process < 0) {
       throw InputError("fogcomp batch", std::string("no process can be started (") +
@@ -103,8 +103,8 @@ class Children {
     running_.push_back({process, job, Clock::now()});
   }
 
-  // Tells of those that have ended, and ends those that take too long.
-  void look_after(const PoolEvents& events) {
+  // Reports processes that have ended, and kills those above the time limit.
+  void supervise(const PoolEvents& events) {
     for (std::size_t i = 0; i < running_.size();) {
       int status = 0;
       if (::waitpid(running_[i].process, &status, WNOHANG) == 0) {
@@ -151,7 +151,7 @@ int run_in_processes(std::size_t jobs, const PoolSettings& settings,
       children.end_all();
       return asked_to_end;
     }
-    children.look_after(events);
+    children.supervise(events);
     events.tick();
   }
   return 0;

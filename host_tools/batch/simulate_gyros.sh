@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# simulate_gyros.sh FOGCOMP N DIR: a production lot to try `fogcomp batch` on: N gyros of the preset `paper`,
-# each with noise and coefficients of its own, a run of the paper's programme to fit to and its reverse to judge
-# by, a row every 10 s. Gyro 3 of every hundred has an effect that no fit of the others' effects removes.
+# simulate_gyros.sh FOGCOMP N DIR: a simulated production lot for `fogcomp batch`: N gyros of the preset `paper`, each
+# with its own noise and coefficients, a run of the paper's programme for the fit and its reverse as holdout, one row
+# per 10 s. Gyro 3 of every hundred has an effect that the fitted effects cannot describe.
 set -euo pipefail
 fogcomp=${1:?usage: simulate_gyros.sh FOGCOMP N DIR} count=$2 parent=$3
 
-# coefficients SEED: --effect options, spread about the preset's as a lot of coils might be.
+# coefficients SEED: --effect options, spread about the preset's like a lot of coils.
 coefficients() {
   awk -v seed="$1" 'function spread(mean, share) { return mean * (1 + share * (2 * rand() - 1)) }
     BEGIN {

@@ -7,8 +7,8 @@
 namespace fogcomp::batch {
 namespace {
 
-// A cell as RFC 4180 has it. A spreadsheet takes what begins with one of "=+-@" for a formula and
-// runs it: a serial number that begins so gets an apostrophe before it.
+// A cell by RFC 4180. A spreadsheet would execute a text that begins with one of "=+-@" as a
+// formula: such a serial number gets an apostrophe before it.
 std::string quoted(std::string text) {
   if (text.find_first_of("=+-@") == 0) text.insert(0, "'");
   if (text.find_first_of(",\"\n") == std::string::npos) return text;

@@ -5,29 +5,29 @@
 
 namespace fogcomp::batch {
 
-/// What a table is known by, as texts.
+/// Identity of a table, as texts.
 struct TableIdentity {
   std::string serial;     ///< of the gyro, as a cell
-  std::string processor;  ///< that it is bound to; any
+  std::string processor;  ///< that it is bound to; empty: any
   std::string model_crc32;
   std::string table_crc32;
 };
 
-/// As a cell of a sheet; of what has neither quotes nor line ends.
+/// A cell of a sheet; for texts without quotes and line ends.
 std::string in_quotes(const std::string& text);
 
-/// Every table that a gyro was ever given: OUT/history/tables.csv, a line for each, and the tables
-/// themselves beside it. Nothing of it is removed or written twice.
+/// All tables that a gyro ever had: OUT/history/tables.csv, one line each, and the tables
+/// themselves. Nothing is removed or written twice.
 class TableHistory {
  public:
-  /// Of the batch with its results in `folder`; read where there is one.
+  /// History of the batch with results in `folder`; read if it exists.
   explicit TableHistory(const std::string& folder);
 
-  /// The number of this table: of the gyro's last one where it is the same, else the next. Throws
-  /// InputError where the gyro's last line is none that batch wrote.
+  /// Number of this table: that of the gyro's last one if it is the same, else the next. Throws
+  /// InputError if the gyro's last line was not written by batch.
   std::uint32_t sequence_of(const std::string& gyro, const TableIdentity& table) const;
 
-  /// Keeps the `bytes` of a table, unless they are there.
+  /// Stores the `bytes` of a table, unless they are stored already.
   void add(const std::string& gyro, std::uint32_t sequence, const TableIdentity& table,
            const std::string& limits, const std::string& bytes);
 

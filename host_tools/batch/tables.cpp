@@ -35,7 +35,7 @@ TableIdentity identity_of(const board::BoardTable& table) {
           format("%08x", static_cast<unsigned>(table.words.back()))};
 }
 
-// Limits and names of folders have neither quotes nor line ends.
+// Limits and folder names have neither quotes nor line ends.
 std::string sheet_line(const std::string& gyro, const TableIdentity& table,
                        const std::string& limits) {
   return join({in_quotes(gyro), table.serial, table.processor, table.model_crc32, table.table_crc32,

@@ -16,11 +16,11 @@ class BoardPort {
   BoardPort(const BoardPort&) = delete;
   BoardPort& operator=(const BoardPort&) = delete;
 
-  /// Throws InputError where the bytes are not taken within a second.
+  /// Throws InputError if the bytes cannot be sent within a second.
   void write(const std::uint8_t* bytes, std::size_t size);
 
-  /// Waits up to `patience_ms` for bytes, and takes at most `capacity`; 0 where none came. Throws
-  /// InputError where the other side is gone.
+  /// Waits up to `patience_ms` for bytes, and reads at most `capacity`; 0 if none came. Throws
+  /// InputError if the connection is closed.
   std::size_t read(std::uint8_t* bytes, std::size_t capacity, int patience_ms);
 
  private:

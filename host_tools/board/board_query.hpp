@@ -9,13 +9,13 @@
 
 namespace fogcomp::board {
 
-/// Asks a board for something until it comes, or patience ends.
+/// Repeats a request to a board until an answer comes or a time limit is reached.
 class BoardQuery {
  public:
   explicit BoardQuery(BoardPort& port) : port_(port) {}
 
-  /// Sends `request` now and then every `again_s`. `decode(bytes)`: whether an answer, of
-  /// `answer_bytes`, begins there; frames come between. False where none came within `patience_s`.
+  /// Sends `request` every `again_s`. `decode(bytes)`: whether an answer of `answer_bytes` begins
+  /// there; frames may come before it. Returns false if none came within `patience_s`.
   template <class Request, class Decode>
   bool ask(const Request& request, std::size_t answer_bytes, double patience_s, double again_s,
            Decode decode) {

@@ -6,20 +6,19 @@
 
 namespace fogcomp::board {
 
-/// The weights of a board, from an exported header or table, or straight from a model.
+/// The weights of a board, from an exported header or table, or from a model.
 class BoardSource {
  public:
-  /// Throws InputError for a file that is neither, is damaged, or is of another version.
+  /// Throws InputError for a file that is neither, is damaged, or has another version.
   explicit BoardSource(const std::string& path);
 
   /// nullptr for a header or table.
   const model::Model* model() const { return is_model_ ? &model_ : nullptr; }
   /// Counts per deg/s of its sensor stream.
   double scale_factor() const;
-  /// What its effects need beside the coil's temperature.
+  /// Inputs that its effects need beside the coil temperature.
   fog::InputMask needs() const;
-  /// The board's table. A header or table has settings of its own: there `settings` does not
-  /// matter.
+  /// The board's table. A header or table has its own settings: `settings` is ignored.
   const BoardTable& table(const BoardSettings& settings);
 
  private:

@@ -104,10 +104,10 @@ void write_thermal(TableWriter& out, const model::Model& model, const Timing& ti
   out.integer(std::llround(std::ceil(settle_s / timing.block_s)), "settle blocks");
 }
 
-// Up to half its trained span beyond it: there the error of a coefficient counts at most twice as
-// much as at the ends of the range. A step that training never saw has to be confirmed; of a
-// temperature physics says which. An input that stood still in training, or was not kept then, may
-// be whatever its format holds.
+// Limits of an input: half its trained span beyond the trained range, where the error of a
+// coefficient counts at most twice as much as at its ends. Steps larger than in training have to be
+// confirmed; for a temperature the physical limit is used. An input that was constant in training,
+// or not recorded then, is not limited.
 struct InputLimits {
   double min;
   double max;
@@ -163,7 +163,7 @@ double largest_coefficient(const model::Model& model) {
   return largest;
 }
 
-// Throws where a coefficient is larger than the board's numbers, in the unit that people read.
+// Throws if a coefficient exceeds the board's numbers; the message has its natural unit.
 void require_held(const model::EffectTerm& term, std::size_t coefficient, int fraction) {
   const double max = std::ldexp(1, 31 - fraction);
   if (std::abs(term.coefficients_dph[coefficient]) < max) return;
@@ -206,7 +206,7 @@ void write_effects(TableWriter& out, const model::Model& model, const Timing& ti
   }
 }
 
-// One program of all expressions; each of its parts ends with that expression's output.
+// One program of all expressions; each part ends with that expression's output.
 void write_expressions(TableWriter& out, const model::Model& model, const Timing& timing,
                        int fraction) {
   std::vector<const model::EffectTerm*> terms;
@@ -238,7 +238,7 @@ void write_expressions(TableWriter& out, const model::Model& model, const Timing
   }
 }
 
-// Whether what needs these inputs can run on a board that is fed like this one.
+// Throws unless an effect with these inputs can run on a board with these settings.
 void require_board(const std::string& who, fog::InputMask needs, const BoardSettings& settings) {
   for (const fog::InputDescription& input : fog::kInputTable) {
     if (settings.extension || !is_extension(input.input) || !has(needs, input.input)) continue;
@@ -255,8 +255,8 @@ void require_board(const model::Model& model, const BoardSettings& settings) {
   require_board("the network", model.network.needs(), settings);
 }
 
-// Throws where the program as a whole is more than an image has room for: `first` is the first word
-// that write_expressions() wrote.
+// Throws if the program is larger than an image's capacity. `first`: first word written by
+// write_expressions().
 void check_expressions(const BoardTable& table, std::size_t first) {
   const std::int32_t* next = table.words.data() + first;
   const auto count = static_cast<std::size_t>(*next++);

@@ -11,24 +11,24 @@
 
 namespace fogcomp::board {
 
-/// What the board is, as far as the table depends on it.
+/// Properties of the board that the table depends on.
 struct BoardSettings {
   double sample_rate_hz = 200;
   fog::OutputSelection output = fog::OutputSelection::kvh;
   bool extension = false;           ///< the demodulator sends extension records
   recording::GivenLimits limits{};  ///< in place of the model's
-  /// Beside fog::kRateInvalid: with any of these flags no rate is valid.
+  /// Any of these flags, beside fog::kRateInvalid, makes a rate invalid.
   fog::Status invalidating = kDefaultInvalidating;
-  fog::OutputOptions output_options = 0;  ///< of KVH's frames
+  fog::OutputOptions output_options = 0;  ///< of the KVH frames
   std::string serial{};                   ///< of the gyro; empty: the model's
-  ProcessorNumber processor{};            ///< the only one that takes the table; 0: any does
+  ProcessorNumber processor{};            ///< the only one that accepts the table; 0: any
 };
 
 /// A model in the integers of the firmware (firmware/SPEC.md, "Model table").
 struct BoardTable {
   struct Note {
     std::size_t first_word;
-    std::string text;  ///< what the words from here on are, with their real values
+    std::string text;  ///< describes the words from here on, with their real values
   };
   std::vector<std::int32_t> words;
   std::vector<Note> notes;
@@ -36,23 +36,22 @@ struct BoardTable {
   fog::Span<const std::int32_t> span() const { return {words.data(), words.size()}; }
 };
 
-/// The part of a model that a board can have: without the events of one recording.
+/// The part of a model that a board can run: without the events of one recording.
 model::Model board_model(const model::Model& model);
 
-/// Rounds board_model() to the board's formats. Throws InputError where a value does not fit one,
-/// and for an effect that this board cannot have: the reason is in the message.
+/// Rounds board_model() to the board's formats. Throws InputError for a value that does not fit its
+/// format, and for an effect that this board cannot run, with the reason.
 BoardTable make_board_table(const model::Model& model, const BoardSettings& settings);
 
-/// What a signal of the network is held as on the board: fractional bits, and units of the host in
-/// one of the board's.
+/// Format of a network input on the board: fractional bits, and host units per board unit.
 struct NetworkInputFormat {
   int fraction;
   double per_unit;
 };
 NetworkInputFormat network_input_format(fog::NetworkInput signal, double block_s);
 
-/// Takes a table apart with the firmware's own reader. Throws InputError naming `file` and the
-/// reason. The table must outlive the result.
+/// Decodes a table with the firmware's own reader. Throws InputError naming `file` and the reason.
+/// The table must outlive the result.
 fog::ModelParameters read_board_table(const BoardTable& table, const std::string& file);
 
 }  // namespace fogcomp::board

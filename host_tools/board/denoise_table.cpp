@@ -10,8 +10,8 @@
 namespace fogcomp::board {
 namespace {
 
-// Taps of the low-pass filter divided by sqrt 2, times 2^fraction, rounded so that even and odd
-// taps sum to one half each: a constant then passes exactly.
+// Taps of the low-pass filter / sqrt 2 * 2^fraction, rounded so that even and odd taps sum to one
+// half each: a constant then passes exactly.
 std::vector<std::int64_t> rounded_taps(const std::vector<double>& filter, int fraction) {
   std::vector<std::int64_t> taps;
   const std::int64_t half = std::int64_t{1} << (fraction - 1);
@@ -28,7 +28,7 @@ std::vector<std::int64_t> rounded_taps(const std::vector<double>& filter, int fr
   return taps;
 }
 
-// The low-pass filter backwards, with alternating signs.
+// The low-pass filter reversed, with alternating signs.
 std::vector<std::int64_t> mirrored(const std::vector<std::int64_t>& low) {
   std::vector<std::int64_t> high(low.rbegin(), low.rend());
   for (std::size_t i = 1; i < high.size(); i += 2) high[i] = -high[i];

@@ -16,18 +16,18 @@ namespace {
 
 using Op = fog::ExpressionOp;
 
-constexpr int kUsedBits = 30;  // of a value: one is spare
+constexpr int kUsedBits = 30;  // bits used by a value; one is spare
 constexpr int kMaxFraction = 58;
 constexpr int kMaxPower = 16;
-// Of the core's functions, from their headers.
+// Errors of the core's functions, from their headers.
 constexpr double kSineError = 5e-9;
 constexpr double kDecayError = 3e-9;
 constexpr double kTanhError = 2.4e-7;
-constexpr int kWaveFraction = 30;   // what sine, cosine, decay and tanh give
-constexpr int kDecayFraction = 26;  // what decay takes
-constexpr int kTanhFraction = 27;   // what tanh takes
+constexpr int kWaveFraction = 30;   // output of sine, cosine, decay and tanh
+constexpr int kDecayFraction = 26;  // input of decay
+constexpr int kTanhFraction = 27;   // input of tanh
 
-// A value on the board's stack: its real range, by how much it may be off, its fractional bits.
+// A value on the board's stack: real range, error bound, fractional bits.
 struct Value {
   double min = 0;
   double max = 0;
@@ -41,7 +41,7 @@ double half_lsb(int fraction) {
   return std::ldexp(0.5, -fraction);
 }
 
-// Fractional bits at which a value of this size uses kUsedBits.
+// Fractional bits with which a value of this size uses kUsedBits.
 int fraction_for(double size) {
   return size > 0 ? std::min(kMaxFraction, kUsedBits - 1 - std::ilogb(size)) : kUsedBits;
 }
@@ -83,17 +83,17 @@ class Compiler {
     code_.words.push_back(static_cast<std::int32_t>(std::llround(raw)));
   }
 
-  // The value on top with other fractional bits.
+  // Converts the value on top to other fractional bits.
   Value in_format(Value value, int fraction) {
     const int dropped = value.fraction - fraction;
     if (dropped == 0) return value;
-    if (dropped < -31 || dropped > 62) refuse("sizes that are too far apart meet");
+    if (dropped < -31 || dropped > 62) refuse("operands differ too much in size");
     emit(Op::shift, dropped);
     if (dropped > 0) value.error += half_lsb(fraction);
     value.fraction = fraction;
     return value;
   }
-  // A value that a node has worked out: its size must have a format.
+  // Checks that a result's size fits a format.
   Value checked(const Value& value) const {
     if (!(value.size() < 2147483648.0) || !(value.error < 1e9)) {
       refuse("a value could become larger than 2^31");
@@ -118,7 +118,7 @@ class Compiler {
     const int fraction = description_of(which).fraction;
     const double own_error = which == fog::Input::temperature_rate ? rate_error() : 0;
     push_signal(which, range.min, range.max, fraction);
-    // The clamp's own rounding.
+    // rounding of the clamp itself
     return {range.min, range.max, own_error + half_lsb(fraction), fraction};
   }
 
@@ -128,18 +128,18 @@ class Compiler {
     emit_word(std::ldexp(max, fraction));
   }
 
-  // Blocks times their length.
+  // Number of blocks times their length.
   Value elapsed(const model::SignalRange& range) {
     const double max_blocks = std::min(range.max / block_s_, 2147483647.0);
     push_signal(fog::Input::elapsed, 0, max_blocks, 0);
-    // Where time stands at its maximum, blocks that are no whole number are off by up to a half.
+    // Near the maximum time, a non-integer number of blocks is off by up to a half.
     const double off = std::abs(max_blocks - std::round(max_blocks)) < 1e-6 ? 1e-6 : 0.5;
     const Value blocks{0, max_blocks, off, 0};
     return product(blocks, constant(block_s_));
   }
 
-  // The two lags behind the derivative stand still within half an LSB of 22 bits each; their
-  // difference is rounded to 26 bits, the decay to 31 and the gain to 24.
+  // The two lags of the derivative rest within half an LSB of 22 bits each; their difference is
+  // rounded to 26 bits, the decay to 31 and the gain to 24.
   double rate_error() const {
     const auto real = model::thermal_parameters(model_, block_s_).derivative;
     const double lags = 3 * half_lsb(22) + half_lsb(26);
@@ -148,7 +148,7 @@ class Compiler {
            4 * rate * half_lsb(31) / real.decay + half_lsb(fog::TemperatureRate::fractional_bits);
   }
 
-  // Of two values on the stack.
+  // Product of two values on the stack.
   Value product(const Value& a, const Value& b) {
     const double corners[] = {a.min * b.min, a.min * b.max, a.max * b.min, a.max * b.max};
     Value result;
@@ -160,13 +160,13 @@ class Compiler {
   Value multiplied(Value result, int exact_fraction) {
     checked(result);
     result.fraction = std::min(fraction_for(result.size()), exact_fraction);
-    if (exact_fraction - result.fraction > 62) refuse("sizes that are too far apart meet");
+    if (exact_fraction - result.fraction > 62) refuse("operands differ too much in size");
     emit(Op::multiply, exact_fraction - result.fraction);
     result.error += half_lsb(result.fraction);
     return result;
   }
 
-  // Of the value on the stack.
+  // Negates the value on the stack.
   Value negated(const Value& x) {
     emit(Op::negate);
     return {-x.max, -x.min, x.error, x.fraction};
@@ -224,7 +224,7 @@ class Compiler {
     return constant(constants_[index]);
   }
 
-  // The format of a sum's operands depends on both, so they are compiled once to learn their
+  // The format of a sum's operands depends on both, so they are first compiled to learn their
   // ranges.
   Value trial(std::size_t index) {
     if (!known_[index]) {
@@ -293,7 +293,7 @@ class Compiler {
     return result;
   }
 
-  // x on the stack to a whole power.
+  // Raises x on the stack to a whole power.
   Value power(const Value& x, double exponent) {
     if (exponent != std::round(exponent) || std::abs(exponent) > kMaxPower || exponent == 0) {
       refuse(format("a power of %.6g; it has whole powers from -%d to %d but 0", exponent,
@@ -307,7 +307,7 @@ class Compiler {
     Value result = x;
     for (int n = 2; n <= static_cast<int>(exponent); ++n) {
       emit(Op::over);
-      // Of one and the same value: the range is that of the power, the error that of a product.
+      // Both factors are equal: the range is that of the power, the error that of a product.
       const double ends[] = {std::pow(x.min, n), std::pow(x.max, n)};
       const bool turns = n % 2 == 0 && x.min < 0 && x.max > 0;
       Value next{turns ? 0 : std::min(ends[0], ends[1]), std::max(ends[0], ends[1]), 0, 0};
@@ -345,7 +345,7 @@ class Compiler {
     return result;
   }
 
-  // Lags and plays keep the format, so the value gets as fine a one as it can have.
+  // Lags and plays keep the format, so the value gets the finest possible one.
   Value lag(const model::ExpressionNode& now) {
     const double tau_s = constants_[now.right];
     if (!(tau_s > 0)) refuse("a lag's time constant is not above 0");

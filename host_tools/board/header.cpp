@@ -20,7 +20,7 @@ std::string table_lines(const BoardTable& table) {
     text += "  /* " + table.notes[i].text + " */\n";
     std::string line = " ";
     for (std::size_t word = table.notes[i].first_word; word < end; ++word) {
-      // -2147483648 is not a C literal of type int.
+      // -2147483648 is not a C literal of type int
       const std::string number = table.words[word] == INT32_MIN ? std::string("(-2147483647 - 1)")
                                                                 : std::to_string(table.words[word]);
       if (line.size() + number.size() > 92) {
@@ -75,7 +75,7 @@ std::string line_of(const std::string& text, std::size_t at, const std::string& 
   return file + ":" + std::to_string(1 + std::count(text.begin(), end, '\n'));
 }
 
-// The word at `at`, which is then behind it.
+// Reads the word at `at` and moves `at` behind it.
 std::int32_t read_word(const std::string& text, std::size_t& at, const std::string& file) {
   const std::string most_negative = "(-2147483647 - 1)";
   if (text.compare(at, most_negative.size(), most_negative) == 0) {

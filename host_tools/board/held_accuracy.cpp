@@ -11,10 +11,10 @@ namespace fogcomp::board {
 namespace {
 
 constexpr double kSinceStartS = 3600;
-constexpr double kSlowestDegcPerMin = 0.05;  // drift does not care for slower ones
+constexpr double kSlowestDegcPerMin = 0.05;  // slower ones do not change the result
 constexpr std::uint32_t kLongestSoakBlocks = 3600;
 
-/// The drift of every block of a way up and down through the trained range.
+/// Drift of every block on a way up and down through the trained range.
 class RoundTrip {
  public:
   RoundTrip(const model::Model& model, double block_s) : model_(model, block_s) {

@@ -13,7 +13,7 @@ std::array<std::uint32_t, fog::kSerialWords> serial_words(const std::string& ser
   if (serial.empty()) return words;
   if (!model::is_serial_number(serial)) {
     throw InputError("--serial",
-                     format("'%s' is not what a board holds; give 1 to %zu characters of ASCII "
+                     format("'%s' does not fit a board; give 1 to %zu characters of ASCII "
                             "without spaces",
                             serial.c_str(), model::kMaxSerial));
   }

@@ -10,13 +10,13 @@ namespace fogcomp::board {
 
 using ProcessorNumber = std::array<std::uint32_t, fog::kProcessorWords>;
 
-/// The serial number as a table and a health record hold it, ASCII, padded with 0. Throws
-/// InputError where they cannot.
+/// The serial number as stored in a table and a health record: ASCII, padded with 0. Throws
+/// InputError if it does not fit.
 std::array<std::uint32_t, fog::kSerialWords> serial_words(const std::string& serial);
-/// The other way; empty: none.
+/// Inverse of serial_words(); empty: none.
 std::string serial_text(const std::uint32_t* words);
 
-/// 24 hexadecimal digits, as `fogcomp health` prints them. Throws InputError.
+/// Parses 24 hexadecimal digits, as printed by `fogcomp health`. Throws InputError.
 ProcessorNumber parse_processor_number(const std::string& text);
 std::string processor_text(const ProcessorNumber& number);
 

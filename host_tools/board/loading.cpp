@@ -25,7 +25,7 @@ using Words = std::vector<std::uint32_t>;
 
 constexpr double kPatienceS = 3;
 constexpr double kAnswerS = 0.5;
-constexpr double kEraseS = 4;        // a slot of the slowest flash, and the answer
+constexpr double kEraseS = 4;        // erases a slot of the slowest flash, and answers
 constexpr int kTriesOfRestart = 14;  // of 0.75 s each
 
 fog::LoadTarget target_of(const fog::SlotsRecord& slots, const fog::HealthRecord& health) {
@@ -39,7 +39,7 @@ fog::LoadTarget target_of(const fog::SlotsRecord& slots, const fog::HealthRecord
   return target;
 }
 
-// Of both, also of one that cannot be used.
+// Of both slots, even unusable ones.
 std::uint32_t newest_sequence(const fog::SlotsRecord& slots) {
   std::uint32_t newest = 0;
   for (const fog::SlotRecord& slot : slots.slots) {
@@ -59,7 +59,7 @@ std::string serial_at(const Words& slot) {
   return displayable(serial_text(&slot[fog::kSlotHeaderWords + fog::kIdentityAt]));
 }
 
-// What is wrong with the table.
+// Text for a refusal because of the table.
 std::string reason(LoadRefusal refusal, const Words& slot, const fog::LoadTarget& target) {
   switch (refusal) {
     case LoadRefusal::other_board: {
@@ -99,7 +99,7 @@ std::string reason(LoadRefusal refusal, const Words& slot, const fog::LoadTarget
   }
 }
 
-/// One step, and its answer; nothing where none comes.
+/// Sends one message and returns its answer; nothing if none comes.
 std::optional<LoadAnswer> send(BoardPort& port, const LoadMessage& message) {
   std::vector<std::uint8_t> bytes(fog::kMaxLoadBytes);
   bytes.resize(fog::encode_load_message(message, bytes.data()));
@@ -124,7 +124,7 @@ LoadMessage message_of(LoadStep step, std::uint32_t argument, const Words& slot,
   return message;
 }
 
-// All but the end.
+// All messages but `end`.
 LoadRefusal send_words(BoardPort& port, const Words& slot, std::uint32_t options,
                        const LoadRequest& request) {
   LoadMessage message = message_of(LoadStep::begin, options, slot, 0, fog::kLoadHeadWords);
@@ -142,8 +142,8 @@ LoadRefusal send_words(BoardPort& port, const Words& slot, std::uint32_t options
   }
 }
 
-// A board whose answer was lost has restarted meanwhile, and expects no end: its slots say with
-// what.
+// A board whose answer was lost has restarted in the meantime and expects no `end`: its slots show
+// the result.
 LoadRefusal send_end(BoardPort& port) {
   const std::optional<LoadAnswer> answer = send(port, {LoadStep::end, 0, 0, {}});
   const bool may_have_restarted = !answer || answer->refusal == LoadRefusal::not_expected;

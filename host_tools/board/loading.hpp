@@ -10,21 +10,21 @@
 namespace fogcomp::board {
 
 struct LoadRequest {
-  std::string port;           ///< of which messages speak
-  std::string file;           ///< that the table comes from
-  bool another_gyro = false;  ///< it may be of another gyro than the one in use
+  std::string port;           ///< name for messages
+  std::string file;           ///< file of the table
+  bool another_gyro = false;  ///< allow the table of another gyro than the one in use
 };
 
-/// What the board has made of it: its slots after the restart, the new table in use.
+/// Result: the board's slots after the restart, with the new table in use.
 struct LoadedTable {
   std::size_t slot = 0;
   fog::SlotRecord record;
 };
 
-/// Loads a table into the slot of a board that is not in use, newer than the one that is
-/// (firmware/SPEC.md, "Loading a table"), and waits until the board has restarted with it. Throws
-/// InputError where the table is not for this board, before anything is sent, by the code by which
-/// the board judges; where the board refuses it; where no answer comes.
+/// Loads a table, newer than the one in use, into a board's other slot (firmware/SPEC.md, "Loading
+/// a table"), and waits until the board has restarted with it. Throws InputError if the table does
+/// not fit this board (checked by the board's own code before anything is sent), if the board
+/// refuses it, and if no answer comes.
 LoadedTable load_table(BoardPort& port, const BoardTable& table, const LoadRequest& request);
 
 }  // namespace fogcomp::board

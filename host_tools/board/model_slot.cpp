@@ -20,7 +20,7 @@ void append_word(std::string& bytes, std::uint32_t word) {
   bytes.append(four.begin(), four.end());
 }
 
-// What `read_model` calls "not for this image", by name.
+// Details of the error "not in image" of `read_model`.
 void require_room(const BoardTable& table, const std::string& file) {
   const fog::ModelParameters parameters = read_board_table(table, file);
   const fog::DenoiseParameters& denoise = parameters.denoise;

@@ -7,15 +7,15 @@
 
 namespace fogcomp::board {
 
-/// A model table as it lies in a slot of a board with the generic image (firmware/SPEC.md, "Model
-/// slots"). Of two in a board the one with the higher `sequence` is the newer. Throws InputError
-/// where that image cannot have it: `file` and what it has no room for.
+/// Contents of a slot of a board with the generic image (firmware/SPEC.md, "Model slots") with a
+/// model table. Of two slots the one with the higher `sequence` is newer. Throws InputError, naming
+/// `file` and the part, if the table exceeds that image's capacity.
 std::string slot_bytes(const BoardTable& table, std::uint32_t sequence, const std::string& file);
 
-/// Whether these are the bytes of a slot, as far as their beginning tells.
+/// Whether `bytes` begin like a slot.
 bool looks_like_slot(const std::string& bytes);
 
-/// The table in the bytes of a slot. Throws InputError naming `file` where it is damaged or of
+/// The table in the bytes of a slot. Throws InputError naming `file` if it is damaged or has
 /// another layout.
 BoardTable parse_slot(const std::string& bytes, const std::string& file);
 

@@ -8,7 +8,7 @@
 namespace fogcomp::board {
 namespace {
 
-// The model's network as the board has it: all neurons tanh(z / 2).
+// The model's network in the board's form: all neurons tanh(z / 2).
 struct BoardNetwork {
   Eigen::MatrixXd weights;  // hidden neurons x inputs
   Eigen::VectorXd biases;
@@ -18,7 +18,8 @@ struct BoardNetwork {
   double amplitude_dph = 0;
 };
 
-// tansig(z) = tanh(2 z / 2); logsig(z) = 1/2 + tanh(z / 2) / 2, whose halves go into what follows.
+// tansig(z) = tanh(2 z / 2); logsig(z) = 1/2 + tanh(z / 2) / 2, whose halves are absorbed by the
+// next layer.
 BoardNetwork board_network(const model::RealNetwork& network) {
   if (network.hidden.activation == fog::Activation::linear) {
     throw InputError("export",
@@ -43,7 +44,8 @@ BoardNetwork board_network(const model::RealNetwork& network) {
   return board;
 }
 
-// At which all weights fit 32 bits and all sums 64 (fog::network_fits), rounding included.
+// Largest fraction with which all weights fit 32 bits and all sums 64 (fog::network_fits), rounding
+// included.
 int weight_fraction(const Eigen::MatrixXd& weights, const Eigen::VectorXd& biases) {
   const double largest_sum =
       (weights.cwiseAbs().rowwise().sum() + biases.cwiseAbs() / 2).maxCoeff();
@@ -52,10 +54,10 @@ int weight_fraction(const Eigen::MatrixXd& weights, const Eigen::VectorXd& biase
                          fog::kWeightFraction);
 }
 
-// Returns the factor that is left for this input's weights.
+// Returns the remaining factor for this input's weights.
 double write_input(TableWriter& out, const model::RealInput& input, double block_s) {
   const std::string lag = input.tau_s > 0 ? format(" (tau %g s)", input.tau_s) : "";
-  out.note(format("input %s%s: (x - %.9g) / %.9g %s; signal, decay, centre, reach, shift",
+  out.note(format("input %s%s: (x - %.9g) / %.9g %s; signal, decay, centre, half range, shift",
                   model::name_of(input.signal), lag.c_str(), input.centre, input.half_range,
                   description_of(input_of(input.signal)).unit));
   out.integer(static_cast<std::int32_t>(input.signal), "input signal");

@@ -10,11 +10,11 @@
 namespace fogcomp::board {
 namespace {
 
-constexpr double kBeyond = 1.25;        // half ranges: inputs are clipped at 1
+constexpr double kBeyond = 1.25;        // in half ranges; inputs are clipped at 1
 constexpr double kMaxPoints = 200'000;  // of the whole grid
 constexpr std::size_t kMaxPerInput = 401;
 
-// The nearest value that the board's format holds.
+// Nearest value of the board's format.
 std::int32_t board_value(double value, const NetworkInputFormat& format) {
   const double raw = std::round(std::ldexp(value / format.per_unit, format.fraction));
   return static_cast<std::int32_t>(std::clamp(raw, -2147483648.0, 2147483647.0));
@@ -28,7 +28,7 @@ NetworkError verify_network(const model::Model& model, const fog::ModelParameter
   NetworkError error;
   const std::vector<model::RealInput>& inputs = model.network.inputs;
   if (!model.network.present()) return error;
-  // An odd number, so that the centre is among them.
+  // An odd number, so that the centre is included.
   const double even_share = std::pow(kMaxPoints, 1 / static_cast<double>(inputs.size()));
   const std::size_t per_input =
       std::min(kMaxPerInput, static_cast<std::size_t>(even_share)) / 2 * 2 - 1;

@@ -10,12 +10,12 @@
 
 namespace fogcomp::board {
 
-/// The firmware's own pipeline with room for any model.
+/// The firmware's own pipeline with capacity for any model.
 using HostCompensator =
     fog::Compensator<fog::kAnyModel.effects, fog::kAnyModel.expressions,
                      fog::kAnyModel.network_inputs, fog::kAnyTaps, fog::kAnyModel.levels>;
 
-/// What a replay saw, beside the bytes.
+/// Statistics of a replay.
 struct ReplaySummary {
   std::uint64_t frames = 0;  ///< sensor samples accepted
   std::uint64_t output_bytes = 0;
@@ -23,19 +23,19 @@ struct ReplaySummary {
   std::uint64_t clamped_samples = 0;  ///< outside the trained temperature range
 };
 
-/// Bytes of the sensor stream in, the board's bytes out.
+/// Passes bytes of the sensor stream to the pipeline and returns the board's output.
 class Replay {
  public:
-  /// `parameters` and the table behind them must outlive this.
+  /// `parameters` and their table must outlive this object.
   explicit Replay(const fog::ModelParameters& parameters);
 
-  /// Feeds a piece of the stream, whose samples came at `time`; returns the bytes that it causes to
-  /// be sent, valid until the next call. Without a time an outage has no more samples than sequence
-  /// numbers can say, and nobody measures the sample rate.
+  /// Feeds a piece of the stream, whose samples arrived at `time`; returns the resulting output,
+  /// valid until the next call. Without a time the length of a gap follows from the sequence
+  /// numbers alone, and the sample rate is not checked.
   fog::Span<const std::uint8_t> feed(fog::Span<const std::uint8_t> bytes,
                                      fog::SampleTime time = {});
 
-  /// The sample behind the last bytes.
+  /// The sample of the last output.
   const fog::OutputSample& last() const { return compensator_->last(); }
   const ReplaySummary& summary() const { return summary_; }
 

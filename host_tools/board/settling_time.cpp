@@ -7,8 +7,8 @@
 namespace fogcomp::board {
 namespace {
 
-// A shape parameter in seconds is a lag, unless the effect is one of time since power-on, which has
-// no state.
+// A shape parameter in seconds is a lag, unless the effect depends on the time since power-on,
+// which has no state.
 double slowest_lag_s(const model::EffectTerm& term) {
   double slowest = 0;
   if (term.expression) {

@@ -4,10 +4,10 @@
 
 namespace fogcomp::board {
 
-/// Seconds after a start until nothing of the model's lags remembers that they were started: seven
-/// time constants of the derivative, whose two lags in a row are then within 1 %, and five of the
-/// slowest lag behind it, of an effect, an expression or a network's input, which is too. A play
-/// operator forgets with the temperature, not with time: the board says history_unknown.
+/// Seconds after a start until the initial states of the model's lags are negligible (1 %): seven
+/// time constants of the derivative, which has two lags, plus five of the slowest lag after it, of
+/// an effect, an expression or a network input. A play operator depends on the temperature, not on
+/// time: the board reports it by history_unknown.
 double settling_time_s(const model::Model& model);
 
 }  // namespace fogcomp::board

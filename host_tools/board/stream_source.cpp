@@ -11,7 +11,7 @@ namespace fogcomp::board {
 
 namespace {
 
-// The board counts from its first sample: it cannot know of the time before a recording.
+// The board counts time from its first sample: it does not know the time before a recording.
 void warn_of_late_start(const recording::Recording& recording, const recording::ReadWatch& watch) {
   if (recording.time_s[0] <= recording.period_s) return;
   watch.say(recording.file,
@@ -29,7 +29,7 @@ StreamSource::StreamSource(const std::string& path, const recording::ReadOptions
   auto file = std::make_unique<recording::InputFile>(path, options.watch.progress);
   if (recording::find_output_frames(file->peek())) {
     throw InputError(path,
-                     "is what a board has sent; give what a board is sent: a recording of the "
+                     "is the output of a board; give its input: a recording of the "
                      "gyro or a capture of the sensor stream");
   }
   if (recording::is_sensor_stream(file->peek())) {

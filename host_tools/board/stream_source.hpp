@@ -9,22 +9,22 @@
 
 namespace fogcomp::board {
 
-/// Bytes of the sensor stream for a file: a captured stream as it is, damage and all; a CSV as the
-/// board would have seen it.
+/// Sensor stream of a file: a captured stream unchanged, damage included; a CSV as the board would
+/// have received it.
 class StreamSource {
  public:
-  /// Reads a CSV whole (its errors come from here, also for a column that `needs` names and it
-  /// lacks); only opens a capture, which has what it has. A pipe will do for either.
+  /// Reads a CSV completely (with its errors, also for a missing column of `needs`); only opens a
+  /// capture. Either may be a pipe.
   StreamSource(const std::string& path, const recording::ReadOptions& options, double scale_factor,
                fog::InputMask needs);
 
   bool is_capture() const { return capture_ != nullptr; }
-  /// Of a CSV.
+  /// For a CSV.
   double period_s() const { return recording_.period_s; }
   std::size_t rows() const { return recording_.rows(); }
   const std::vector<double>& time_s() const { return recording_.time_s; }
 
-  /// Once: a pipe cannot be read again.
+  /// May be called once: a pipe cannot be read again.
   void send(const TimedByteSink& sink);
 
  private:

@@ -11,19 +11,19 @@
 
 namespace fogcomp::board {
 
-/// The largest fraction, `min`..`max`, at which `largest` still fits 32 bits.
+/// The largest fraction in `min`..`max` with which `largest` fits 32 bits.
 inline int fraction_within(double largest, int min, int max) {
   int fraction = max;
   while (fraction > min && std::ldexp(largest, fraction) > 2147483646.0) --fraction;
   return fraction;
 }
 
-/// Appends words to a table; every rounding to a format is checked against its range.
+/// Appends words to a table; checks the range of every rounded value.
 class TableWriter {
  public:
   explicit TableWriter(BoardTable& table) : table_(table) {}
 
-  /// Says what the next words are.
+  /// Describes the next words.
   void note(const std::string& text) { table_.notes.push_back({table_.words.size(), text}); }
 
   void integer(std::int64_t value, const char* what) {
@@ -51,7 +51,7 @@ class TableWriter {
     real(value, FixedFormat::fractional_bits, what);
   }
 
-  /// `gain` as two words, multiplier / 2^shift with 30 significant bits.
+  /// Writes `gain` as two words, multiplier / 2^shift with 30 significant bits.
   void gain(double gain, const char* what) {
     const int shift = gain > 0 ? 30 - std::ilogb(gain) : -1;
     if (shift < 0 || shift > 62) {

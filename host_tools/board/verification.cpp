@@ -13,7 +13,7 @@ namespace fogcomp::board {
 
 namespace {
 
-// The expressions of a model beside the same in double, led through the same blocks.
+// Compares the expressions of a model with the same in double, over the same blocks.
 class ExpressionCheck {
  public:
   ExpressionCheck(const model::Model& model, const fog::ModelParameters& parameters, double block_s)

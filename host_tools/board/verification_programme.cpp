@@ -14,7 +14,7 @@ constexpr int kLoops = 5;
 
 using Swing = fog::InputSwing;
 constexpr Swing kRateDph{0, 20'000, 1900};
-constexpr Swing kTableRateDph{0, 1'000'000'000, 1900};  // each fourth period
+constexpr Swing kTableRateDph{0, 1'000'000'000, 1900};  // in every fourth period
 
 double at(const Swing& swing, double time_s) {
   constexpr double kTwoPi = 6.283185307179586;
@@ -44,7 +44,7 @@ class Programme {
     for (double t = 0; t < kSoakSeconds; t += block_s_) add();
   }
   void jump_to(double share) { temperature_ = low_ + (high_ - low_) * share; }
-  // Turning points that come nearer: every loop inside the one before.
+  // Turning points that converge: each loop is inside the one before.
   void loops_about(double share) {
     const double centre = low_ + (high_ - low_) * share;
     for (int loop = kLoops; loop > 0; --loop) {

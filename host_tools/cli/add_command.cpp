@@ -1,4 +1,4 @@
-// fogcomp add: one effect more, everything refitted, kept only if it helps out of sample.
+// fogcomp add: adds an effect and refits everything; accepted only if it helps out of sample.
 
 #include <algorithm>
 #include <cstdio>
@@ -26,7 +26,7 @@ workflow::AddRequest AddCommand::request() const {
   };
   auto first_run = arguments.begin() + 1;
   if (!expression.given()) {
-    ++first_run;  // an effect, whatever it is called
+    ++first_run;  // a word for an effect, even if a file has that name
     first_run = std::find_if_not(first_run, arguments.end(), is_effect);
     request.effects = {arguments.begin() + 1, first_run};
     if (first_run == arguments.end()) throw InputError("add", "has no recording after the effects");

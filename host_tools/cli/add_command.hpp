@@ -41,7 +41,7 @@ struct AddCommand : Command {
     may_replace_first = true;
     needs = {{&output}};
   }
-  /// What is asked for. Throws InputError for values out of range.
+  /// The request of the options. Throws InputError for values out of range.
   workflow::AddRequest request() const;
   int run() const override;
 

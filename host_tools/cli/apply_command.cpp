@@ -23,7 +23,7 @@ namespace {
 using workflow::ApplyOutcome;
 using workflow::SeriesSink;
 
-/// A CSV of the series; its last column has the names of what speaks against a row.
+/// A CSV of the series; its last column has the names of the flags of a row.
 class SeriesFile {
  public:
   explicit SeriesFile(const std::string& path) : file_(path) {}

@@ -12,7 +12,7 @@
 namespace fogcomp::cli {
 namespace {
 
-// By its first bytes; a pipe, which can be read only once, is not looked into.
+// By its first bytes; a pipe, which can be read only once, is not examined.
 bool is_model_or_header(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
@@ -23,17 +23,17 @@ bool is_model_or_header(const std::string& path) {
 }
 
 // Standard input.
-bool is_dash(const std::string& word) {
+bool is_standard_input(const std::string& word) {
   return word == "-";
 }
 
-// A word that names no file cannot be lost.
+// A word that names no file cannot be overwritten.
 bool is_overwritten_by(const std::string& output, const std::string& input) {
   std::error_code error;
   return std::filesystem::exists(input, error) && same_file(output, input);
 }
 
-// Fills the command with the words of its line.
+// Assigns the words of the line to the command.
 class Parser {
  public:
   Parser(Command& command, const std::vector<std::string>& words)
@@ -90,7 +90,7 @@ class Parser {
 
 struct NamedFile {
   std::string path;
-  std::string option;  // dashed; "" for a positional
+  std::string option;  // with dashes; "" for a positional
 };
 
 struct Fault {
@@ -98,8 +98,8 @@ struct Fault {
   std::string what;
 };
 
-// Every positional counts as an input: a word that is no file, such as an effect's name, does no
-// harm there.
+// Every positional counts as an input; words that are no file, such as an effect's name, do no
+// harm.
 std::vector<NamedFile> files(const Command& command, ValueUse use) {
   std::vector<NamedFile> files;
   if (use == ValueUse::input) {
@@ -120,7 +120,7 @@ std::vector<NamedFile> files(const Command& command, ValueUse use) {
   return files;
 }
 
-// Whether a positional is one of the command's words, such as an effect with its parameters.
+// Whether a positional is a word of the command, such as an effect with parameters.
 bool is_word(const Command& command, const std::string& word) {
   const auto& words = command.words;
   return std::find(words.begin(), words.end(), word.substr(0, word.find(':'))) != words.end();
@@ -130,7 +130,7 @@ bool has_replacement(const Command& command) {
   return command.stands_for_positional != nullptr && command.stands_for_positional->given();
 }
 
-// "MODEL [EFFECT] RUN...": whoever swaps them is shown the line to type.
+// "MODEL [EFFECT] RUN...": if the order is wrong, the message has the corrected line.
 std::vector<Fault> order_faults(const Command& command) {
   const std::string& usage = command.positionals.usage;
   const bool model_first = usage.rfind("MODEL", 0) == 0 || usage.rfind("[MODEL]", 0) == 0;
@@ -191,21 +191,22 @@ std::vector<Fault> missing(const Command& command) {
   return missing;
 }
 
-// Recordings, models and folders that are not there. A word where an effect is expected is none.
+// Recordings, models and folders that do not exist. Not for words where an effect is expected.
 std::vector<Fault> absent_inputs(const Command& command) {
   std::vector<Fault> absent;
   for (std::size_t i = 0; i < command.arguments.size(); ++i) {
     const std::string& word = command.arguments[i];
     const bool effect = !command.words.empty() && i == 1 && !has_replacement(command);
     std::error_code error;
-    if (!reads_positionals(command) || effect || is_word(command, word) || is_dash(word)) continue;
+    if (!reads_positionals(command) || effect || is_word(command, word) || is_standard_input(word))
+      continue;
     if (!std::filesystem::exists(word, error)) absent.push_back({word, "does not exist"});
   }
   return absent;
 }
 
-// Everything that is wrong, in one message. A file that is not there and no other fault is left to
-// who opens it.
+// Reports all faults in one message. A missing file as the only fault is reported when it is
+// opened.
 void check_all(const Command& command) {
   const std::vector<Fault> order = order_faults(command);
   std::vector<Fault> faults = order;
@@ -220,7 +221,7 @@ void check_all(const Command& command) {
   const std::vector<Fault> absent = absent_inputs(command);
   if (!faults.empty() || absent.size() > 1) append(absent);
   if (faults.empty()) return;
-  if (faults.size() == order.size()) {  // says the line to type, without --help
+  if (faults.size() == order.size()) {  // has the corrected line; does not refer to --help
     const auto& [where, what] = order.front();
     throw InputError(where.empty() ? "fogcomp " + command.name() : where, what);
   }

@@ -1,4 +1,4 @@
-// fogcomp batch: the gyros of a production line, each in a process of its own.
+// fogcomp batch: calibrates the gyros of a production line, each in its own process.
 
 #include <algorithm>
 #include <csignal>
@@ -39,7 +39,7 @@ constexpr const char* kTables[] = {"/gyros.csv", "/index.html"};  // in the fold
 struct Batch {
   const CalibrationOptions& options;
   workflow::CalibrationRequest request;
-  bool reports;  // a page for every gyro
+  bool reports;  // write a page for every gyro
   std::string input;
   std::string output;
   std::vector<GyroFolder> gyros;  // of this shard
@@ -68,9 +68,8 @@ std::vector<GyroFolder> shard(const std::string& text, const std::vector<GyroFol
   return shard_of(gyros, static_cast<std::size_t>(*index), static_cast<std::size_t>(*count));
 }
 
-// Whether there is a result that belongs to these recordings and options, with its files as it
-// left them. An error is tried again:
-// a full disk or a killed process says nothing about the gyro.
+// Whether there is a result for these recordings and options, with unchanged files. After an error
+// the gyro is tried again: a full disk or a killed process says nothing about it.
 bool is_done(const Batch& batch, const GyroFolder& gyro) {
   const std::string folder = batch.folder_of(gyro);
   const bool lacks_page =
@@ -81,7 +80,7 @@ bool is_done(const Batch& batch, const GyroFolder& gyro) {
          result->fingerprint == batch.options.fingerprint_of(gyro);
 }
 
-// In the process of its own. Nothing of an earlier run stays.
+// In its own process. Removes the results of earlier runs.
 void calibrate_alone(const Batch& batch, const GyroFolder& gyro) {
   const std::string folder = batch.folder_of(gyro);
   GyroResult result{gyro.name, "", "", {}};
@@ -111,14 +110,14 @@ void calibrate_alone(const Batch& batch, const GyroFolder& gyro) {
 }
 
 struct Work {
-  std::size_t already = 0;  // were done
+  std::size_t already = 0;  // finished before
   std::size_t done = 0;
   std::size_t errors = 0;
-  std::set<std::string> current;            // gyros whose results are known to be of these inputs
-  std::map<std::string, std::string> lost;  // why a gyro could not even leave a result
+  std::set<std::string> current;            // gyros whose results belong to these inputs
+  std::map<std::string, std::string> lost;  // reasons for gyros without a result
 };
 
-// A process that cannot say anything itself is spoken for.
+// Writes the result of a gyro whose process has died.
 void record_death(const Batch& batch, const GyroFolder& gyro, const std::string& death,
                   Work& work) {
   try {
@@ -128,7 +127,7 @@ void record_death(const Batch& batch, const GyroFolder& gyro, const std::string&
   }
 }
 
-// Notes in `work` which gyros are done already; returns the others.
+// Records in `work` which gyros are finished; returns the others.
 std::vector<GyroFolder> find_work(const Batch& batch, Work& work) {
   Progress progress("looking at recordings");
   std::vector<GyroFolder> to_do;
@@ -137,7 +136,7 @@ std::vector<GyroFolder> find_work(const Batch& batch, Work& work) {
     bool done = false;
     try {
       done = is_done(batch, gyro);
-    } catch (const InputError&) {  // its own process will say so
+    } catch (const InputError&) {  // its own process will report it
     }
     if (done) {
       work.current.insert(gyro.name);
@@ -150,10 +149,10 @@ std::vector<GyroFolder> find_work(const Batch& batch, Work& work) {
   return to_do;
 }
 
-// What a signal has ended goes on with the same command.
-void end_by(int signal_number, std::size_t done, std::size_t gyros) {
+// After a signal: says how to continue with the same command.
+void exit_by_signal(int signal_number, std::size_t done, std::size_t gyros) {
   if (signal_number == 0) return;
-  std::fprintf(stderr, "\ninterrupted: %zu of %s done; the same command goes on there\n", done,
+  std::fprintf(stderr, "\ninterrupted: %zu of %s done; the same command continues there\n", done,
                counted(gyros, "gyro").c_str());
   std::signal(signal_number, SIG_DFL);
   std::raise(signal_number);
@@ -180,7 +179,7 @@ Work calibrate_all(const Batch& batch, const batch::PoolSettings& settings) {
   };
   const int signal_number = batch::run_in_processes(
       to_do.size(), settings, [&](std::size_t job) { calibrate_alone(batch, to_do[job]); }, events);
-  end_by(signal_number, work.already + work.done, batch.gyros.size());
+  exit_by_signal(signal_number, work.already + work.done, batch.gyros.size());
   return work;
 }
 
@@ -199,7 +198,7 @@ GyroResult result_of(const Batch& batch, const GyroFolder& gyro, const Work& wor
   return missing;
 }
 
-// Of the result and of the places that the command in it names.
+// Of the result and of the paths in the proposed command.
 std::string diagnosis_fingerprint(const Batch& batch, const GyroFolder& gyro,
                                   const GyroResult& result) {
   batch::Fingerprint fingerprint;
@@ -209,7 +208,7 @@ std::string diagnosis_fingerprint(const Batch& batch, const GyroFolder& gyro,
   return fingerprint.text();
 }
 
-// In a process of its own.
+// In its own process.
 void diagnose_alone(const Batch& batch, const GyroFolder& gyro, const std::string& fingerprint) {
   const std::string folder = batch.folder_of(gyro);
   batch::GyroDiagnosis diagnosis;
@@ -225,7 +224,7 @@ void diagnose_alone(const Batch& batch, const GyroFolder& gyro, const std::strin
   batch::save_diagnosis(diagnosis, folder);
 }
 
-// Of the gyros that fail: what has been found already stays.
+// Diagnoses the failed gyros; earlier diagnoses are kept.
 void diagnose_failing(const Batch& batch, const batch::PoolSettings& settings,
                       batch::Summary& summary) {
   const auto fingerprint = [&](std::size_t i) {
@@ -257,7 +256,7 @@ void diagnose_failing(const Batch& batch, const batch::PoolSettings& settings,
         diagnose_alone(batch, batch.gyros[to_do[job]], fingerprint(to_do[job]));
       },
       events);
-  end_by(signal_number, summary.gyros.size() - to_do.size() + done, summary.gyros.size());
+  exit_by_signal(signal_number, summary.gyros.size() - to_do.size() + done, summary.gyros.size());
 }
 
 batch::Summary write_table(const Batch& batch, const Work& work,

@@ -39,7 +39,7 @@ struct BoardOptions : OptionGroup {
   Flag extension{this, "extension", "the demodulator sends extension records (firmware/SPEC.md)"};
 };
 
-/// Takes a model whose integers are too far off all the same.
+/// Accepts a model despite too large a rounding error.
 struct AllowErrorFlag : Flag {
   AllowErrorFlag(OptionGroup* group, const std::string& flag_help, bool is_rare = false)
       : Flag(group, "allow-error", flag_help, is_rare) {}

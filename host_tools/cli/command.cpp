@@ -9,8 +9,8 @@ namespace {
 constexpr std::size_t kLeftColumn = 22;
 constexpr std::size_t kMaxColumns = 80;
 
-// Words in lines of at most kMaxColumns, the first of which begins at `column`; the others are
-// indented, after `end` of the line before.
+// Wraps words to lines of at most kMaxColumns. The first line begins at `column`; the others are
+// indented, and lines end with `end`.
 std::string wrapped(const std::string& text, std::size_t column, std::size_t indent,
                     const std::string& end = "") {
   std::string lines;

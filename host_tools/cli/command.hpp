@@ -8,7 +8,7 @@
 
 namespace fogcomp::cli {
 
-/// The words of a command line that are no options.
+/// The words of a command line that are not options.
 struct Positionals {
   std::string usage{};  ///< as shown in the usage line, e.g. "MODEL RUN..."
   std::size_t min = 0;
@@ -16,8 +16,8 @@ struct Positionals {
 };
 constexpr std::size_t kAnyNumber = 1000;
 
-/// One `fogcomp COMMAND`: its options are its members; help, completion and parser are made from
-/// them and from what follows.
+/// One `fogcomp COMMAND`: its options are its members. Help, completion and parser use them and the
+/// following data.
 class Command : public OptionGroup {
  public:
   virtual ~Command() = default;
@@ -25,24 +25,24 @@ class Command : public OptionGroup {
 
   Positionals positionals;
   std::string purpose;                            ///< one line
-  std::string example;                            ///< one command line that works
-  const Option* stands_for_positional = nullptr;  ///< an option that takes the place of one
-  const Option* further_models = nullptr;         ///< where models beside the first belong
-  /// Options that must be given; what is missing is said together.
+  std::string example;                            ///< a working command line
+  const Option* stands_for_positional = nullptr;  ///< an option that replaces one
+  const Option* further_models = nullptr;         ///< option for further models
+  /// A required option; all missing ones are reported together.
   struct Need {
     const Option* option;
-    const Option* unless = nullptr;  ///< another option, which makes it needless
-    std::string proposal{};          ///< a value to try
+    const Option* unless = nullptr;  ///< another option that makes it unnecessary
+    std::string proposal{};          ///< example value
   };
   std::vector<Need> needs;
-  std::vector<std::string> words;  ///< positionals that are no files
-  /// -o may name the first positional: a model replaces the one that it grew from. Any other output
-  /// that is an input is refused.
+  std::vector<std::string> words;  ///< positionals that are not files
+  /// -o may name the first positional: a model may replace the original. Any other output that is
+  /// an input is refused.
   bool may_replace_first = false;
 
   std::vector<std::string> arguments;  ///< the positionals that were given
 
-  /// Returns the exit code: 0 done, 1 the answer is no. Bad input throws InputError (exit code 2).
+  /// Returns the exit code: 0 done, 1 negative result. Bad input throws InputError (exit code 2).
   virtual int run() const = 0;
 
  protected:
@@ -76,16 +76,17 @@ CommandPointer simulate_command();
 CommandPointer stream_command();
 CommandPointer workbench_command();
 
-/// Whether its positionals are files or folders that are read, but for its words: by their names.
+/// Whether its positionals (except words) are files or folders to be read, judging by their names.
 bool reads_positionals(const Command& command);
 
-/// Every command, in the order in which a user meets them.
+/// All commands, in the order of typical use.
 std::vector<CommandPointer> all_commands();
 
-/// The command of that name. Throws InputError naming the nearest.
+/// The command of that name. Throws InputError with the nearest one.
 CommandPointer find_command(const std::string& name);
 
-/// What `fogcomp COMMAND --help` prints: a screen. `complete`: `fogcomp help COMMAND`, with every
+/// Text of `fogcomp COMMAND --help`: one screen. `complete`: `fogcomp help COMMAND`, with all
+/// options.
 /// option.
 std::string help_text(const Command& command, bool complete);
 

@@ -28,7 +28,7 @@ struct CompareCommand : Command {
                 "fogcomp compare gyro.model run.csv --model other.model") {
     further_models = &models;
   }
-  /// What is asked for. Throws InputError for values out of range.
+  /// The request of the options. Throws InputError for values out of range.
   workflow::CompareRequest request() const;
   int run() const override;
 };

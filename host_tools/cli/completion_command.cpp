@@ -1,5 +1,4 @@
-// fogcomp completion: what a shell needs to complete command lines, from the commands'
-// descriptions.
+// fogcomp completion: data for a shell to complete command lines, from the commands' descriptions.
 
 #include <algorithm>
 #include <cstdio>
@@ -11,8 +10,8 @@
 namespace fogcomp::cli {
 namespace {
 
-// Everything that does not depend on the commands. A value may be a list: what is completed is its
-// last part; "=" and ":" are words of their own for bash, so that a part has none of them in it.
+// The part that is the same for all commands. A value may be a list, of which the last part is
+// completed; "=" and ":" are separate words for bash, so a part contains neither.
 constexpr const char* kFrame =
     R"(# bash completion for fogcomp, as `fogcomp completion bash` prints it.
 
@@ -42,7 +41,7 @@ _fogcomp() {
 complete -F _fogcomp fogcomp
 )";
 
-// What bash calls patterns: "--seed | --epochs".
+// Patterns of bash: "--seed | --epochs".
 std::string patterns(const std::vector<std::string>& names) {
   return join(names, " | ");
 }
@@ -51,10 +50,10 @@ bool is_file(const Option& option) {
   return value_use(option) != ValueUse::word;
 }
 
-// The arm of one command: its options, and what the value of each of them may be.
+// The case of one command: its options and their possible values.
 std::string arm(const Command& command) {
   std::vector<std::string> names;
-  std::vector<std::string> free_values;  // of which nothing is known
+  std::vector<std::string> free_values;  // options with any value
   std::string values;
   for (const Option* option : command.options()) {
     names.push_back(dashed(option->name));

@@ -1,4 +1,4 @@
-// fogcomp convert: a recording of any layout in the plain format.
+// fogcomp convert: converts a recording of any layout to the plain format.
 
 #include <cstdio>
 

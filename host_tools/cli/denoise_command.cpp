@@ -1,4 +1,4 @@
-// fogcomp denoise: a recording without its noise.
+// fogcomp denoise: removes the noise of a recording.
 
 #include <cstdio>
 #include <string>

@@ -4,7 +4,7 @@
 
 namespace fogcomp::cli {
 
-// An option that would be accepted and ignored.
+// Refuses an option that would have no effect.
 void DenoiseOptions::refuse(const Option& option, bool meaningless) const {
   if (!meaningless || !option.given()) return;
   throw InputError("--" + option.name,

@@ -6,17 +6,17 @@
 
 namespace fogcomp::cli {
 
-/// Which threshold of a wavelet's details: kept as they are above it, or moved towards 0 by it.
+/// Hard thresholding (keeps details above the threshold) or soft (moves them towards 0 by it).
 struct HardOrSoft : Choice<bool> {
   HardOrSoft(OptionGroup* group, bool is_rare)
       : Choice(group, {"mode", "NAME", "soft or hard thresholds", "soft", is_rare},
                {{"soft", false}, {"hard", true}}) {}
 };
 
-/// The options that choose a denoising.
+/// The options of a denoising method.
 struct DenoiseOptions : OptionGroup {
   using OptionGroup::OptionGroup;
-  /// Throws InputError for an option that would mean nothing to the method.
+  /// Throws InputError for an option without effect on the method.
   denoise::DenoiseMethod value() const;
 
   Choice<denoise::DenoiseBy> method{

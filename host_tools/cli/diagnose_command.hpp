@@ -31,7 +31,7 @@ struct DiagnoseCommand : Command {
       : Command("diagnose", {"MODEL RUN...", 2, kAnyNumber},
                 "where and why the model fails: which effect is missing",
                 "fogcomp diagnose gyro.model run.csv --max-effects 4") {}
-  /// What is asked for. Throws InputError for values out of range.
+  /// The request of the options. Throws InputError for values out of range.
   workflow::DiagnoseRequest request() const;
   int run() const override;
 };

@@ -55,10 +55,17 @@ std::string entry_text(const model::CatalogueEntry& entry) {
   return text;
 }
 
+// A line of code on the page, in two where it is wider than the page's columns.
+std::string code_line(std::string line) {
+  constexpr std::size_t kColumns = 110;
+  if (line.size() > kColumns) line.replace(line.rfind(", ", kColumns), 2, ",\n      ");
+  return "    " + line + "\n";
+}
+
 std::string entry_markdown(const model::CatalogueEntry& entry) {
   const fog::EffectDescription& effect = entry.description;
   std::string text =
-      format("## `%s`\n\n%s.\n\n    %s\n\n", effect.name, effect.title, effect.equation);
+      format("## `%s`\n\n%s.\n\n", effect.name, effect.title) + code_line(effect.equation) + "\n";
   text += "| | |\n|---|---|\n";
   const auto row = [&text](const std::string& left, const std::string& right) {
     text += "| " + left + " | " + right + " |\n";
@@ -108,12 +115,12 @@ std::string effects_markdown(const std::vector<const model::CatalogueEntry*>& en
       "Written by `fogcomp effects --markdown` from the headers in `firmware/core/effects`; a test "
       "compares the two.\n\n"
       "Drift = Σ coefficient · regressor over the effects of a model, plus the network. T is the "
-      "coil sensor's temperature (a block's mean), dT/dt its derivative behind two lags "
-      "(`fit --derivative-tau`), t the time since power-on. `time_s` is needed as time since "
-      "power-on; `input_rate_dph` on the board is what the gyro itself measures; the other columns "
-      "reach the board in extension records (`export --extension`).\n\n"
-      "In `fit --effects`, `NAME:parameter=value` gives a shape parameter, `parameter=?` or "
-      "`parameter=?[min,max]` identifies one.\n\n"
+      "coil sensor's temperature\n(a block's mean), dT/dt its derivative behind two lags "
+      "(`fit --derivative-tau`), t the time since power-on. `time_s`\nis needed as time since "
+      "power-on; `input_rate_dph` on the board is what the gyro itself measures; the other columns"
+      "\nreach the board in extension records (`export --extension`).\n\n"
+      "In `fit --effects`, `NAME:parameter=value` gives a shape parameter; `parameter=?` or "
+      "`parameter=?[min,max]`\nidentifies one.\n\n"
       "| effect | equation | needs |\n|---|---|---|\n";
   for (const model::CatalogueEntry* entry : entries) {
     text += format("| [`%s`](#%s) | %s | %s |\n", entry->description.name, entry->description.name,

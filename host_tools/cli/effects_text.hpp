@@ -8,10 +8,10 @@
 
 namespace fogcomp::cli {
 
-/// Columns of a recording that an effect needs beside the three that every recording has.
+/// Columns of a recording that an effect needs beside the three required ones.
 std::vector<std::string> needed_columns(const model::CatalogueEntry& entry);
 
-/// Everything of an entry, for scripts.
+/// All data of an entry, for scripts.
 Json effect_json(const model::CatalogueEntry& entry);
 
 /// The catalogue for a terminal, and as the document host_tools/EFFECTS.md.

@@ -21,7 +21,7 @@ namespace fogcomp::cli {
 workflow::FitRequest FitCommand::request() const {
   workflow::FitRequest request = fit.request(arguments, recording.value(arguments));
   request.serial = serial.value();
-  board::serial_words(request.serial);  // throws where no board holds it
+  board::serial_words(request.serial);  // throws if no board can hold it
   return request;
 }
 

@@ -26,7 +26,7 @@ struct FitCommand : Command {
     needs = {{&output}, {&fit.effects, &fit.model, model::kFirstEffects}};
   }
 
-  /// What is asked for. Throws InputError for values out of range.
+  /// The request of the options. Throws InputError for values out of range.
   workflow::FitRequest request() const;
   int run() const override;
 };

@@ -14,10 +14,11 @@
 
 namespace fogcomp::cli {
 
-/// Everything that decides what a fit finds: effects, network, rows, denoisers.
+/// All options that influence the result of a fit: effects, network, rows, denoisers.
 struct FitOptions : OptionGroup {
   using OptionGroup::OptionGroup;
-  /// For these recordings. Throws InputError for values out of range and effects that are missing.
+  /// The request for these recordings. Throws InputError for values out of range and missing
+  /// effects.
   workflow::FitRequest request(const std::vector<std::string>& runs,
                                const recording::ReadOptions& reading) const;
 

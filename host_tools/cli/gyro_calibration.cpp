@@ -1,4 +1,4 @@
-// One gyro of a batch, into its folder.
+// Calibrates one gyro of a batch.
 
 #include "cli/gyro_calibration.hpp"
 

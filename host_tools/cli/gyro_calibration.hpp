@@ -12,14 +12,14 @@
 
 namespace fogcomp::cli {
 
-/// The options that decide a gyro's result.
+/// The options that influence a gyro's result.
 struct CalibrationOptions : OptionGroup {
   using OptionGroup::OptionGroup;
-  /// Without a gyro's recordings. Throws InputError for options that no gyro can be calibrated
-  /// with.
+  /// A request without recordings. Throws InputError for options with which no gyro can be
+  /// calibrated.
   workflow::CalibrationRequest request() const;
-  /// Of a gyro's recordings, these options and the version of this tool. Throws InputError for a
-  /// recording that cannot be read.
+  /// Fingerprint of a gyro's recordings, these options and the tool's version. Throws InputError
+  /// for an unreadable recording.
   std::string fingerprint_of(const batch::GyroFolder& gyro) const;
 
   FitOptions fit{this};
@@ -27,14 +27,14 @@ struct CalibrationOptions : OptionGroup {
   RecordingOptions recording{this};
 };
 
-/// Calibrates a gyro as `request` says: model, header and, with `page`, report.html in `folder`.
-/// Returns the figures. Throws InputError as workflow::calibrate() does.
+/// Calibrates a gyro by `request`: writes model, header and, with `page`, report.html to `folder`.
+/// Returns the values. Throws InputError like workflow::calibrate().
 batch::GyroResult calibrate(const batch::GyroFolder& gyro, workflow::CalibrationRequest request,
                             const std::string& folder, bool page);
 
-/// What the model in `folder` lacks, by the recordings that it was fitted to; where these show
-/// nothing, by the hold-outs. What is proposed next is never fitted to a hold-out. `reading`: the
-/// options of reading as they were given. Throws InputError as workflow::diagnose() does.
+/// Diagnoses the model in `folder` on its fitted recordings or, if these show nothing, on the
+/// hold-outs. The proposed command never fits a hold-out. `reading`: the given reading options.
+/// Throws InputError like workflow::diagnose().
 batch::GyroDiagnosis diagnose(const batch::GyroFolder& gyro,
                               const workflow::CalibrationRequest& request,
                               const std::string& folder, const std::vector<std::string>& reading);

@@ -5,8 +5,8 @@
 
 namespace fogcomp::cli {
 
-/// What a gyro can measure and turn: of the commands that make a calibration, and of those that
-/// read recordings without a model, which would have it.
+/// Limits of gyro and vehicle: for commands that make a calibration, and for those that read
+/// recordings without a model.
 struct GyroLimitOptions : OptionGroup {
   using OptionGroup::OptionGroup;
   recording::GivenLimits value() const { return {range.find(), acceleration.find()}; }

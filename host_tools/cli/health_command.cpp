@@ -1,4 +1,4 @@
-// fogcomp health: asks a board what its built-in tests have found.
+// fogcomp health: reads the results of a board's built-in tests.
 
 #include <cstdio>
 #include <string>
@@ -44,7 +44,7 @@ std::string serial_of(const fog::HealthRecord& r) {
   return board::serial_text(&r.words[static_cast<std::size_t>(Word::serial)]);
 }
 
-// Empty where the board cannot say.
+// Empty if the board does not know it.
 std::string processor_of(const fog::HealthRecord& r) {
   const auto* const words = &r.words[static_cast<std::size_t>(Word::processor)];
   const board::ProcessorNumber number{words[0], words[1], words[2]};

@@ -40,8 +40,8 @@ void print_json(const model::Model& model, const std::string& file) {
   std::puts(result.text().c_str());
 }
 
-// How much of a bar's width an error takes: its ratio to the noise floor, logarithmic, so that the
-// last steps show as well as the first; plainly its size where no floor is known.
+// Length of an error's bar: logarithmic in its ratio to the noise floor, so that the last steps are
+// visible too; linear if no floor is known.
 class Scale {
  public:
   explicit Scale(const std::vector<model::HistoryEntry>& steps) {

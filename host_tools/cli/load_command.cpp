@@ -1,4 +1,4 @@
-// fogcomp load: a calibration into a board with the generic image.
+// fogcomp load: loads a calibration into a board with the generic image.
 
 #include <cstdio>
 #include <string>

@@ -1,4 +1,4 @@
-// fogcomp: finds the command, checks its words, runs it, turns errors into one line and exit
+// fogcomp: finds the command, parses its words, runs it, and turns errors into one line and exit
 // code 2.
 
 #include <algorithm>
@@ -60,14 +60,14 @@ int run(const std::vector<std::string>& words) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Beyond a limit on the size of files (ulimit -f) a write fails, as on a full disk.
+  // Above a file size limit (ulimit -f) a write fails, like on a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
     const int code = run(std::vector<std::string>(argv + 1, argv + argc));
-    // An earlier failure leaves nothing to flush, but its mark.
+    // An earlier failure leaves no data to flush, but sets the error flag.
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-      throw fogcomp::InputError(
-          "standard output", "cannot be written; what is there is not complete; is the disk full?");
+      throw fogcomp::InputError("standard output",
+                                "cannot be written completely; is the disk full?");
     }
     return code;
   } catch (const fogcomp::InputError& error) {

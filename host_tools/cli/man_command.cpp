@@ -7,7 +7,7 @@
 namespace fogcomp::cli {
 namespace {
 
-// Text as roff takes it: nothing in it is a request or an escape, and a dash is a dash to be typed.
+// Escapes text for roff: no requests or escapes; dashes are ASCII.
 std::string roff(const std::string& text) {
   std::string escaped;
   for (const char character : text) {
@@ -53,7 +53,7 @@ int print_manual() {
   for (const CommandPointer& command : all_commands()) text += command_section(*command);
   text +=
       ".SH EXIT STATUS\n0 done; 1 the answer is no; 2 bad arguments or input.\n"
-      ".SH FILES\nFormats of recordings, models, limits and headers: host_tools/README.md and "
+      ".SH FILES\nFormats of recordings, models, limits and headers: host_tools/REFERENCE.md and "
       "firmware/SPEC.md of the source tree.\n"
       ".SH ENVIRONMENT\nNothing of it changes what fogcomp prints. Progress bars appear on "
       "terminals only.\n";

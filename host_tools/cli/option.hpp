@@ -10,24 +10,24 @@ namespace fogcomp::cli {
 
 class Option;
 
-/// Options that belong together: all of a command, or some that several commands share. An option
-/// is a member of it, declared with name, type, range, default and help in one place; what a
-/// command does not list it cannot ask for.
+/// A group of options: all of a command, or some that several commands share. Each option is a
+/// member, declared with name, type, range, default and help in one place; a command can only use
+/// options that it declares.
 class OptionGroup {
  public:
   explicit OptionGroup(OptionGroup* parent) : parent_(parent), command_(parent->command_) {}
   OptionGroup(const OptionGroup&) = delete;
   OptionGroup& operator=(const OptionGroup&) = delete;
 
-  /// In the order of declaration, those of groups within it included.
+  /// In the order of declaration, including nested groups.
   const std::vector<Option*>& options() const { return options_; }
-  /// The one of that name (without dashes); nullptr where there is none.
+  /// The option of that name (without dashes); nullptr if there is none.
   Option* find_option(const std::string& name) const;
-  /// Those that were given, as the words of a command line.
+  /// The given options, as words of a command line.
   std::vector<std::string> given_words() const;
-  /// Leaves all of them out of --help, which is to fit a screen.
+  /// Omits all of them from --help, which should fit a screen.
   void make_rare();
-  /// The error of a word on the command line; points to --help.
+  /// Throws the error of a word on the command line, with a reference to --help.
   [[noreturn]] void fail(const std::string& what) const;
 
  protected:
@@ -42,27 +42,27 @@ class OptionGroup {
   std::vector<Option*> options_;
 };
 
-/// What help, manual page and completion say of an option.
+/// Text of an option for help, manual page and completion.
 struct OptionText {
   std::string name{};           ///< without the dashes; "o" is the short form of --output
   std::string value_name{};     ///< shown in help, "" for a flag
   std::string help{};           ///< one line
   std::string default_value{};  ///< "" where there is none
-  bool rare = false;            ///< in `fogcomp help COMMAND` and the manual, not in --help
+  bool rare = false;            ///< only in `fogcomp help COMMAND` and the manual
 };
 inline constexpr bool kRare = true;
 
-/// One option, and what was given for it. Values are read when they are asked for: InputError then
-/// names the option and what it takes.
+/// One option and its given values. Values are parsed when they are used; InputError then names the
+/// option and its allowed values.
 class Option : public OptionText {
  public:
-  /// `value_words`: its values, as far as they can be listed, for completion.
+  /// `value_words`: possible values, if they can be listed, for completion.
   Option(OptionGroup* group, OptionText text, std::vector<std::string> value_words = {});
   Option(const Option&) = delete;
   Option& operator=(const Option&) = delete;
   virtual ~Option() = default;
 
-  /// Whether it was given (not its default).
+  /// Whether it was given on the command line.
   bool given() const { return !values.empty(); }
   /// The value given last, or the default.
   const std::string& text() const { return given() ? values.back() : default_value; }
@@ -79,32 +79,32 @@ class Option : public OptionText {
   const OptionGroup* group_;
 };
 
-/// On if it is given.
+/// An option without value.
 class Flag : public Option {
  public:
   Flag(OptionGroup* group, std::string flag_name, std::string flag_help, bool is_rare = false)
       : Option(group, {std::move(flag_name), "", std::move(flag_help), "", is_rare}) {}
 };
 
-/// A file, a name, a list: what it may be is judged by whoever takes it.
+/// A file, a name, a list: checked by its user.
 class Text : public Option {
  public:
   using Option::Option;
   const std::string& value() const { return text(); }
-  /// Nothing where it was not given.
+  /// Nothing if it was not given.
   std::optional<std::string> find() const { return given() ? std::optional(text()) : std::nullopt; }
-  /// The value, which must be there.
+  /// The value, which must be present.
   const std::string& required() const;
 };
 
-/// A Text for each time that the option is given.
+/// A Text that may be given several times.
 class Texts : public Option {
  public:
   Texts(OptionGroup* group, OptionText text) : Option(group, std::move(text)) { repeatable = true; }
   const std::vector<std::string>& value() const { return values; }
 };
 
-/// A finite number within a range, both ends included.
+/// A finite number within a range, bounds included.
 class Number : public Option {
  public:
   struct Bounds {
@@ -114,7 +114,7 @@ class Number : public Option {
   Number(OptionGroup* group, OptionText text, Bounds bounds)
       : Option(group, std::move(text)), bounds_(bounds) {}
   double value() const;
-  /// Nothing where it was not given.
+  /// Nothing if it was not given.
   std::optional<double> find() const;
 
  protected:
@@ -134,7 +134,7 @@ class Integer : public Number {
   std::optional<T> find() const { return given() ? std::optional<T>(value()) : std::nullopt; }
 };
 
-/// One of a few words, each of which stands for something.
+/// One of several words with a meaning each.
 template <class T>
 class Choice : public Option {
  public:
@@ -144,7 +144,7 @@ class Choice : public Option {
     for (const auto& [word, meaning] : meanings_) words.push_back(word);
   }
   T value() const { return meanings_[chosen_word()].second; }
-  /// Nothing where it was not given.
+  /// Nothing if it was not given.
   std::optional<T> find() const { return given() ? std::optional<T>(value()) : std::nullopt; }
 
  private:
@@ -167,16 +167,16 @@ Choice<std::string>::Meanings as_named(const std::vector<std::string>& names);
 /// "--name", "-o"
 std::string dashed(const std::string& option_name);
 
-/// What the value of an option is to the command.
+/// Use of an option's value.
 enum class ValueUse : std::uint8_t {
-  word,    ///< no file
-  input,   ///< a file or folder that is read
-  output,  ///< a file or folder that is written
+  word,    ///< not a file
+  input,   ///< a file or folder to be read
+  output,  ///< a file or folder to be written
 };
 
-/// By the name of the value, so that no command can forget to say it: "OUT...", and whatever -o
-/// takes, is written; RUN, MODEL, FILE, HEADER, DIR are read. Files are guarded by it, and
-/// completion offers them.
+/// Derived from the name of the value, so that no command can forget it: "OUT..." and the values of
+/// -o are written; RUN, MODEL, FILE, HEADER, DIR are read. Used to protect files and for
+/// completion.
 ValueUse value_use(const Option& option);
 
 }  // namespace fogcomp::cli

@@ -77,7 +77,7 @@ WorkbenchSetup bench_setup(const BenchInput& input, const RecordingOptions& reco
   setup.holdouts = input.holdouts;
   setup.states = input.states;
   setup.files = input.made;
-  recording::ReadOptions reading = observer.heard(recording.value());
+  recording::ReadOptions reading = observer.with_observer(recording.value());
   for (const WorkbenchSetup::State& state : input.states) {
     const WorkbenchSetup::File& file = file_named(setup.files, state.model, read_file);
     reading = workflow::reading_for(model::parse_model(file.bytes, file.name), reading, observer);

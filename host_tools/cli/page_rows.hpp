@@ -6,18 +6,18 @@
 
 namespace fogcomp::cli {
 
-/// Largest recording that goes into a page as it is, bytes: some 100,000 rows.
+/// Largest recording that is embedded in a page unchanged, bytes: about 100,000 rows.
 constexpr std::size_t kMaxPageFile = 4'000'000;
 
-/// A recording as a page carries it where one is larger: its means over 1 s, the blocks in which a
-/// board takes them, as a CSV of the plain format.
+/// A larger recording as embedded in a page: its means over 1 s, the board's blocks, as a CSV of
+/// the plain format.
 struct PageRows {
   std::string csv;
   std::size_t samples = 0;  ///< of the recording
-  std::size_t rows = 0;     ///< that are left of them
+  std::size_t rows = 0;     ///< that remain
 };
 
-/// Throws InputError as read_recording() does.
+/// Throws InputError like read_recording().
 PageRows page_rows(const std::string& path, const recording::ReadOptions& options);
 
 }  // namespace fogcomp::cli

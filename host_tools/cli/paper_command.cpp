@@ -49,7 +49,7 @@ int PaperCommand::run() const {
   request.study = {seed.value(), epochs.value(), iterations.value(),
                    workflow::study_models(models.value())};
   request.gyros = gyros.value();
-  if (figures.given()) {  // before the study, which takes long
+  if (figures.given()) {  // checked before the study, which takes long
     make_folder(figures.value());
     for (const int figure : research::kFigures)
       check_output(*this, research::figure_path(figures.value(), figure));

@@ -6,7 +6,7 @@
 
 namespace fogcomp::cli {
 
-/// Writes all columns that a recording has, in the plain format. Names of segments are not kept.
+/// Writes all columns of a recording in the plain format, without names of segments.
 void write_recording(const recording::Recording& recording, const std::string& path);
 
 }  // namespace fogcomp::cli

@@ -22,11 +22,11 @@ double RecordingOptions::earth_rate_dph() const {
   return axis.value() * kEarthRateDph * std::sin(latitude.value() * kRadiansPerDegree);
 }
 
-// --rate-column is the part of --columns that files of several axes need.
+// --rate-column is the part of --columns for files with several axes.
 std::string RecordingOptions::column_map() const {
   std::string map = columns.text();
   if (rate_column.given()) map += (map.empty() ? "rate=" : ",rate=") + rate_column.value();
-  recording::parse_column_map(map);  // what is wrong with it is said before a file is read
+  recording::parse_column_map(map);  // errors are reported before a file is read
   return map;
 }
 

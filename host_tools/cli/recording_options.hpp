@@ -7,7 +7,7 @@
 
 namespace fogcomp::cli {
 
-/// The options of all that read recordings.
+/// The options of all commands that read recordings.
 struct RecordingOptions : OptionGroup {
   using OptionGroup::OptionGroup;
   /// Throws InputError for a value out of range, or --axis without --latitude.
@@ -38,10 +38,10 @@ struct RecordingOptions : OptionGroup {
   double earth_rate_dph() const;
 };
 
-/// Those of the commands that fit and judge.
+/// Additional options of the commands that fit and judge.
 struct MaskedRecordingOptions : RecordingOptions {
   using RecordingOptions::RecordingOptions;
-  /// Throws InputError also for a mask of none of `runs`.
+  /// Also throws InputError for a mask whose file is not among `runs`.
   recording::ReadOptions value(const std::vector<std::string>& runs) const;
 
   Texts masks{this,

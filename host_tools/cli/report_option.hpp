@@ -16,8 +16,8 @@ struct ReportOption : Text {
              {"report", "OUT.html", "the findings with plots, one page that opens offline"}) {}
 };
 
-/// The page that --report names, opened before the work begins, so that a folder that cannot be
-/// written is known at once. Without the option it does nothing.
+/// The page of --report, opened before the work begins, so that an unwritable folder is reported at
+/// once. Without the option it does nothing.
 class ReportFile {
  public:
   explicit ReportFile(const ReportOption& option);

@@ -88,7 +88,7 @@ workflow::SimulateRequest SimulateCommand::request() const {
   return request;
 }
 
-// The whole run, chunk by chunk. Returns its rows.
+// Writes the whole run, chunk by chunk. Returns its number of rows.
 std::size_t SimulateCommand::write(workflow::SimulatedChamber& chamber) const {
   recording::RecordingWriter recording(output.value(), file_format.value(), chamber.columns(),
                                        recording::kDefaultScaleFactor, rate.value());

@@ -2,8 +2,8 @@
 
 namespace fogcomp::cli {
 
-/// `fogcomp simulate --list`: profiles, presets, effects and parts with their parameters, units and
-/// defaults.
+/// Prints `fogcomp simulate --list`: profiles, presets, effects and parts with their parameters,
+/// units and defaults.
 void print_simulation_list();
 
 }  // namespace fogcomp::cli

@@ -7,7 +7,7 @@
 
 namespace fogcomp::cli {
 
-/// --network, --trainer and what belongs to them.
+/// --network, --trainer and their options.
 struct TrainingOptions : OptionGroup {
   using OptionGroup::OptionGroup;
   fit::TrainerSettings value() const;

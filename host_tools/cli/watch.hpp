@@ -9,20 +9,20 @@
 
 namespace fogcomp::cli {
 
-/// What Ctrl-C means while a network is trained.
+/// Meaning of Ctrl-C while a network is trained.
 enum class OnInterrupt : std::uint8_t {
   stop,       ///< ends the program
-  keep_best,  ///< ends the training; the best network so far is kept
+  keep_best,  ///< ends the training and keeps the best network so far
 };
 
-/// Shows work under way on stderr: notes, remarks, and a progress bar for each stage.
+/// Shows progress on stderr: notes, remarks, and a progress bar for each stage.
 class Watch {
  public:
   explicit Watch(OnInterrupt on_interrupt = OnInterrupt::stop) : on_interrupt_(on_interrupt) {}
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  /// Refers to this.
+  /// Refers to this object.
   workflow::Observer observer();
 
  private:
@@ -34,7 +34,7 @@ class Watch {
   std::optional<InterruptGuard> guard_;
 };
 
-/// What a process without a terminal says: notes and remarks, a line each on stderr.
+/// Output without a terminal: notes and remarks, one line each on stderr.
 workflow::Observer on_stderr();
 
 }  // namespace fogcomp::cli

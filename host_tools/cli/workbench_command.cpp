@@ -1,4 +1,4 @@
-// fogcomp workbench: the loop as one page that calculates.
+// fogcomp workbench: the loop as an interactive page.
 
 #include <cstdio>
 #include <fstream>

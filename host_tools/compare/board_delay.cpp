@@ -22,7 +22,7 @@ struct Drift {
   Eigen::VectorXd dph;
 };
 
-// One after the other: the signals of a long recording are large.
+// One after the other, because the signals of a long recording are large.
 Drift drift_of(const model::Model& model, const RunInBlocks& run, series::Phase phase) {
   series::SignalSeries series(model, phase);
   series.add(run.blocks);
@@ -30,7 +30,7 @@ Drift drift_of(const model::Model& model, const RunInBlocks& run, series::Phase 
   return {rows.time_s, rows.row_s, rows.weights, series.drift_dph(model.terms)};
 }
 
-// After a start or a gap the two have different rows, which are matched by their time.
+// After a start or a gap the two have different rows, which are matched by their times.
 Delay delay_of(const model::Model& model, const RunInBlocks& run) {
   const Drift coil = drift_of(model, run, series::Phase::zero);
   const Drift board = drift_of(model, run, series::Phase::board);

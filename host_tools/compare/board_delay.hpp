@@ -10,28 +10,28 @@
 
 namespace fogcomp::compare {
 
-/// How much of a fit's error is the board's delay: rms over all rows, deg/h, of what the effects
-/// make of signals as the board has them (means of the block before, causal derivative) less what
-/// they make of signals without delay (zero_phase.hpp).
+/// Error due to the board's delay: rms over all rows, deg/h, of the effects' drift for the board's
+/// signals (means of the preceding block, causal derivative) less the drift for signals without
+/// delay (zero_phase.hpp).
 double delay_error_dph(const model::Model& model, const std::vector<RunInBlocks>& runs);
 
-/// Error of a model as the board computes it, and how large it would be without the board's delay,
-/// the model's coefficients the same: rms of the rows that count, deg/h.
+/// Error of a model as the board computes it, and without the board's delay with the same
+/// coefficients: rms of the rows that count, deg/h.
 struct BoardError {
   double rms_dph = 0;
   double without_delay_dph = 0;
-  double rows = 0;  ///< time behind both, relative to a full row
+  double rows = 0;  ///< total duration, in full rows
 
-  /// Of several runs together.
+  /// Combines several runs.
   void add(const BoardError& other);
-  /// Whether the two figures differ enough to be told apart in print: by more than 1 %.
+  /// Whether the two values differ enough to print both: by more than 1 %.
   bool delay_matters() const;
 };
 
 /// "as the board computes it the residual is 1062, without the board's delay (...) 166.8 deg/h".
 std::string delay_words(const BoardError& error);
 
-/// `comparison`: of this model with this run.
+/// `comparison`: of this model on this run.
 BoardError board_error(const model::Model& model, const RunInBlocks& run,
                        const Comparison& comparison);
 

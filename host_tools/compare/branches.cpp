@@ -6,7 +6,7 @@
 
 namespace fogcomp::compare {
 
-// A play operator: it moves only when the temperature pushes it.
+// A play operator on the temperature.
 std::vector<Branch> branches(const std::vector<double>& temperature_degc) {
   std::vector<Branch> branch;
   if (temperature_degc.empty()) return branch;

@@ -32,7 +32,7 @@ ModelledRows modelled_rows(const model::Model& model, const RunInBlocks& run, st
   ModelledRows result;
   series::RowAverager averager(run.blocks, run.average_s, result.rows, 1 + parts);
   std::vector<double> values(1 + parts);
-  series::walk_blocks(run.blocks, drift, [&](const series::BlockSeries::Block& block) {
+  series::run_blocks(run.blocks, drift, [&](const series::BlockSeries::Block& block) {
     values[0] = drift.drift_dph();
     for (std::size_t i = 0; i < parts; ++i) {
       values[1 + i] = i < model.terms.size() ? drift.effect_dph(i) : drift.network_dph();
@@ -61,7 +61,7 @@ std::vector<Comparison::VaryingInput> varying(const series::Rows& rows) {
 
 struct WeightedMoments {
   double mean = 0;
-  double deviation = 0;  // n - 1 in the denominator
+  double deviation = 0;  // with n - 1 in the denominator
   double rms = 0;
 };
 

@@ -15,10 +15,9 @@
 
 namespace fogcomp::compare {
 
-/// A model against one recording, in rows of RunInBlocks::average_s.
+/// Result of a model on one recording, in rows of RunInBlocks::average_s.
 struct Comparison {
-  /// A segment and what is left in it, deg/h. Rows count with the time behind them, outliers not at
-  /// all.
+  /// A segment and its residual, deg/h. Rows are weighted by their duration; outliers are excluded.
   struct SegmentError : recording::Segment {
     double raw_mean_dph = 0;
     double raw_std_dph = 0;
@@ -33,15 +32,15 @@ struct Comparison {
     std::vector<double> values;  ///< of each row, in the input's unit
   };
   std::string file;
-  std::vector<std::string> files;  ///< that it was joined from; one else
-  series::Rows rows;               ///< of this run alone
+  std::vector<std::string> files;  ///< that were joined; usually one
+  series::Rows rows;               ///< of this run only
   Eigen::VectorXd modelled_dph;    ///< drift of each row
-  std::vector<bool> outlier;       ///< rows that count in no figure (outlier_rows.hpp)
+  std::vector<bool> outlier;       ///< rows excluded from all figures (outlier_rows.hpp)
   std::size_t outliers = 0;
   std::vector<SegmentError> segments;
   SegmentError whole;
   std::vector<EffectShare> effects;            ///< in the model's order, then the network
-  std::vector<std::vector<double>> parts_dph;  ///< [as effects][row]: what each contributes
+  std::vector<std::vector<double>> parts_dph;  ///< [as effects][row]: contributions to the drift
   std::vector<VaryingInput> inputs;
   std::optional<double> noise_floor_dph;  ///< of a row, from the recording alone
   OutsideTraining outside;
@@ -49,24 +48,24 @@ struct Comparison {
   std::size_t size() const { return outlier.size(); }
   std::vector<double> measured_dph() const;
   std::vector<double> residuals_dph() const;
-  /// Of a value per row: outliers bridged (bridge_outliers); only the rows that count.
+  /// Values per row: with outliers bridged (bridge_outliers), or only the rows that count.
   std::vector<double> bridged(std::vector<double> values) const;
   std::vector<double> counted(const std::vector<double>& values) const;
 };
 
-/// Whether an input is more than a constant, of which averaging leaves rounding.
+/// Whether an input varies by more than the rounding of its means.
 bool varies(const std::vector<double>& values);
 
-/// Throws InputError where the run lacks a column that the model needs.
+/// Throws InputError if the run lacks a column that the model needs.
 Comparison compare_with(const model::Model& model, const RunInBlocks& run);
 
-/// Rms that a constant alone would leave of a segment, deg/h: the model's mean over the whole run.
-/// In the same sense as SegmentError::rms_dph, so that an offset of the run counts in both.
+/// Rms of a segment, deg/h, about the model's mean over the whole run: the residual of a constant.
+/// Comparable with SegmentError::rms_dph, because an offset of the run counts in both.
 double constant_rms_dph(const Comparison& comparison, const Comparison::SegmentError& segment);
 
 /// sqrt(std^2 - floor^2), 0 where the floor is higher: the drift without the noise.
 double floor_removed(double std_dph, double floor_dph);
-/// The same; nothing where the floor is not known.
+/// The same; nothing if the floor is unknown.
 std::optional<double> floor_removed(double std_dph, const std::optional<double>& floor_dph);
 
 }  // namespace fogcomp::compare

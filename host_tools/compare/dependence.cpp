@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);
 
-// Equal divisions of a variable's range.
+// Equal division of a variable's range.
 class Grid {
  public:
   Grid(const std::vector<double>& values, std::size_t bins) : bins_(bins) {
@@ -35,16 +35,17 @@ class Grid {
   double width_ = 0;
 };
 
-// Means of the residual over classes, those with enough rows, and the covariance of the means.
+// Means of the residual over classes with enough rows, and their covariance.
 struct ClassMeans {
-  std::vector<std::size_t> place;  // of each class among those that count, else kNoClass
+  std::vector<std::size_t>
+      place;  // index of each class among those with enough rows, else kNoClass
   Eigen::VectorXd rows;
   Eigen::VectorXd mean_dph;
   Eigen::MatrixXd covariance;  // (deg/h)^2
 };
 
-// Covariance of the sums over classes, from the noise model: for each component, the rows before
-// weigh on a row by what is left of them. Rows without a class are 0 in every sum.
+// Covariance of the sums over classes, from the noise model: each component correlates a row with
+// earlier rows by its decay. Rows without a class contribute nothing.
 Eigen::MatrixXd covariance_of_sums(const ResidualRows& rows,
                                    const std::vector<std::size_t>& place_of_row,
                                    Eigen::Index size) {
@@ -69,7 +70,7 @@ Eigen::MatrixXd covariance_of_sums(const ResidualRows& rows,
   return covariance;
 }
 
-// Long-run variance of a row: what many rows together scatter by, times their number.
+// Long-run variance of a row: variance of a sum of many rows, per row.
 double long_run_variance(const noise::NoiseModel& noise) {
   double variance = noise.white_variance;
   for (const noise::NoiseModel::Component& component : noise.components) {
@@ -79,7 +80,7 @@ double long_run_variance(const noise::NoiseModel& noise) {
   return variance;
 }
 
-// How much more the rows scatter within their classes than the noise model says, at least 1.
+// Ratio, at least 1, of the rows' variance within their classes to that of the noise model.
 double excess_scatter(const ResidualRows& rows, const std::vector<std::size_t>& place_of_row,
                       const ClassMeans& means) {
   std::vector<double> within(place_of_row.size(), 0);
@@ -98,7 +99,7 @@ double excess_scatter(const ResidualRows& rows, const std::vector<std::size_t>& 
   return std::max(1.0, seen / expected);
 }
 
-// `class_of`: each row's class, or kNoClass.
+// `class_of`: class of each row, or kNoClass.
 ClassMeans means_of(const std::vector<std::size_t>& class_of, std::size_t classes,
                     const ResidualRows& rows) {
   std::vector<std::size_t> count(classes);
@@ -154,10 +155,10 @@ ClassTest test_means(const ClassMeans& means, const ResidualRows& rows) {
   return test;
 }
 
-// Places of the heating classes whose cooling class, which is the next, counts too.
+// Indices of the heating classes whose cooling class, the next one, has enough rows too.
 using Pairs = std::vector<Eigen::Index>;
 
-// Whether heating differs from cooling anywhere.
+// Score of a difference between heating and cooling in any class.
 double score_of(const Pairs& pairs, const ClassMeans& means) {
   const auto size = static_cast<Eigen::Index>(pairs.size());
   Eigen::MatrixXd differ = Eigen::MatrixXd::Zero(size, means.mean_dph.size());

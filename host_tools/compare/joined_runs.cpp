@@ -20,8 +20,8 @@ double last_time_s(const BlockSeries& series) {
   return block.time_s + (block.samples - 1) * series.period_s / 2;
 }
 
-// Whether `next` goes on where `run` ends.
-bool goes_on(const BlockSeries& run, const BlockSeries& next) {
+// Whether `next` continues where `run` ends.
+bool continues(const BlockSeries& run, const BlockSeries& next) {
   constexpr double kSamePeriod = 0.01;
   if (run.blocks.empty() || next.blocks.empty() || run.inputs != next.inputs ||
       run.samples_per_block != next.samples_per_block ||
@@ -45,7 +45,7 @@ void append(BlockSeries& run, const BlockSeries& next) {
   run.rounding_dph = std::max(run.rounding_dph, next.rounding_dph);
 }
 
-// A soak that the files share is one; other names become unique.
+// Joins a soak that both files contain; makes other names unique.
 void append(std::vector<recording::Segment>& segments, std::vector<recording::Segment> next) {
   for (recording::Segment& segment : next) {
     const std::string name = segment.name;
@@ -93,7 +93,7 @@ std::vector<RunInBlocks> join_continued(std::vector<RunInBlocks> runs,
                                         std::vector<std::string>& notes) {
   for (std::size_t i = 0; i < runs.size();) {
     const auto next = std::find_if(runs.begin(), runs.end(), [&](const RunInBlocks& run) {
-      return &run != &runs[i] && goes_on(runs[i].blocks, run.blocks);
+      return &run != &runs[i] && continues(runs[i].blocks, run.blocks);
     });
     if (next == runs.end()) {
       ++i;

@@ -7,9 +7,9 @@
 
 namespace fogcomp::compare {
 
-/// Files of one run, in whatever order: a run that goes on where another ends, on the same clock
-/// and without a gap, becomes part of it. A logger that begins a file every hour restarts neither
-/// the gyro nor its temperatures. Adds a line to `notes` for each that was joined.
+/// Joins files of one run, in any order: a file that continues another on the same clock without a
+/// gap. A logger that starts a file every hour restarts neither the gyro nor its temperatures. Adds
+/// a line to `notes` for each joined file.
 std::vector<RunInBlocks> join_continued(std::vector<RunInBlocks> runs,
                                         std::vector<std::string>& notes);
 

@@ -15,11 +15,11 @@ struct ModelOnRun {
   BoardError error;  ///< of the whole run
 };
 
-/// Throws InputError where the run lacks a column that the model needs.
+/// Throws InputError if the run lacks a column that the model needs.
 ModelOnRun try_model(const model::Model& model, const RunInBlocks& run);
 
-/// The bias of a run beside that of another, with the drift that a model describes refitted to all
-/// of them: what a gyro does from one power-on to the next (fit/turn_on_bias.hpp).
+/// Bias of a run less that of another, with the model's drift refitted to all of them: change from
+/// one power-on to the next (fit/turn_on_bias.hpp).
 struct TurnOnBias {
   std::string run;
   std::string reference;

@@ -14,9 +14,9 @@ struct LagCorrelation {
   double correlation = 0;  ///< -1..1
 };
 
-/// What is still in the residual of a run, and on what it depends.
+/// What is left in the residual of a run, and on what it depends.
 struct ResidualAnalysis {
-  /// rms^2 - floor^2, (deg/h)^2: what a better model could remove. Nothing where it is within four
+  /// rms^2 - floor^2, (deg/h)^2: what a better model could remove. Nothing if it is within four
   /// standard errors of the floor's estimate (0.6/sqrt(rows), relative), or no floor is known.
   std::optional<double> excess_dph2;
   double offset_sigma_dph = 0;     ///< standard error of the residual's mean
@@ -28,19 +28,19 @@ struct ResidualAnalysis {
   Loop history;
   std::vector<LagCorrelation> autocorrelation;
   double white_band = 0;  ///< +-2/sqrt(rows): where 95 % of them lie for white noise
-  /// In soaks only; empty where none is long enough. Same times and uncertainties for both.
+  /// Only in soaks; empty if none is long enough. Same times and uncertainties for both.
   std::vector<noise::AllanPoint> raw_allan;
   std::vector<noise::AllanPoint> residual_allan;
 
-  /// Of the excess, the part that a class test explains, 0..1; nothing where no excess is known.
+  /// Fraction of the excess that a class test explains, 0..1; nothing if no excess is known.
   std::optional<double> share_of_excess(const ClassTest& test) const;
 };
 
 /// Four standard errors of a noise floor estimated from so many rows, relative to it.
 double floor_uncertainty(std::size_t rows);
 
-/// Shares of different variables overlap: in one chamber cycle, temperature, rate, time and history
-/// go together.
+/// Shares of different variables overlap: in one chamber cycle temperature, rate, time and history
+/// are correlated.
 ResidualAnalysis analyse_residual(const Comparison& comparison);
 
 }  // namespace fogcomp::compare

@@ -12,15 +12,15 @@
 namespace fogcomp::compare {
 namespace {
 
-// Two digits, rounded down.
+// Rounded down to two digits.
 double rounded_down(double value) {
   const double step = std::pow(10, std::floor(std::log10(value)) - 1);
   return step * std::floor(value / step);
 }
 
-// Ramps and soaks that rows of that length do not show apart. Where rows begin is chance: a part of
-// two rows' length has a whole row in it however they lie, a shorter one may be seen only together
-// with what comes before and after. Less than a tenth of the time are pieces between gaps.
+// Notes about ramps and soaks that rows of that length do not separate. A segment of two rows'
+// length always contains a whole row; a shorter one may be averaged with its neighbours. Less than
+// a tenth of the time may be pieces between gaps.
 std::vector<std::string> long_row_notes(const recording::Recording& recording,
                                         const std::vector<recording::Segment>& segments,
                                         double row_s) {
@@ -53,7 +53,7 @@ std::vector<std::string> long_row_notes(const recording::Recording& recording,
 }  // namespace
 
 RunInBlocks run_in_blocks(const recording::Recording& recording, double average_s) {
-  recording::require_moving_rate(recording);
+  recording::require_varying_rate(recording);
   RunInBlocks run;
   run.file = recording.file;
   run.files = {recording.file};
@@ -62,7 +62,7 @@ RunInBlocks run_in_blocks(const recording::Recording& recording, double average_
   run.blocks = series::make_blocks(recording);
   run.segments = recording::find_segments(recording);
   run.average_s = average_s;
-  // Of the rows as they are: a whole number of blocks.
+  // Actual row length: a whole number of blocks.
   const double row_s = series::row_length_s(average_s, run.blocks.block_s);
   run.noise_floor_dph = noise::noise_floor_dph(recording, row_s);
   run.notes = long_row_notes(recording, run.segments, row_s);

@@ -17,14 +17,14 @@ struct Moments {
   std::optional<double> deviation;
 };
 
-// Values of which some are outliers.
+// Values with some outliers.
 struct Judged {
   std::vector<double> values;
   std::vector<bool> outlier;
 };
 
-// Without the outliers; about the first value, so that a small scatter on a large mean keeps its
-// digits.
+// Without outliers; relative to the first value, so that a small scatter about a large mean keeps
+// its digits.
 Moments moments(const Judged& judged, recording::RowRange rows) {
   double origin = 0;
   double count = 0;
@@ -76,7 +76,7 @@ SegmentSummary summarize_segment(const recording::Recording& recording,
   return summary;
 }
 
-// By the rows that fit and compare would make: whole blocks of theirs, where they are not longer.
+// Row length as in fit and compare: whole blocks, if these are not longer.
 double wanted_row_s(const recording::Recording& recording, double average_s) {
   const double block_s = recording.period_s * series::samples_per_block(recording.period_s);
   return average_s > block_s && block_s > 0 ? series::row_length_s(average_s, block_s) : average_s;
@@ -92,7 +92,7 @@ Judged judge_rows(const recording::Recording& rows) {
   return {in_time.values, noise::find_outliers(in_time)};
 }
 
-// All samples of a row that is an outlier are.
+// All samples of an outlier row are outliers.
 Judged judge_samples(const recording::Recording& recording, const series::CompleteRows& rows,
                      const std::vector<bool>& row_outlier) {
   Judged samples{recording::bias_dph(recording), std::vector<bool>(recording.rows())};
@@ -112,7 +112,7 @@ std::vector<double> bridged(const Judged& judged, const recording::Recording& re
   return values;
 }
 
-// As a recording, for what looks at one.
+// As a recording, for functions that need one.
 recording::Recording without_outliers(recording::Recording rows, const Judged& judged) {
   const std::vector<double> values = bridged(judged, rows);
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -12,8 +12,8 @@
 
 namespace fogcomp::compare {
 
-/// Bias (rate less input rate) over some samples. Standard deviations have n - 1 in the denominator
-/// and are absent for a single value.
+/// Bias (rate less input rate) over some samples. Standard deviations have n - 1 in the
+/// denominator; absent for a single value.
 struct BiasSummary {
   double mean_dph = 0;                   ///< of all samples
   std::optional<double> std_dph;         ///< of means over a row: GJB 2426A's bias stability
@@ -27,28 +27,28 @@ struct SegmentSummary {
   std::size_t rows = 0;
   double start_s = 0;
   double end_s = 0;       ///< time of the last row
-  double duration_s = 0;  ///< its period included
+  double duration_s = 0;  ///< including the last row's period
   double temperature_min_degc = 0;
   double temperature_max_degc = 0;
-  double temperature_rate_degc_per_min = 0;  ///< mean: from the first row to the last
+  double temperature_rate_degc_per_min = 0;  ///< mean, from the first row to the last
 };
 
-/// What one recording shows without any model.
+/// Properties of one recording without a model.
 struct RunSummary {
   BiasSummary bias;
   double average_s = 0;         ///< length of a row
-  std::size_t outliers = 0;     ///< rows left out of all figures (outlier_rows.hpp)
+  std::size_t outliers = 0;     ///< rows excluded from all figures (outlier_rows.hpp)
   recording::Recording blocks;  ///< their means
   std::optional<double> noise_floor_dph;
   std::vector<SegmentSummary> segments;
-  double soak_s = 0;  ///< of data behind the Allan deviation
+  double soak_s = 0;  ///< duration of the data of the Allan deviation
   std::vector<noise::AllanPoint> allan;
   noise::NoiseCoefficients noise;
   TemperatureSensitivity sensitivity;
 };
 
-/// Everything in rows of `average_s`, as whole a number of the board's blocks as fit and compare
-/// take; of one row where the recording's period is longer.
+/// Summary in rows of `average_s`, a whole number of the board's blocks as in fit and compare; in
+/// single samples if the recording's period is longer.
 RunSummary summarize(const recording::Recording& recording, double average_s);
 
 }  // namespace fogcomp::compare

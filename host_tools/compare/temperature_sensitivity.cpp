@@ -49,7 +49,7 @@ void compare_soaks(const recording::Recording& rows, const std::vector<double>& 
   }
 }
 
-// dT/dt of each row by the difference over a minute to each side, less at the ends of a stretch.
+// dT/dt of each row: difference over a minute to each side, less at the ends of a stretch.
 std::vector<double> temperature_rate_degc_per_min(const recording::Recording& rows) {
   constexpr double kSideS = 60;
   const auto side = static_cast<std::size_t>(std::max(1.0, std::round(kSideS / rows.period_s)));
@@ -71,7 +71,7 @@ bool has(const std::vector<recording::Segment>& segments, recording::SegmentKind
                      [kind](const recording::Segment& segment) { return segment.kind == kind; });
 }
 
-// Least squares of a parabola in T and one rate term for each direction in which there is a ramp.
+// Least squares with a parabola in T and one rate term for each direction that has a ramp.
 void fit_rate_terms(const recording::Recording& rows, const std::vector<double>& bias,
                     const std::vector<recording::Segment>& segments,
                     TemperatureSensitivity& result) {
@@ -97,7 +97,7 @@ void fit_rate_terms(const recording::Recording& rows, const std::vector<double>&
   const Eigen::VectorXd solution = inverse * (design.transpose() * target);
   const auto term = [&](Eigen::Index column) -> std::optional<double> {
     const double inflation = normal(column, column) * inverse(column, column);
-    // A singular matrix makes it infinite or no number at all.
+    // a singular matrix gives infinity or NaN
     if (!(inflation >= 0.5 && inflation < rules::kMaxVarianceInflation)) return std::nullopt;
     return solution[column];
   };

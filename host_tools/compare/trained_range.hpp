@@ -4,24 +4,25 @@
 
 namespace fogcomp::compare {
 
-/// Parts of a run's rows (0..1) that lie where the training data never was.
+/// Fractions of a run's rows (0..1) outside the training data.
 struct OutsideTraining {
-  double temperature = 0;       ///< the board clamps there: the drift stands still
-  double temperature_rate = 0;  ///< ramps faster than any trained: rate terms and network guess
-  /// Sooner after power-on than any training row: warm-up that no effect has seen.
+  double temperature = 0;  ///< the board clamps there: the drift is constant
+  double temperature_rate =
+      0;  ///< ramps faster than all trained ones: rate terms and network extrapolate
+  /// Earlier after power-on than all training rows: an untrained warm-up.
   double sooner = 0;
-  /// Later than any, for models with an effect of the time since power-on.
+  /// Later than all, for models with an effect of the time since power-on.
   double later = 0;
 };
 
-/// Counts rows against a model's trained ranges; those that a model does not have count nothing.
+/// Counts rows outside a model's trained ranges; ranges that the model lacks are not checked.
 class TrainedRange {
  public:
-  /// `row_s`: length of a row; as much is allowed beyond the range of time.
+  /// `row_s`: length of a row, which is also the tolerance in time.
   TrainedRange(const model::Model& model, double row_s);
 
   void count(double time_s, double temperature_degc, double rate_degc_per_min);
-  /// Of the rows counted.
+  /// Fractions of the rows counted.
   OutsideTraining outside() const;
 
  private:

@@ -2,7 +2,7 @@
 
 namespace fogcomp::denoise {
 
-// Daubechies, Orthonormal bases of compactly supported wavelets II (1993). As PyWavelets has them.
+// Daubechies, Orthonormal bases of compactly supported wavelets II (1993); values of PyWavelets.
 const FilterTable kCoiflets{
     {"coif1",
      {-0.015655728135791993, -0.07273261951252645, 0.3848648468648578, 0.8525720202116004,

@@ -2,8 +2,7 @@
 
 namespace fogcomp::denoise {
 
-// Daubechies, Ten Lectures on Wavelets (1992), extremal phase; haar is her db1. As PyWavelets has
-// them.
+// Daubechies, Ten Lectures on Wavelets (1992), extremal phase; haar is db1. Values of PyWavelets.
 const FilterTable kDaubechies{
     {"haar", {0.7071067811865476, 0.7071067811865476}},
     {"db2", {-0.12940952255126037, 0.2241438680420134, 0.8365163037378079, 0.48296291314453416}},

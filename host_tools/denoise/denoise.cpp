@@ -8,7 +8,7 @@
 namespace fogcomp::denoise {
 namespace {
 
-// Shrinks levels from the finest on.
+// Shrinks the levels, finest first.
 class Shrinkage {
  public:
   Shrinkage(const DenoiseMethod& method, DenoiseReport& report)

@@ -20,7 +20,7 @@ int possible_levels(std::size_t length, const DenoiseMethod& method) {
     case DenoiseBy::kalman:
       break;
   }
-  return method.levels;  // has none to run out of
+  return method.levels;  // has no levels to limit
 }
 
 }  // namespace

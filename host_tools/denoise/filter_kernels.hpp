@@ -5,7 +5,7 @@
 
 namespace fogcomp::denoise {
 
-/// Outputs that one round of a kernel makes: arrays are a multiple of this long.
+/// Outputs per iteration of a kernel: array lengths are multiples of it.
 constexpr std::size_t kKernelStep = 8;
 
 /// The two filters of a transform, split into even and odd taps.
@@ -18,8 +18,8 @@ struct FilterPair {
   std::size_t length() const { return 2 * taps.size(); }
 };
 
-// The inner loops of a transform on separated even and odd samples. `count` is a multiple of
-// kKernelStep; results do not overlap inputs. With p = taps / 2 - 1:
+// Inner loops of a transform on separate even and odd samples. `count` is a multiple of
+// kKernelStep; results must not overlap inputs. With p = taps / 2 - 1:
 
 /// low[k] = sum over i of low_even[i] odd[k + p - i] + low_odd[i] even[k + p - i]; high likewise.
 /// Reads even and odd up to count + p.

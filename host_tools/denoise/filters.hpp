@@ -10,7 +10,7 @@ namespace fogcomp::denoise {
 /// for an unknown name.
 const std::vector<double>& lowpass_filter(const std::string& wavelet);
 
-/// The high-pass filter that goes with it: PyWavelets' dec_hi.
+/// The corresponding high-pass filter: PyWavelets' dec_hi.
 std::vector<double> highpass_filter(const std::vector<double>& lowpass);
 
 /// Names of all filters, family by family, shortest first.

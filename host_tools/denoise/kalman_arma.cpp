@@ -16,11 +16,11 @@ using Eigen::MatrixXd;
 using Eigen::Vector4d;
 using Eigen::VectorXd;
 
-// Variance that the slope gains per row, against that of the noise.
+// Variance of the slope's change per row, relative to that of the noise.
 constexpr double kMinWander = 1e-12;
 constexpr double kMaxWander = 1e-2;
 constexpr double kWanderStep = 10;
-constexpr double kUnknown = 1e6;  // variance of the first line, against that of the noise
+constexpr double kUnknown = 1e6;  // initial variance, relative to that of the noise
 
 VectorXd without_running_mean(fog::Span<const double> values) {
   const auto size = static_cast<Index>(values.size);
@@ -33,7 +33,7 @@ VectorXd without_running_mean(fog::Span<const double> values) {
     const double mean = (sums[i + half + 1] - sums[i - half]) / static_cast<double>(2 * half + 1);
     rest[i] = values.data[i] - mean;
   }
-  // The mean contains the value itself and takes its share of the noise away.
+  // The mean contains the value itself and thus removes a part of the noise.
   return rest * std::sqrt(1 / (1 - 1.0 / static_cast<double>(rules::kRunningMean)));
 }
 
@@ -56,7 +56,7 @@ struct Filter {
   Matrix4d first_covariance;
 };
 
-// Variance of the noise's state once it has settled.
+// Stationary covariance of the noise's state.
 Matrix4d filter_covariance(const Matrix4d& transition, const Matrix4d& disturbance) {
   Matrix4d covariance = disturbance;
   for (int i = 0; i < 2000; ++i) {
@@ -87,7 +87,7 @@ struct Step {
   Matrix4d predicted_covariance, filtered_covariance;
 };
 
-// -2 log likelihood; keeps the steps where they are wanted.
+// -2 log likelihood; stores the steps if `steps` is given.
 double run(const Filter& filter, fog::Span<const double> values, std::vector<Step>* steps) {
   Vector4d state(values.data[0], 0, 0, 0);
   Matrix4d covariance = filter.first_covariance;
@@ -112,7 +112,7 @@ double run(const Filter& filter, fog::Span<const double> values, std::vector<Ste
   return cost;
 }
 
-// Rauch, Tung and Striebel's smoother; the levels go into `values`.
+// Smoother of Rauch, Tung and Striebel; writes the levels to `values`.
 void smooth(const Filter& filter, const std::vector<Step>& steps, fog::Span<double> values) {
   Vector4d state = steps.back().filtered;
   values.data[values.size - 1] = state[0];
@@ -155,7 +155,7 @@ ArmaNoise fit_arma(fog::Span<const double> values) {
 ArmaNoise kalman_smooth(fog::Span<double> values) {
   const fog::Span<const double> read_only{values.data, values.size};
   const ArmaNoise noise = fit_arma(read_only);
-  if (!(noise.variance > 0)) return noise;  // nothing to take away
+  if (!(noise.variance > 0)) return noise;  // no noise to remove
   double min = HUGE_VAL;
   Filter best;
   for (double wander = kMinWander; wander <= kMaxWander; wander *= kWanderStep) {

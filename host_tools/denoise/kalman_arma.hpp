@@ -14,13 +14,14 @@ struct ArmaNoise {
   double variance = 0;  ///< of e
 };
 
-/// ARMA(2,1) by Hannan and Rissanen's two regressions (Biometrika 69, 1982), on `values` less their
-/// running mean over 61. A model that is not stationary, or fewer than 200 values: white noise.
+/// Fits ARMA(2,1) by the two regressions of Hannan and Rissanen (Biometrika 69, 1982) to `values`
+/// less their running mean over 61. White noise if the model is not stationary, or for fewer than
+/// 200 values.
 ArmaNoise fit_arma(fog::Span<const double> values);
 
-/// What a Kalman filter and smoother make of a signal that is a straight line with a slowly
-/// changing slope plus ARMA noise; the slope's wander is the one of a grid that makes the values
-/// likeliest. In place; returns the noise.
+/// Kalman filter and smoother for a straight line with a slowly changing slope plus ARMA noise; the
+/// variance of the slope's change is chosen from a grid by maximum likelihood. In place; returns
+/// the noise.
 ArmaNoise kalman_smooth(fog::Span<double> values);
 
 }  // namespace fogcomp::denoise

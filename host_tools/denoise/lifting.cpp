@@ -5,7 +5,7 @@
 namespace fogcomp::denoise {
 namespace {
 
-// The neighbour of an odd place on its right, or, past the end, on its left.
+// Right neighbour of an odd position or, at the end, the left one.
 double right_of(const std::vector<double>& even, std::size_t odd) {
   return even[std::min(odd + 1, even.size() - 1)];
 }

@@ -25,7 +25,7 @@ std::vector<double> magnitudes_of(fog::Span<const double> values) {
   return magnitudes;
 }
 
-// Whether the signal stands out of the noise far enough for the risk estimate to be trusted.
+// Whether the signal is strong enough compared with the noise to trust the risk estimate.
 bool is_strong(fog::Span<const double> coefficients, double n, double sigma) {
   double squares = 0;
   for (const double c : coefficients) squares += c * c;
@@ -33,8 +33,8 @@ bool is_strong(fog::Span<const double> coefficients, double n, double sigma) {
 }
 
 // The magnitude t that minimises Stein's unbiased estimate of the risk of soft thresholding at t
-// (MATLAB's thselect "rigrsure", times sigma). With the magnitudes in order m1 <= m2 ... <= mn, the
-// smallest of n - 2 k + (m1^2 + ... + mk^2 + (n - k) mk^2) / sigma^2,  k = 1 ... n.
+// (MATLAB's thselect "rigrsure", times sigma): with sorted magnitudes m1 <= m2 ... <= mn, the
+// minimum of n - 2 k + (m1^2 + ... + mk^2 + (n - k) mk^2) / sigma^2,  k = 1 ... n.
 double min_risk(fog::Span<const double> coefficients, double sigma) {
   std::vector<double> magnitudes = magnitudes_of(coefficients);
   std::sort(magnitudes.begin(), magnitudes.end());

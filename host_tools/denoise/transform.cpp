@@ -7,13 +7,13 @@
 namespace fogcomp::denoise {
 namespace {
 
-// Outputs per round: with its inputs this stays in the first-level cache.
+// Outputs per chunk: with its inputs it fits the first-level cache.
 constexpr std::size_t kChunk = 512;
 constexpr std::size_t kMaxPhases = 15;  // coif5
 constexpr std::size_t kBuffer = kChunk + kMaxPhases + kKernelStep;
 using Buffer = std::array<double, kBuffer>;
 
-// The index in [0, size) whose value stands at `index` of the extended signal.
+// Index in [0, size) of the value at `index` of the extended signal.
 std::size_t extended(std::ptrdiff_t index, std::size_t size, Extension extension) {
   const auto period =
       static_cast<std::ptrdiff_t>(extension == Extension::periodic ? size : 2 * size);
@@ -26,7 +26,7 @@ std::size_t padded(std::size_t count) {
   return (count + kKernelStep - 1) / kKernelStep * kKernelStep;
 }
 
-// Pairs (even, odd) number first_pair onwards of the extended signal.
+// Pairs (even, odd) of the extended signal, from number first_pair on.
 void separate(fog::Span<const double> values, std::ptrdiff_t first_pair, std::size_t pairs,
               Extension extension, double* even, double* odd) {
   const std::ptrdiff_t begin = 2 * first_pair;
@@ -50,7 +50,7 @@ std::size_t coefficients_of(std::size_t length, const FilterPair& filters) {
   return (length + filters.length() - 1) / 2;
 }
 
-// `low` and `high` have room for coefficients_of(values).
+// `low` and `high` have at least coefficients_of(values) elements.
 void analyse_level(fog::Span<const double> values, const FilterPair& filters, Extension extension,
                    double* low, double* high) {
   const std::size_t phases = filters.taps.size();
@@ -73,9 +73,9 @@ void analyse_level(fog::Span<const double> values, const FilterPair& filters, Ex
   }
 }
 
-// The transpose of analyse_level: the coefficients in the front of `values` and those of `high`
-// become `values`. From the end, so that every coefficient is read before it is overwritten. A
-// level of odd length gets back its own length, not one more.
+// Transpose of analyse_level: combines the coefficients at the front of `values` with `high`.
+// Backwards, so that every coefficient is read before it is overwritten. A level of odd length
+// keeps its length.
 void synthesise_level(const double* high, const FilterPair& filters, fog::Span<double> values) {
   const std::size_t phases = filters.taps.size();
   Buffer low_part{};
@@ -120,11 +120,11 @@ Decomposition decompose(fog::Span<const double> values, const std::vector<double
   Decomposition result;
   result.length = values.size;
   fog::Span<const double> input = values;
-  std::array<std::vector<double>, 2> approximations;  // take turns
+  std::array<std::vector<double>, 2> approximations;  // used alternately
   for (int level = 0; level < levels; ++level) {
     const std::size_t outputs = coefficients_of(input.size, filters);
     std::vector<double>& low = approximations[static_cast<std::size_t>(level % 2)];
-    // Levels shrink, unless they are shorter than the filter.
+    // Levels get shorter, unless they are shorter than the filter.
     if (level < 2) low = std::vector<double>(std::max(outputs, filters.length()));
     std::vector<double> high(outputs);
     analyse_level(input, filters, extension, low.data(), high.data());
@@ -139,7 +139,7 @@ Decomposition decompose(fog::Span<const double> values, const std::vector<double
 void reconstruct(const Decomposition& decomposition, const std::vector<double>& lowpass,
                  fog::Span<double> values) {
   const FilterPair filters(lowpass);
-  // Levels grow in place. Of a signal shorter than the filter they are the longer ones.
+  // Levels grow in place. With a signal shorter than the filter they are longer than it.
   const std::vector<double>& coarsest = decomposition.approximation;
   std::vector<double> longer(coarsest.size() > values.size ? coarsest.size() : 0);
   double* const work = longer.size() > 0 ? longer.data() : values.data;

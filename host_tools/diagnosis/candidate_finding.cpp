@@ -12,10 +12,10 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// How probable the candidate is among the hypotheses; returns its shape in the likeliest of them
-// that has it, or else `alone`.
-std::size_t weigh(std::size_t candidate, std::size_t alone, const EvidenceSpace& evidence,
-                  const std::vector<Hypothesis>& hypotheses, CandidateFinding& finding) {
+// Sets the candidate's probability among the hypotheses. Returns its shape in the most probable
+// hypothesis that contains it, or else `alone`.
+std::size_t set_probability(std::size_t candidate, std::size_t alone, const EvidenceSpace& evidence,
+                            const std::vector<Hypothesis>& hypotheses, CandidateFinding& finding) {
   std::size_t shape = alone;
   bool seen = false;
   for (const Hypothesis& hypothesis : hypotheses) {
@@ -40,7 +40,7 @@ CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
   const BestShape best = best_shape(evidence.space, ranges, {}, evidence.space.projection());
   CandidateFinding finding;
   finding.effect = own.effect;
-  const std::size_t shape = weigh(candidate, best.shape, evidence, hypotheses, finding);
+  const std::size_t shape = set_probability(candidate, best.shape, evidence, hypotheses, finding);
   finding.evidence = best.log_evidence;
   if (excess > 0) {
     const auto columns = static_cast<double>(ranges[shape].count);
@@ -73,7 +73,7 @@ std::vector<CandidateFinding> find_of_candidates(const EvidenceSpace& evidence,
   return findings;
 }
 
-void believe_less(std::vector<CandidateFinding>& findings, double chance_of_walk) {
+void limit_to_own_evidence(std::vector<CandidateFinding>& findings, double chance_of_walk) {
   for (CandidateFinding& finding : findings) {
     const double believed =
         std::min(1.0, std::exp(finding.evidence) / rules::kBelievedOdds) * (1 - chance_of_walk);
@@ -82,7 +82,8 @@ void believe_less(std::vector<CandidateFinding>& findings, double chance_of_walk
   }
 }
 
-// What differs by rounding alone is equal: of such the catalogue's own comes first.
+// Order by probability of being the largest; differences by rounding count as equal, and then
+// effects of the catalogue come before expressions.
 void sort_by_lead(std::vector<CandidateFinding>& findings) {
   const auto rank = [](const CandidateFinding& finding) {
     const auto rounded = [](double value) { return std::round(1e9 * value); };

@@ -7,7 +7,7 @@
 
 namespace fogcomp::diagnosis {
 
-/// What a diagnosis says of one effect of the catalogue, or of one expression offered.
+/// Result of a diagnosis for one effect of the catalogue, or for one offered expression.
 struct CandidateFinding {
   std::string effect;
   /// The model with it: refitted terms with coefficients, this effect the last of them.
@@ -23,18 +23,18 @@ struct CandidateFinding {
   bool is_expression() const { return term().expression.has_value(); }
 };
 
-/// Of every candidate, the likeliest to be the largest first. `excess`: chi^2 above noise that
-/// there is to explain.
+/// Findings for all candidates, the one that is most probably the largest effect first. `excess`:
+/// chi^2 above noise that is to be explained.
 std::vector<CandidateFinding> find_of_candidates(const EvidenceSpace& evidence,
                                                  const std::vector<Hypothesis>& hypotheses,
                                                  double excess, const series::SignalSeries& series,
                                                  const fit::NoiseWeightedFit& fit);
 
-/// Where no test finds anything beside noise: an effect is believed as far as its own evidence
-/// goes, and as far as no random walk explains it.
-void believe_less(std::vector<CandidateFinding>& findings, double chance_of_walk);
+/// For a diagnosis whose tests find only noise: limits each effect's probability to what its own
+/// evidence supports and to what a random walk does not explain.
+void limit_to_own_evidence(std::vector<CandidateFinding>& findings, double chance_of_walk);
 
-/// In the order in which findings are told everywhere.
+/// Sorts into the order in which all outputs list the findings.
 void sort_by_lead(std::vector<CandidateFinding>& findings);
 
 }  // namespace fogcomp::diagnosis

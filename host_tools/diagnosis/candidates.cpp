@@ -18,19 +18,21 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Far from where an effect acts it is next to nothing (a glass transition 80 degC away: e^-40): its
-// coefficient would be beyond 5e5 deg/h, the largest that a board holds, to make 0.5 deg/h.
+// Far from its range of action an effect is negligible (a glass transition 80 degC away: e^-40): to
+// make 0.5 deg/h its coefficient would exceed 5e5 deg/h, the largest that a board stores.
 constexpr double kMinRegressor = 1e-6;
 constexpr double kAlike = 0.85;
 constexpr double kTheSame = 0.98;
 constexpr double kRank = 1e-8;
-constexpr int kFirstPlaces = 7;
-constexpr std::size_t kMaxPlaces = 72;  // of one parameter
-constexpr double kEdge = 0.02;          // how well known is where an effect begins to show
+constexpr int kFirstGridPoints = 7;
+constexpr std::size_t kMaxGridPoints = 72;  // grid points of one parameter
+constexpr double kEdgeResolution =
+    0.02;  // resolution, in units of the range, of the limit of visibility
 constexpr std::array<double, 3> kOtherPlaces{0.2, 0.5, 0.8};
-constexpr std::size_t kLaidOut = 3;  // parameters; an expression's others stay in the middle
+constexpr std::size_t kGridParameters =
+    3;  // parameters with a grid; further ones of an expression stay in the middle
 
-// What the effect's columns are behind those that the model has already.
+// Columns of an effect beyond those that the model already has.
 class ShapeMaker {
  public:
   ShapeMaker(const series::SignalSeries& series, const ProjectOutModel& project_out_model,
@@ -41,13 +43,13 @@ class ShapeMaker {
     const Eigen::MatrixXd all = series_.regressors(term);
     const Eigen::Index added = all.cols() - owned_;
     if (added <= 0) return std::nullopt;
-    if (!all.allFinite()) return std::nullopt;  // an expression at this shape
+    if (!all.allFinite()) return std::nullopt;  // an expression may not be finite at this shape
     const double largest = all.rightCols(added).cwiseAbs().maxCoeff();
     if (!term.expression && largest < kMinRegressor) return std::nullopt;
     VisiblePart part = to_visible_(all.rightCols(added));
     if (!part.visible.allFinite()) return std::nullopt;
     if (part.visible.maxCoeff() < rules::kMinVisible) return std::nullopt;
-    // One of two columns may be invisible (the static part of an effect beside a polynomial).
+    // One of two columns may be invisible (the static part of an effect next to a polynomial).
     Eigen::Index kept = 0;
     for (Eigen::Index i = 0; i < added; ++i) {
       if (part.visible[i] < rules::kMinVisible) continue;
@@ -62,8 +64,8 @@ class ShapeMaker {
   Eigen::Index owned_;
 };
 
-// Mean share of a's directions that b explains; 1 for the same subspace.
-double likeness(const Candidate::Shape& a, const Candidate::Shape& b) {
+// Mean fraction of a's directions that b explains; 1 for the same subspace.
+double overlap(const Candidate::Shape& a, const Candidate::Shape& b) {
   return (a.basis.transpose() * b.basis).squaredNorm() /
          static_cast<double>(std::max(a.basis.cols(), b.basis.cols()));
 }
@@ -76,10 +78,11 @@ std::size_t best_of(const std::vector<Candidate::Shape>& shapes, const Eigen::Ve
                                   shapes.begin());
 }
 
-// Half way to the nearest other place of a parameter, down (-1) or up (+1), in units of its range;
-// 0 where there is none: what lies beyond was left to a simpler effect, or cannot be seen.
-double half_gap(const std::vector<Candidate::Shape>& shapes, const model::ShapeParameter& parameter,
-                double unit, int direction) {
+// Half the distance to the nearest grid point of a parameter, downwards (-1) or upwards (+1), in
+// units of its range; 0 if there is none, because shapes beyond it belong to a simpler effect or
+// are invisible.
+double half_distance(const std::vector<Candidate::Shape>& shapes,
+                     const model::ShapeParameter& parameter, double unit, int direction) {
   double gap = 0;
   for (const Candidate::Shape& shape : shapes) {
     const double other = parameter.to_unit(shape.term.parameters[parameter.index]);
@@ -89,31 +92,31 @@ double half_gap(const std::vector<Candidate::Shape>& shapes, const model::ShapeP
   return gap;
 }
 
-// Lays one parameter out; the others stay as they are in `term`.
-void lay_out(const ShapeMaker& make, model::EffectTerm term, const model::ShapeParameter& parameter,
-             std::vector<Candidate::Shape>& shapes) {
+// Makes the grid of one parameter; the others keep their values in `term`.
+void add_grid(const ShapeMaker& make, model::EffectTerm term,
+              const model::ShapeParameter& parameter, std::vector<Candidate::Shape>& shapes) {
   struct Place {
     double unit;
     std::optional<Candidate::Shape> shape;
-    bool as_the_next = false;  // no place is needed between
+    bool as_the_next = false;  // no point is needed between the two
   };
   const auto at = [&](double unit) {
     term.parameters[parameter.index] = parameter.from_unit(unit);
     return Place{unit, make(term)};
   };
   const auto differ = [](const Place& a, const Place& b) {
-    if (a.shape.has_value() != b.shape.has_value()) return b.unit - a.unit > kEdge;
-    return a.shape.has_value() && likeness(*a.shape, *b.shape) < kAlike;
+    if (a.shape.has_value() != b.shape.has_value()) return b.unit - a.unit > kEdgeResolution;
+    return a.shape.has_value() && overlap(*a.shape, *b.shape) < kAlike;
   };
   std::vector<Place> places;
-  for (int i = 0; i < kFirstPlaces; ++i) {
-    places.push_back(at(static_cast<double>(i) / (kFirstPlaces - 1)));
+  for (int i = 0; i < kFirstGridPoints; ++i) {
+    places.push_back(at(static_cast<double>(i) / (kFirstGridPoints - 1)));
   }
-  for (bool halved = true; halved && places.size() < kMaxPlaces;) {
+  for (bool halved = true; halved && places.size() < kMaxGridPoints;) {
     halved = false;
     std::vector<Place> finer;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const bool more = i + 1 < places.size() && finer.size() + places.size() - i < kMaxPlaces;
+      const bool more = i + 1 < places.size() && finer.size() + places.size() - i < kMaxGridPoints;
       const double left = places[i].unit;
       const bool different = more && !places[i].as_the_next && differ(places[i], places[i + 1]);
       places[i].as_the_next = more && !different;
@@ -129,7 +132,8 @@ void lay_out(const ShapeMaker& make, model::EffectTerm term, const model::ShapeP
   }
 }
 
-// All shapes of a term whose marked parameters may move: the first finely, the others coarsely.
+// All shapes of a term whose marked parameters may vary: a fine grid of the first, coarse grids of
+// the others.
 std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const model::EffectTerm& term) {
   std::vector<Candidate::Shape> shapes;
   const std::vector<model::ShapeParameter> parameters = model::shape_parameters({term});
@@ -138,7 +142,7 @@ std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const model::Ef
     return shapes;
   }
   std::vector<model::EffectTerm> starts{term};
-  for (std::size_t i = 1; i < std::min(kLaidOut, parameters.size()); ++i) {
+  for (std::size_t i = 1; i < std::min(kGridParameters, parameters.size()); ++i) {
     std::vector<model::EffectTerm> more;
     for (const model::EffectTerm& start : starts) {
       for (const double place : kOtherPlaces) {
@@ -148,12 +152,12 @@ std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const model::Ef
     }
     starts = std::move(more);
   }
-  for (const model::EffectTerm& start : starts) lay_out(make, start, parameters[0], shapes);
+  for (const model::EffectTerm& start : starts) add_grid(make, start, parameters[0], shapes);
   return shapes;
 }
 
-// What the model's own term could grow by. Laid out along what is new; the rest stays where it is,
-// until all is fitted.
+// Extensions of the model's own term. The grid covers the new parameter; the others stay until the
+// final fit.
 std::vector<Candidate::Shape> grown_shapes(const series::SignalSeries& series,
                                            const ProjectOutModel& project_out_model,
                                            const model::EffectTerm& own) {
@@ -180,8 +184,8 @@ std::string missing_input(const model::CatalogueEntry& entry, fog::InputMask inp
   return "";
 }
 
-// Why nothing of an effect shows although its inputs are there.
-std::string what_would_show(const model::CatalogueEntry& entry) {
+// Recording that would show an effect that is invisible although its inputs are present.
+std::string remedy_for_invisible(const model::CatalogueEntry& entry) {
   for (const fog::InputDescription& input : fog::kInputTable) {
     if (!has(entry.description.needs, input.input)) continue;
     if (input.input == fog::Input::elapsed) return "a recording that begins at power-on";
@@ -198,11 +202,11 @@ std::size_t count_of(const Candidate::Shape& shape) {
   return model::make_effect(shape.term, kAnyBlockS)->regressor_count();
 }
 
-// A lag of five seconds is no lag: a shape that is what an effect without any shape parameter
-// is already belongs to that one. So does an effect of which these recordings show no more than
-// another of the same inputs with fewer regressors is: a nonlinearity at two rates. An expression
-// takes nothing from the catalogue.
-void leave_to_simpler(std::vector<Candidate>& candidates) {
+// Removes shapes that a simpler effect has too: a lag of five seconds equals the effect without
+// lag. Removes effects that on these recordings equal another one of the same inputs with fewer
+// regressors, such as a nonlinearity at two rates. Expressions do not replace effects of the
+// catalogue.
+void remove_equivalents_of_simpler(std::vector<Candidate>& candidates) {
   std::vector<const Candidate*> simple;
   for (const Candidate& candidate : candidates) {
     if (candidate.is_expression()) continue;
@@ -212,11 +216,11 @@ void leave_to_simpler(std::vector<Candidate>& candidates) {
     if (candidate.is_expression() && !candidate.has_free_shape()) continue;
     const auto is_simpler = [&](const Candidate::Shape& shape) {
       return std::any_of(simple.begin(), simple.end(), [&](const Candidate* other) {
-        if (other->shapes.empty()) return false;  // left to a simpler one itself
+        if (other->shapes.empty()) return false;  // removed in favour of a simpler one itself
         const Candidate::Shape& simpler = other->shapes[0];
         const bool fewer = candidate.has_free_shape() || (needs_of(simpler) == needs_of(shape) &&
                                                           count_of(simpler) < count_of(shape));
-        return fewer && likeness(shape, simpler) > kTheSame;
+        return fewer && overlap(shape, simpler) > kTheSame;
       });
     };
     auto& shapes = candidate.shapes;
@@ -227,7 +231,7 @@ void leave_to_simpler(std::vector<Candidate>& candidates) {
                    candidates.end());
 }
 
-// Those that the model has not got already.
+// Adds the offered expressions that the model does not have.
 void add_expressions(const series::SignalSeries& series,
                      const std::vector<model::EffectTerm>& terms,
                      std::vector<model::EffectTerm> offered,
@@ -247,17 +251,17 @@ void add_expressions(const series::SignalSeries& series,
   }
 }
 
-// Moves one shape to where it explains most, no further than half way to its neighbours.
-void move_to_best(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes, std::size_t index,
-                  const Eigen::VectorXd& residual) {
+// Moves one shape to the optimum, at most half way to its neighbours.
+void optimise_shape(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes,
+                    std::size_t index, const Eigen::VectorXd& residual) {
   Candidate::Shape& shape = shapes[index];
   double chi2_drop = shape.chi2_drop(residual);
   for (const model::ShapeParameter& parameter : model::shape_parameters({shape.term})) {
     // The shape itself changes below.
     const auto place = [&] { return parameter.to_unit(shape.term.parameters[parameter.index]); };
     const double start = place();
-    const double down = half_gap(shapes, parameter, start, -1);
-    const double up = half_gap(shapes, parameter, start, +1);
+    const double down = half_distance(shapes, parameter, start, -1);
+    const double up = half_distance(shapes, parameter, start, +1);
     for (double share = 0.5; share > 0.05; share /= 2) {
       const double middle = place();
       for (const double unit : {middle - share * down, middle + share * up}) {
@@ -299,7 +303,7 @@ void refine_shape_parameters(std::vector<Candidate>& candidates, const series::S
       move_steps(series.rows(), project_out_model, candidates[i].shapes, residual);
       continue;
     }
-    move_to_best({series, project_out_model, 0}, candidates[i].shapes, best[i], residual);
+    optimise_shape({series, project_out_model, 0}, candidates[i].shapes, best[i], residual);
   }
 }
 
@@ -330,8 +334,8 @@ CandidateList find_candidates(const series::SignalSeries& series,
       list.untestable.push_back({name, missing});
       continue;
     }
-    if (fit::stands_still(entry.description.needs, series.rows())) {
-      list.untestable.push_back({name, what_would_show(entry)});
+    if (fit::has_constant_input_rate(entry.description.needs, series.rows())) {
+      list.untestable.push_back({name, remedy_for_invisible(entry)});
       continue;
     }
     const auto own = std::find_if(terms.begin(), terms.end(),
@@ -350,11 +354,11 @@ CandidateList find_candidates(const series::SignalSeries& series,
     if (!candidate.shapes.empty()) {
       list.testable.push_back(std::move(candidate));
     } else if (own == terms.end()) {
-      list.untestable.push_back({name, what_would_show(entry)});
+      list.untestable.push_back({name, remedy_for_invisible(entry)});
     }
   }
   add_expressions(series, terms, offered, project_out_model, list);
-  leave_to_simpler(list.testable);
+  remove_equivalents_of_simpler(list.testable);
   return list;
 }
 

@@ -4,112 +4,113 @@
 #include <cmath>
 #include <cstddef>
 
-/// Every number by which a diagnosis decides: its unit, where it comes from, and what holds it
-/// ("hidden effects" is tests/bench/hidden_effects, "clean gyros" its faultless cases and
-/// tests/integration/diagnose.sh). Numbers that only lay out a search or bound its cost stand where
+/// All thresholds of a diagnosis: unit, origin, and the test that protects them ("hidden effects"
+/// is tests/bench/hidden_effects; "clean gyros" its faultless cases and
+/// tests/integration/diagnose.sh). Constants that only define a search grid or its cost are next to
+/// their use.
 /// they are used.
 namespace fogcomp::diagnosis::rules {
 
 // ---- Is there anything beside noise? ----------------------------------------------------------
-// Logarithms of the chance that noise alone is called a fault. Small where a single shape or line
-// decides, because no gyro is quite what its noise and its model say: at a chance of 1 % every
-// twentieth faultless simulated gyro was beyond it, and at 0.01 % 2 of 300 whose temperatures were
-// logged 300 s late had an effect named. Smooth structure is a sum over many directions: of 548
-// tests on faultless gyros, half of them with a recording at rest, the smallest chance was 2 %.
-// Fast structure is three tests, and no physics stands behind what they find: 1 of 300 clean gyros
-// was called a cycle at a chance of 0.05 %. Chances of 1e-5 make one false alarm in 25,000 gyros.
-// Clean gyros.
+// Natural logarithms of false-alarm probabilities. Small where a single shape or line decides,
+// because no gyro fits its noise model and drift model exactly: at 1 % every twentieth faultless
+// simulated gyro exceeded it, and at 0.01 % an effect was named for 2 of 300 gyros whose
+// temperatures were logged 300 s late. Smooth structure is a sum over many directions: in 548 tests
+// on faultless gyros, half of them with a recording at rest, the smallest probability was 2 %. Fast
+// structure is three tests without a physical model: at 0.05 % a cycle was reported for 1 of 300
+// clean gyros. 1e-5 makes one false alarm in 25,000 gyros. Clean gyros.
 inline const double kLibraryLogP = std::log(0.00001);
 inline const double kStructureLogP = std::log(0.01);
 inline const double kFastLogP = std::log(0.00001);
 
-/// Rows for any opinion: what a fit of a few effects and their noise needs.
+/// Minimum number of rows: needed to fit a few effects and their noise.
 constexpr std::ptrdiff_t kMinRows = 60;
 
-/// Degrees of freedom with which soaks alone tell the slow noise; below, the faster part of
-/// everything else helps. Clean gyros with short soaks.
+/// Degrees of freedom of the soaks above which they alone determine the slow noise; below, the
+/// high-pass part of the other rows is used as well. Clean gyros with short soaks.
 constexpr double kEnoughFreedom = 12;
 
-/// Share of a row's noise variance, a fifth of the noise: one recording cannot tell what is smaller
-/// from noise that is slower than its soaks. The smallest size of the hidden effects. Clean gyros.
+/// Fraction of a row's noise variance (a fifth of the noise rms): one recording cannot tell a
+/// smaller excess from noise that is slower than its soaks. The smallest size of the hidden
+/// effects. Clean gyros.
 constexpr double kSmallExcess = 0.2 * 0.2;
 
-/// Of the white noise, what a model leaves more than that: only the soaks say that it is noise.
+/// Excess in units of the white noise: a larger one can be attributed to noise only by the soaks.
 constexpr double kMuchAboveWhite = 0.1;
 
-/// Share of quiet rows from which on a recording is one at rest.
+/// Fraction of quiet rows from which a recording counts as at rest.
 constexpr double kAtRest = 0.9;
 
 // ---- Which effect is it? ----------------------------------------------------------------------
-/// Prior odds of one more missing effect against none more, and of an effect against one with a
-/// parameter more. Stated probability against frequency in the hidden effects.
+/// Prior odds: of one more missing effect against none; and of an effect against one with one more
+/// parameter. Calibrated with the hidden effects (stated probability against frequency).
 constexpr double kAnother = 0.15;
 constexpr double kSimpler = 4;
 
-/// Fall of chi^2 that each part of a set must bring: 99.8 % of one direction of noise. Events need
-/// more evidence than physics, as flicker noise looks like steps.
+/// Decrease of chi^2 required of each part of a set: 99.8 % for one direction of noise. Events need
+/// more, because flicker noise resembles steps.
 constexpr double kMinPartChi2Drop = 10;
 constexpr double kMinStepChi2Drop = 60;
 
-/// Fall of chi^2 by which a shape is not the best any more: three standard deviations.
+/// A shape within this chi^2 of the best one is still possible: three standard deviations.
 constexpr double kPossible = 9;
 
-/// Probability from which one effect is named, and from which it is among the rivals. Stated
-/// probability against frequency in the hidden effects.
+/// Probability above which one effect is named, and above which it is one of the rivals. Calibrated
+/// with the hidden effects.
 constexpr double kNamed = 0.92;
 constexpr double kConfusable = 0.05;
 
-/// Odds of evidence from which an effect is believed where no test finds anything.
+/// Odds above which an effect is accepted although no test finds anything.
 constexpr double kBelievedOdds = 20;
 
 // ---- Does it explain enough? ------------------------------------------------------------------
-/// Of the excess, by one, two, three effects: what leaves more than that does not explain it.
-/// Several effects together imitate a good deal of what is none of them. Hidden effects outside the
-/// catalogue.
+/// Largest unexplained fraction of the excess for one, two, three effects. Smaller for more
+/// effects, because several together imitate much that is outside the catalogue. Hidden effects
+/// outside the catalogue.
 constexpr std::array<double, 3> kMaxUnexplained{0.1, 0.06, 0.05};
 
-/// The same by three that temperature and time alone drive, of which nearly every function of these
-/// can be made: of 156 gyros with an effect outside the catalogue, visible as 0.7 of the noise, six
-/// were explained so within 0.05; of 166 with three catalogued effects three leave more than this.
-/// Not where an effect leads whose shape is fixed: that is not bent into an imitation.
+/// The same for three effects of temperature and time alone, which can imitate nearly any function
+/// of these: of 156 gyros with an effect outside the catalogue, of 0.7 of the noise, six were
+/// explained within 0.05; of 166 with three catalogued effects three leave more than this. Does not
+/// apply if the leading effect has a fixed shape, which cannot be bent.
 constexpr double kMaxUnexplainedByThreeFreeShape = 0.025;
 
-/// The same by an event, whose form is exact where a physical effect's is not: a maximum that is
-/// kept, or a load that is slow to settle, is like a step in all but a few hundredths.
+/// The same for an event, whose form is exact: a maximum that is kept, or a load that settles
+/// slowly, differs from a step by a few hundredths only.
 constexpr double kMaxUnexplainedByEvent = 0.03;
 
-/// Logarithm of the chance of a leftover that may be noise.
+/// Logarithm of the probability above which a remainder may be noise.
 constexpr double kLeftoverLogP = -7;
 
-/// Evidence for an input, beside the temperature and its rate, relative to that for the variable on
-/// which what is left depends most, from which formulas are looked for in it, too: what depends on
-/// the input alone has 1, what depends on it and as much on another variable half.
+/// Formulas use an input beside the temperature and its rate if its evidence is at least this
+/// fraction of the strongest variable's. A residual that depends on the input alone gives 1, one
+/// that depends equally on another variable 0.5.
 constexpr double kMinShareOfInput = 0.5;
 
 // ---- What to add, and when to stop ------------------------------------------------------------
-/// Of rivals another is added first that leaves so much less and is nearly as likely as the best.
+/// Among rivals, one that is nearly as probable as the best is added first if its rms is below this
+/// fraction of the best one's.
 constexpr double kClearlyLess = 0.97;
 constexpr double kNearlyAsLikely = 1.0 / 3;
 
-/// Share of the excess that the main part of something not understood explains.
+/// Fraction of the excess above which a part counts as the main part of an unknown residual.
 constexpr double kMainPart = 0.5;
 
-/// Row lengths that a diagnosis may take, seconds: the first that gives no more than kMaxRows.
-/// Means over 10 s hold what the catalogue makes of temperature, and the chances of the tests are
-/// those of such rows (tests/bench/hidden_effects).
+/// Row lengths of a diagnosis, seconds: the first with at most kMaxRows rows is used. Means over 10
+/// s preserve all temperature effects of the catalogue; the thresholds were set with such rows
+/// (tests/bench/hidden_effects).
 constexpr std::array<double, 4> kRowLengths_s{10, 20, 30, 60};
 constexpr double kMaxRows = 12000;
 
-/// Share of an effect that the model must leave for it to be seen: of less it would have to be
-/// thirty times what it shows.
+/// Fraction of an effect that the model must leave for the effect to be visible; with less it would
+/// have to be thirty times larger than what it shows.
 constexpr double kMinVisible = 0.03;
 
-/// An addition that lowers the error by less than this share hardly helps.
+/// An addition that lowers the error by less than this fraction hardly helps.
 constexpr double kHardlyHelps = 0.1;
 
-/// Of all that was taken out of the model's error since it was fitted, in mean square: an addition
-/// that brings less, and hardly helps, may be how inexactly those before it describe what they took
-/// out.
+/// Fraction of the mean square removed from the model's error since its fit: an addition that
+/// removes less, and hardly helps, may only correct inexact terms added before.
 constexpr double kWorthAdding = 0.025;
 
 }  // namespace fogcomp::diagnosis::rules

@@ -48,7 +48,7 @@ std::vector<Diagnosis::Explanation> likeliest_sets(const EvidenceSpace& evidence
   return sets;
 }
 
-// What would tell the most probable rivals apart.
+// Experiment that separates the most probable rivals.
 Experiment experiment_for_rivals(const model::Model& model, const Diagnosis& diagnosis) {
   constexpr std::size_t kMaxRivals = 3;
   std::vector<Rival> rivals;
@@ -68,7 +68,7 @@ Experiment experiment_for_rivals(const model::Model& model, const Diagnosis& dia
   return repeat;
 }
 
-// Several effects may be missing at once; the question is which brings most.
+// Several effects may be missing at once; the one that explains most is named.
 void name_effects(const model::Model& model, Diagnosis& diagnosis) {
   const CandidateFinding& first = diagnosis.candidates.front();
   if (first.probability >= rules::kNamed) {
@@ -83,7 +83,7 @@ void name_effects(const model::Model& model, Diagnosis& diagnosis) {
   diagnosis.experiment = experiment_for_rivals(model, diagnosis);
 }
 
-// Tests what the model leaves against noise, weighs what might explain it, and says what it is.
+// Tests the residual against noise, compares the hypotheses and sets the verdict.
 void judge(const model::Model& model, const EvidenceSpace& evidence,
            const series::SignalSeries& series, const fit::NoiseWeightedFit& fit, std::uint64_t seed,
            Diagnosis& diagnosis) {
@@ -102,7 +102,7 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
   diagnosis.chance = std::exp(std::min({test.library_log_p, test.structure_log_p, fast.log_p}));
 
   bool slow = test.finds_something();
-  if (slow) diagnosis.walk = weigh_walk(evidence, hypotheses, fit.noise, seed);
+  if (slow) diagnosis.walk = assess_walk(evidence, hypotheses, fit.noise, seed);
   const double small = rules::kSmallExcess * static_cast<double>(diagnosis.rows);
   if (slow && explanation.excess < small && diagnosis.walk.may_be_all()) {
     slow = false;
@@ -110,7 +110,7 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
   }
   const bool something = slow || fast.kind != FastKind::none;
   diagnosis.candidates = find_of_candidates(evidence, hypotheses, explanation.excess, series, fit);
-  if (!something) believe_less(diagnosis.candidates, diagnosis.walk.chance);
+  if (!something) limit_to_own_evidence(diagnosis.candidates, diagnosis.walk.chance);
   sort_by_lead(diagnosis.candidates);
   diagnosis.explanations = likeliest_sets(evidence, hypotheses, explanation.excess);
   if (!something) return;
@@ -126,7 +126,7 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
   }
 }
 
-// What limits the answer.
+// Reservations about the answer.
 std::vector<std::string> limits_of(const Diagnosis& diagnosis, bool noise_is_known) {
   std::vector<std::string> notes;
   if (diagnosis.candidates.empty()) {
@@ -140,7 +140,7 @@ std::vector<std::string> limits_of(const Diagnosis& diagnosis, bool noise_is_kno
   return notes;
 }
 
-// Slow noise hides what is slow. Only a recording at rest knows it surely.
+// Slow noise hides slow effects; only a recording at rest determines it reliably.
 std::string blind_spot_of(const Diagnosis& diagnosis, const series::Rows& rows,
                           bool noise_is_known) {
   if (diagnosis.verdict != Verdict::none) return "";
@@ -183,7 +183,7 @@ Diagnosis diagnose(const model::Model& model, const DiagnosisData& data,
   diagnosis.residual_dph = fit.residual_dph;
   diagnosis.noise_floor_dph = data.noise_floor_dph().value_or(fit.noise.white_dph());
 
-  // Candidates take most of the time, then the test against noise.
+  // Candidates take most of the time, the test against noise the rest.
   constexpr double kCandidates = 0.75;
   const EvidenceSpace evidence = make_evidence_space(data, fit, [&](double done) {
     if (settings.progress) settings.progress(kCandidates * done);

@@ -30,7 +30,7 @@ struct Diagnosis {
   std::vector<std::string> confusable;       ///< best first, for ambiguous
   std::vector<CandidateFinding> candidates;  ///< the likeliest to be the largest first
   std::vector<Untestable> untestable;
-  /// Sets of effects that compete, most probable first.
+  /// Competing sets of effects, most probable first.
   struct Explanation {
     std::vector<std::string> effects;
     double probability = 0;
@@ -39,7 +39,7 @@ struct Diagnosis {
   std::vector<Explanation> explanations;
 
   std::optional<Experiment> experiment;  ///< where effects are ambiguous
-  /// Where nothing is missing: why these recordings could not show it, and what would; "" where
+  /// If nothing is missing: why these recordings could not show an effect, and which would; "" if
   /// they could.
   std::string blind_spot;
 
@@ -53,14 +53,14 @@ struct Diagnosis {
   FastKind fast_kind = FastKind::none;  ///< the surest of these, where it is sure and counts
 
   double residual_rms_dph = 0;  ///< of a row, the model refitted to these runs
-  /// The model as it was given on these runs, network and all: what `compare` says.
+  /// Error of the given model on these runs, network included: what `compare` prints.
   std::optional<compare::BoardError> as_given;
   std::size_t outliers = 0;      ///< rows left out of all figures
   Eigen::VectorXd residual_dph;  ///< row by row
   double noise_floor_dph = 0;
   double unexplained_fraction = 0;  ///< of the excess, by the best of the catalogue
   double chance = 1;                ///< that noise alone would look like this
-  /// ln of it by each test: an effect of the catalogue, smooth structure, fast structure.
+  /// ln p of each test: an effect of the catalogue, smooth structure, fast structure.
   std::vector<double> tests;
   WalkFinding walk;
   noise::NoiseModel noise;
@@ -69,32 +69,33 @@ struct Diagnosis {
   std::optional<NetworkLearnt> network;  ///< of the model, if it has one
   std::vector<std::string> notes;        ///< whole sentences: what limits the answer
 
-  /// What is said of an effect; nullptr where it cannot be tested.
+  /// Finding for an effect; nullptr if it cannot be tested.
   const CandidateFinding* find(const std::string& name) const;
 };
 
-/// The likeliest set of effects where only together they lower the error: the one named, or the
-/// best of those that cannot be told apart, leads it and alone does not; else empty.
+/// The most probable set of effects that lower the error only together; the first is the named one,
+/// or the best of the indistinguishable ones. Empty if that one alone lowers the error.
 std::vector<std::string> effects_together(const Diagnosis& diagnosis);
 
-/// What to add: the effect that is named; of those that cannot be told apart the likeliest, unless
-/// another that is nearly as likely clearly leaves less, if it lowers the error; where not
-/// everything is understood, an effect that surely is part of it, the main one, and lowers the
-/// error; else "".
+/// Effect to add: the named one; among indistinguishable ones the most probable, unless another
+/// that is nearly as probable leaves clearly less, provided that it lowers the error; if not
+/// everything is understood, an effect that is certainly the main part and lowers the error; else
+/// "".
 std::string effect_to_add(const Diagnosis& diagnosis);
 
 struct DiagnosisSettings {
   std::optional<noise::NoiseModel>
       noise;               ///< from a static record; otherwise from the runs' quiet parts
   std::uint64_t seed = 1;  ///< of the draws that calibrate the test
-  /// Told how much is done, 0..1 (of a ladder: of its maximum length); or empty.
+  /// Called with the fraction done, 0..1 (for a stepwise selection: of its maximum length); may be
+  /// empty.
   std::function<void(double)> progress{};
 };
 
-/// Finds out whether the effects of `model` leave more than noise, and which effect of the
-/// catalogue, or expression of data.offered(), is missing if so. Its network, if any, is left out,
-/// and asked afterwards what it had learnt. The effects are solved for anew together with every
-/// candidate. Throws InputError for data too short for the model's effects.
+/// Decides whether the effects of `model` leave more than noise and, if so, which effect of the
+/// catalogue or expression of data.offered() is missing. A network is left out; a separate step
+/// reports what it had learnt. The coefficients are solved for again with every candidate. Throws
+/// InputError for data too short for the model's effects.
 Diagnosis diagnose(const model::Model& model, const DiagnosisData& data,
                    const DiagnosisSettings& settings = {});
 

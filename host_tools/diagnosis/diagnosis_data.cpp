@@ -60,7 +60,7 @@ RowLength row_length(const std::vector<compare::RunInBlocks>& runs) {
 noise::NoiseModel noise_of_static(const model::Model& model, const recording::Recording& recording,
                                   const DiagnosisData& data) {
   constexpr Eigen::Index kMinStaticRows = 128;
-  recording::require_moving_rate(recording);
+  recording::require_varying_rate(recording);
   const std::string same = data.known().file_with(recording::rows_hash(recording));
   if (!same.empty()) {
     throw InputError(recording.file, "has the same rows as " + same +

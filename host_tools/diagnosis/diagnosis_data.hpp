@@ -15,25 +15,24 @@
 
 namespace fogcomp::diagnosis {
 
-/// Recordings as a diagnosis sees them: signals without delay, segments by name; and expressions to
-/// be tried on them beside the catalogue.
+/// Recordings prepared for a diagnosis: signals without delay, named segments, and expressions to
+/// be tried beside the catalogue.
 class DiagnosisData {
  public:
-  /// `model` gives averaging and derivative; it must outlive this. `offered`: expressions without
-  /// coefficients, none of them in the model by name.
+  /// `model` defines averaging and derivative; it must outlive this object. `offered`: expressions
+  /// without coefficients, with names that the model does not use.
   explicit DiagnosisData(const model::Model& model, std::vector<model::EffectTerm> offered = {})
       : average_s_(model.average_s),
         series_(model, series::Phase::zero),
         offered_(std::move(offered)) {}
 
-  /// Throws InputError where a recording lacks what the model or an expression offered needs.
-  /// Returns the file with the same rows that was added before and counts alone, or "".
+  /// Throws InputError if a recording lacks an input of the model or of an offered expression.
+  /// Returns the file added before that has the same rows (then only that one counts), or "".
   std::string add(const compare::RunInBlocks& run);
   std::string add(const recording::Recording& recording) {
     return add(compare::run_in_blocks(recording, average_s_));
   }
-  /// The same recordings, with these expressions beside those that were offered. The recordings
-  /// have what they need.
+  /// The same recordings with further expressions, whose inputs the recordings must have.
   DiagnosisData with_offered(const std::vector<model::EffectTerm>& more) const;
   const recording::KnownRows& known() const { return known_; }
 
@@ -41,7 +40,7 @@ class DiagnosisData {
   const std::vector<model::EffectTerm>& offered() const { return offered_; }
   const std::vector<recording::Segment>& segments() const { return segments_; }
   fog::InputMask inputs() const { return inputs_; }
-  /// Of a row, from the recordings alone; the rms of all; none where they are too short.
+  /// Noise of a row from the recordings alone, rms over all, deg/h; none if they are too short.
   std::optional<double> noise_floor_dph() const;
 
  private:
@@ -55,16 +54,16 @@ class DiagnosisData {
   recording::KnownRows known_;
 };
 
-/// The length of rows in which runs are looked at, whatever rows a model was fitted in: so that the
-/// verdict does not depend on how it is asked (rules::kRowLengths_s).
+/// Row length of a diagnosis, independent of that of the model's fit, so that the verdict does not
+/// depend on it (rules::kRowLengths_s).
 struct RowLength {
   double row_s = 0;
   std::string why;  ///< a line where it is not the usual one, else ""
 };
 RowLength row_length(const std::vector<compare::RunInBlocks>& runs);
 
-/// The noise of a recording at rest, for `data`'s row length. Throws InputError where that differs
-/// or the recording is too short, or is one of `data`'s own.
+/// Noise of a recording at rest, for the row length of `data`. Throws InputError if the row length
+/// differs, or the recording is too short or one of `data`'s own.
 noise::NoiseModel noise_of_static(const model::Model& model, const recording::Recording& recording,
                                   const DiagnosisData& data);
 

@@ -19,13 +19,13 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Separation below which a programme is not worth its chamber time: odds of e^(3^2 / 2) = 90.
+// Separation below which a programme does not justify its chamber time: odds of e^(3^2 / 2) = 90.
 constexpr double kWorthwhile = 3;
 constexpr double kLatitude_deg = 45;
 
 struct Choice {
   const char* profile;
-  fog::InputMask for_inputs;  // only where a rival needs one of these
+  fog::InputMask for_inputs;  // only if a rival needs one of these
   const char* what;
 };
 const std::array<Choice, 9> kMenu{{
@@ -42,7 +42,7 @@ const std::array<Choice, 9> kMenu{{
      "azimuths, a coil's field and a shaker"},
 }};
 
-// What a typical gyro would record; rates are left at 0.
+// Recording of a typical gyro; rates are 0.
 recording::Recording simulated(const std::string& profile, double row_s) {
   using namespace simulation;
   const auto& profiles = ready_made_profiles();
@@ -53,7 +53,8 @@ recording::Recording simulated(const std::string& profile, double row_s) {
   SimulationOptions options;
   options.rate_hz = 1 / row_s;
   options.earth.latitude_deg = kLatitude_deg;
-  options.grid.axial_cells = 1;  // what the sensor reads, the rows' only temperature, needs no more
+  options.grid.axial_cells =
+      1;  // the sensor's temperature, the only one used here, needs no finer grid
   Simulation run(gyro, programme, options);
   recording::Recording recording = record(run, row_s).recording;
   recording.file = profile;
@@ -72,9 +73,9 @@ class Trial {
 
   double hours() const { return (series_.rows().longest_run_s() + series_.rows().row_s) / 3600; }
 
-  // By how many standard deviations `truth` differs from the best that `imitator` can do: of noise,
-  // and of what a formula is allowed to be off. Many days of a faint difference tell nothing where
-  // neither formula is exact.
+  // Distance between `truth` and the best imitation by `imitator`, in standard deviations of the
+  // noise and of the error allowed to a formula. The latter keeps many days of a faint difference
+  // from counting where neither formula is exact.
   double separation(const Rival& truth, const Rival& imitator) const {
     const Eigen::VectorXd signal = whitening_->apply(series_.drift_dph(truth.terms));
     std::vector<Eigen::MatrixXd> base;
@@ -102,7 +103,7 @@ class Trial {
   std::optional<noise::Whitening> whitening_;
 };
 
-// Of the pair that is told apart worst, in standard deviations.
+// Smallest separation of all pairs, in standard deviations.
 double separation(const Trial& trial, const std::vector<Rival>& rivals) {
   double worst = HUGE_VAL;
   for (const Rival& truth : rivals) {

@@ -9,7 +9,7 @@
 
 namespace fogcomp::diagnosis {
 
-/// A chamber test that would tell rivals apart.
+/// A chamber test that separates rivals.
 struct Experiment {
   std::string profile;  ///< of `fogcomp simulate --profile`; "" where none of the menu does
   double hours = 0;
@@ -17,18 +17,18 @@ struct Experiment {
   std::string sentence;   ///< for people
 };
 
-/// A rival completion of a model.
+/// A rival extension of a model.
 struct Rival {
   std::string effect;
   std::vector<model::EffectTerm> terms;   ///< with coefficients, the effect the last of them
   std::vector<model::EffectTerm> shapes;  ///< of the effect, that the recordings leave possible
 };
 
-/// Simulates every programme of the menu (fast, reversed, minor loops, random steps, heater,
-/// restarts, axis flips...) for a typical gyro, and asks of each: if one rival is true as fitted,
-/// how much of it can the other not imitate there, in any shape that is still possible and with
-/// everything refitted? Proposes the programme that maximises the smallest separation (in sigma)
-/// over all pairs of rivals.
+/// Simulates all chamber programmes (fast, reversed, minor loops, random steps, heater, restarts,
+/// axis flips...) for a typical gyro. For each, assumes one rival to be true as fitted and computes
+/// how much of it another cannot imitate, in any possible shape and with all coefficients refitted.
+/// Proposes the programme that maximises the smallest separation (in sigma) over all pairs of
+/// rivals.
 Experiment propose_experiment(const model::Model& model, const std::vector<Rival>& rivals,
                               const noise::NoiseModel& noise);
 

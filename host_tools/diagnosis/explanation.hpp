@@ -6,7 +6,7 @@
 
 namespace fogcomp::diagnosis {
 
-/// What the best set of effects explains of a residual.
+/// The part of a residual that the best set of effects explains.
 struct Explanation {
   const Hypothesis* best = nullptr;
   double excess = 0;       ///< chi^2 above noise that there is to explain
@@ -15,8 +15,8 @@ struct Explanation {
 };
 
 /// The smallest set of effects that explains enough; else the best one, which does not.
-/// `structure`: smooth functions of everything, which show what there is. `hypotheses`: of up to
-/// three parts, at least one; they must outlive the result.
+/// `structure`: smooth functions of all variables, which define what is to be explained.
+/// `hypotheses`: of up to three parts, at least one; they must outlive the result.
 Explanation explain(const fit::ExplainedSpace& space, const RegressorBasis& regressors,
                     const series::ColumnRange& structure,
                     const std::vector<Hypothesis>& hypotheses);

@@ -14,7 +14,7 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// What a hypothesis leaves, in rows of equal noise; NaN where a row does not count.
+// Residual of a hypothesis, scaled to equal noise; NaN for rows that do not count.
 Eigen::VectorXd quiet_values(const EvidenceSpace& evidence, const Hypothesis& hypothesis,
                              const series::SignalSeries& series, const fit::NoiseWeightedFit& fit) {
   std::vector<model::EffectTerm> terms = fit.terms;
@@ -26,8 +26,8 @@ Eigen::VectorXd quiet_values(const EvidenceSpace& evidence, const Hypothesis& hy
   return (fit.robust.array() > 0).select(scaled, std::nan(""));
 }
 
-// A line that the input rate has too is the input's: on a rate table, the programme's own. Of
-// columns that the model leaves next to nothing of, that is rounding.
+// Removes what the input rate has as well: on a rate table such a line is the programme's own.
+// Columns of which the model leaves next to nothing are rounding errors and are not used.
 Eigen::VectorXd without_input_rate(const EvidenceSpace& evidence, const series::Rows& rows,
                                    Eigen::VectorXd whitened) {
   constexpr double kAboveRounding = 1e-3;
@@ -38,7 +38,7 @@ Eigen::VectorXd without_input_rate(const EvidenceSpace& evidence, const series::
   for (Eigen::Index i = 0; i < part.columns.cols(); ++i) {
     if (part.visible[i] > kAboveRounding) part.columns.col(kept++) = part.columns.col(i);
   }
-  // Behind the recordings' rows the remover has one for each prior of the model's terms.
+  // The residualizer appends one row for each prior of the model's terms.
   const Eigen::MatrixXd basis = orthonormal(part.columns.topLeftCorner(whitened.size(), kept));
   const Eigen::VectorXd projection = basis.transpose() * whitened;
   whitened -= basis * projection;

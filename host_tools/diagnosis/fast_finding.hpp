@@ -11,7 +11,7 @@ namespace fogcomp::diagnosis {
 /// Structure that no smooth function describes.
 enum class FastKind : std::uint8_t { none, line, band, two_levels };
 
-/// What is fast in that which the best hypothesis and smooth functions leave.
+/// Fast structure in the residual of the best hypothesis and smooth functions.
 struct FastFinding {
   FastStructure spectrum;
   TwoLevels jumps;

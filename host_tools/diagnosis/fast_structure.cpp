@@ -12,13 +12,13 @@ namespace fogcomp::diagnosis {
 namespace {
 
 constexpr std::size_t kFirstLine = 3;  // periods in a run
-constexpr std::size_t kSlowLine = 8;   // below, a line must stand out of what is slow about it
+constexpr std::size_t kSlowLine = 8;   // below, a line must exceed the slow noise around it
 constexpr std::size_t kFirstBand = 20;
-constexpr std::size_t kNeighbours = 16;  // on either side, which say what is usual there
+constexpr std::size_t kNeighbours = 16;  // on either side; they define the usual level
 constexpr std::size_t kMaxOctaves = 24;
 constexpr std::size_t kMinLines = 8;  // in an octave
-constexpr double kMinExcess = 0.2;    // of an octave: less is a noise model that is a bit off
-// A level from 32 neighbours is uncertain itself: chances count for less.
+constexpr double kMinExcess = 0.2;    // of an octave; less is an inexact noise model
+// A level estimated from 32 neighbours is uncertain, which reduces the significance.
 constexpr double kLevelUncertainty = 0.75;
 
 struct Octave {
@@ -27,15 +27,15 @@ struct Octave {
   double period_s = 0;
 };
 
-// Mean power of noise, of which half the lines have less than ln 2 times as much.
+// Mean power of noise, from the median: half of the lines have less than ln 2 times the mean.
 double level_of(const std::vector<double>& powers, std::size_t first, std::size_t end) {
   return median({powers.begin() + static_cast<std::ptrdiff_t>(first),
                  powers.begin() + static_cast<std::ptrdiff_t>(end)}) /
          std::log(2.0);
 }
 
-// Mean power two and three lines away on either side. Where slow noise falls from line to line, the
-// slower ones make it too high rather than too low.
+// Mean power two and three lines away on either side. Where slow noise falls with frequency, the
+// slower lines make it rather too high than too low.
 double level_about(const std::vector<double>& powers, std::size_t line) {
   double sum = 0;
   for (const std::size_t away : {2U, 3U}) {
@@ -44,8 +44,8 @@ double level_about(const std::vector<double>& powers, std::size_t line) {
   return sum / 4;
 }
 
-// The strongest line against its neighbours: a noise model that is off by some colour does not
-// matter, and a line that is there in the soaks too was taken for noise by it.
+// The strongest line relative to its neighbours. So an error in the colour of the noise model does
+// not matter, nor a line that the soaks contain too and the noise model took for noise.
 void find_line(const std::vector<double>& powers, double length_s, FastStructure& fast) {
   for (std::size_t k = kFirstLine; k < powers.size(); ++k) {
     const std::size_t first = std::max(kFirstLine, k < kNeighbours ? 0 : k - kNeighbours);
@@ -60,12 +60,12 @@ void find_line(const std::vector<double>& powers, double length_s, FastStructure
   }
 }
 
-// The octave that stands out most of white noise of that level.
+// The octave with the largest excess over white noise of that level.
 void find_band(const std::vector<Octave>& octaves, double level, double lines,
                FastStructure& fast) {
   for (const Octave& octave : octaves) {
     if (octave.count < kMinLines) continue;
-    // Twice an exponential variable of mean 1 is chi^2 with two degrees.
+    // Twice an exponential variable of mean 1 is chi^2 with two degrees of freedom.
     const double mean = octave.power / octave.count / level;
     const double score = standard_score(2 * octave.count * mean, 2 * octave.count);
     const double log_p = score < 1 ? 0 : tail_log_p(score) + std::log(12.0);
@@ -101,7 +101,7 @@ FastStructure find_fast_structure(const series::Rows& rows,
     }
   }
   if (all.empty()) return fast;
-  // White noise may be a little more or less than the quiet parts had.
+  // The level of white noise may differ a little from that of the quiet parts.
   const double level = level_of(all, 0, all.size());
   if (level == 0) return fast;
   const auto lines = static_cast<double>(all.size());

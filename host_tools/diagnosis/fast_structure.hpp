@@ -14,12 +14,12 @@ struct FastStructure {
   double band_period_s = 0;  ///< middle of the octave
   double band_excess = 0;    ///< of the octave's power above white noise, relative
   double band_log_p = 0;     ///< the same for any octave
-  /// Share of the residual's squares that is line, or excess of the octave.
+  /// Fraction of the residual's sum of squares in the line, or in the excess of the octave.
   double share = 0;
 };
 
-/// Looks at a whitened residual, run by run, at periods of two rows to a third of the run (lines)
-/// or a twentieth (octaves).
+/// Analyses a whitened residual, run by run, for periods from two rows to a third of the run
+/// (lines) or a twentieth (octaves).
 FastStructure find_fast_structure(const series::Rows& rows,
                                   const Eigen::VectorXd& whitened_residual);
 

@@ -1,4 +1,4 @@
-// What is asked of a diagnosis that is made.
+// Questions to a finished diagnosis.
 #include <algorithm>
 
 #include "diagnosis/decision_rules.hpp"
@@ -29,7 +29,7 @@ const CandidateFinding* Diagnosis::find(const std::string& name) const {
 
 namespace {
 
-// Of rivals the likeliest, unless another that is nearly as likely clearly leaves less.
+// The most probable rival, unless one that is nearly as probable leaves clearly less.
 const CandidateFinding& best_rival(const Diagnosis& diagnosis) {
   const CandidateFinding* best = diagnosis.find(diagnosis.confusable.front());
   const double alike = rules::kNearlyAsLikely * best->lead;

@@ -9,11 +9,12 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Of a lag: from what a block hardly shows to what a programme of hours still shows.
+// Bounds of a lag: from barely visible in a block to still visible in a programme of hours.
 const std::string kLagBounds = "?tau[60,6000]";
-// A kink at the very end of a range is none.
+// Distance of a kink from the ends of the range.
 constexpr double kKinkMargin = 0.1;
-// Of a sine, of the range: a tenth is as fast as its noise lets be seen, twice is nearly a square.
+// Period of a sine, in units of the range: shorter ones are lost in noise, longer ones look like a
+// square.
 constexpr double kMinPeriod = 0.1;
 constexpr double kMaxPeriod = 2;
 
@@ -36,7 +37,7 @@ struct VaryingSignal {
   bool has_zero;  ///< 0 degC is no special temperature
 
   double span() const { return range.max - range.min; }
-  /// A value of it, searched for.
+  /// Placeholder of a value to be fitted.
   std::string somewhere() const {
     const double margin = kKinkMargin * span();
     return format("?c[%.6g,%.6g]", range.min + margin, range.max - margin);
@@ -55,12 +56,12 @@ std::vector<VaryingSignal> varying_signals(const series::SignalSeries& series,
   return signals;
 }
 
-std::string lag_of(const std::string& text) {
+std::string lag_text(const std::string& text) {
   return "lag(" + text + "," + kLagBounds + ")";
 }
 
-// Of one signal. Powers of the temperature are bias_temperature's, a period in it is
-// polarization_ripple's, and what follows its rate with a lag is thermal_lag's.
+// Forms of one signal. Not for what the catalogue has: powers of the temperature
+// (bias_temperature), periods in it (polarization_ripple), its rate with a lag (thermal_lag).
 void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
   const std::string& x = signal.symbol;
   const model::SignalRange& range = signal.range;
@@ -68,22 +69,22 @@ void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
   if (x != "T") {
     formulas.add(x + "_squared", x + "^2");
     formulas.add(x + "_cubed", x + "^3");
-    formulas.add(x + "_squared_late", lag_of(x + "^2"));
-    formulas.add(x + "_late_squared", lag_of(x) + "^2");
+    formulas.add(x + "_squared_late", lag_text(x + "^2"));
+    formulas.add(x + "_late_squared", lag_text(x) + "^2");
     if (range.min < 0 && range.max > 0) {
       formulas.add(x + "_size", "abs(" + x + ")");
-      formulas.add(x + "_size_late", lag_of("abs(" + x + ")"));
-      formulas.add(x + "_late_size", "abs(" + lag_of(x) + ")");
+      formulas.add(x + "_size_late", lag_text("abs(" + x + ")"));
+      formulas.add(x + "_late_size", "abs(" + lag_text(x) + ")");
       formulas.add(x + "_signed_square", x + "*abs(" + x + ")");
     }
-    if (x != "dTdt") formulas.add(x + "_late", lag_of(x));
+    if (x != "dTdt") formulas.add(x + "_late", lag_text(x));
     formulas.add(x + "_sine", format("sin(6.2832*%s/?p[%.4g,%.4g])", x.c_str(), kMinPeriod * span,
                                      kMaxPeriod * span));
   }
   formulas.add(x + "_kink", "max(" + x + "-" + signal.somewhere() + ",0)");
 }
 
-// Products of two signals, of three factors at most.
+// Products of two signals, of at most three factors.
 void add_products(Formulas& formulas, const VaryingSignal& a, const VaryingSignal& b) {
   const std::string& x = a.symbol;
   const std::string& y = b.symbol;
@@ -98,7 +99,7 @@ void add_products(Formulas& formulas, const VaryingSignal& a, const VaryingSigna
   if (b.range.min < 0 && b.range.max > 0) {
     formulas.add(x + "_" + y + "_size", x + "*abs(" + y + ")");
   }
-  formulas.add(x + "_" + y + "_late", lag_of(x + "*" + y));
+  formulas.add(x + "_" + y + "_late", lag_text(x + "*" + y));
 }
 
 }  // namespace

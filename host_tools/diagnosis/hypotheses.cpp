@@ -11,7 +11,7 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-constexpr std::size_t kExtended = 8;  // pairs that are tried with a third effect
+constexpr std::size_t kExtended = 8;  // pairs that are extended by a third effect
 
 class Search {
  public:
@@ -48,18 +48,18 @@ class Search {
  private:
   bool is_step(std::size_t candidate) const { return candidates_[candidate].is_event(); }
 
-  // Where the effect itself has an optional second part of the same form.
+  // Whether the effect has an optional second part of the same form.
   bool may_stand_twice(std::size_t candidate) const {
     if (candidates_[candidate].is_expression()) return false;
     const model::CatalogueEntry& entry = model::find_effect(candidates_[candidate].effect);
     return std::any_of(entry.parameters.begin(), entry.parameters.end(), model::is_optional_part);
   }
 
-  // Moves the shapes, one part at a time, to where they explain most together.
+  // Optimises the shapes jointly, one part at a time.
   Hypothesis solve(Hypothesis h) {
     const std::size_t passes = h.parts.size() == 1 ? 1 : 2;
     double width = 0;
-    double unlikely = 0;  // what averaging over each part's shapes costs
+    double unlikely = 0;  // sum of the penalties for averaging over each part's shapes
     for (std::size_t pass = 0; pass < passes; ++pass) {
       unlikely = 0;
       for (std::size_t i = h.parts.size(); i-- > 0;) {
@@ -76,7 +76,7 @@ class Search {
     return h;
   }
 
-  // A set in which every part earns its place.
+  // Keeps a set if each part contributes enough.
   void keep(Hypothesis h) {
     for (std::size_t i = 0; i < h.parts.size(); ++i) {
       const std::vector<series::ColumnRange> rest = ranges_of(regressors_, h, i);
@@ -103,7 +103,7 @@ class Search {
     }
   }
 
-  // In order: a set of three is reached from each of its pairs, with shapes that may differ.
+  // Sorted: a set of three is reached from each of its pairs, with possibly different shapes.
   static std::vector<std::size_t> effects_of(const Hypothesis& h) {
     std::vector<std::size_t> effects;
     for (const Hypothesis::Part& part : h.parts) effects.push_back(part.candidate);
@@ -111,7 +111,7 @@ class Search {
     return effects;
   }
 
-  // One more effect out of those that are left.
+  // Each further effect is one of those not yet used.
   double log_prior(const Hypothesis& h) const {
     double prior = 0;
     auto left = static_cast<double>(regressors_.size()) - 1;

@@ -8,11 +8,11 @@
 
 namespace fogcomp::diagnosis {
 
-/// Where each shape of each candidate lies in the space.
+/// Columns of each shape of each candidate in the space.
 using RegressorBasis = std::vector<std::vector<series::ColumnRange>>;  // candidate, shape
 
-/// A set of effects, each at one shape, that might be what is missing. One effect may stand in it
-/// twice: two radii of hysteresis, two lags.
+/// A set of effects, each with one shape, that may be missing. An effect may occur twice: two radii
+/// of hysteresis, two lags.
 struct Hypothesis {
   struct Part {
     std::size_t candidate = 0;
@@ -31,17 +31,17 @@ struct Hypothesis {
   std::size_t effects() const;
 };
 
-/// Where the parts of a hypothesis lie, in their order; one may be left out.
+/// Column ranges of the parts of a hypothesis, in their order, optionally without one part.
 constexpr std::size_t kEveryPart = static_cast<std::size_t>(-1);
 std::vector<series::ColumnRange> ranges_of(const RegressorBasis& regressors,
                                            const Hypothesis& hypothesis,
                                            std::size_t left_out = kEveryPart);
 
-/// The candidate whose removal lowers what a hypothesis explains by most.
+/// The candidate whose removal reduces the explained chi^2 most.
 std::size_t leading_candidate(const fit::ExplainedSpace& space, const RegressorBasis& regressors,
                               const Hypothesis& hypothesis);
 
-/// Average over the shapes of a candidate, given `others`: its evidence, and its best shape.
+/// Average over the shapes of a candidate, given `others`: its evidence and its best shape.
 struct BestShape {
   std::size_t shape = 0;
   double chi2_drop = 0;     ///< with the others, at the best shape
@@ -51,11 +51,11 @@ BestShape best_shape(const fit::ExplainedSpace& space,
                      const std::vector<series::ColumnRange>& shapes,
                      const std::vector<series::ColumnRange>& others,
                      const Eigen::VectorXd& projection);
-/// The same from what each shape gains, with so many columns in all.
+/// The same from the chi^2 decrease of each shape, and the number of columns.
 BestShape best_of_drops(const std::vector<double>& drops, const std::vector<double>& columns);
 
-/// One, two or three of the candidates at a time, most probable first. Sets that contain a
-/// event need it to bring a chi^2 of rules::kMinStepChi2Drop.
+/// Sets of one, two or three candidates, most probable first. An event in a set must bring a chi^2
+/// of rules::kMinStepChi2Drop.
 std::vector<Hypothesis> find_hypotheses(const fit::ExplainedSpace& space,
                                         const std::vector<Candidate>& candidates,
                                         const RegressorBasis& regressors);

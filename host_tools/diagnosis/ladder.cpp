@@ -21,7 +21,7 @@ Ladder::Step step_of(const NextStep& next, const Diagnosis& before) {
   return step;
 }
 
-// A diagnosis leaves a network out.
+// A diagnosis excludes the network.
 void set_errors(const model::Model& grown, const Diagnosis& after, Ladder::Step& step) {
   step.rms_after_dph = after.residual_rms_dph;
   if (!step.addition.request.is_network()) return;
@@ -29,7 +29,7 @@ void set_errors(const model::Model& grown, const Diagnosis& after, Ladder::Step&
   step.rms_after_dph = grown.history.back().rms_after_dph;
 }
 
-// A trial leaves the network out.
+// A trial excludes the network.
 model::Model with_network(const model::Model& before, const TriedAddition& addition,
                           const JudgingRuns& runs) {
   if (!before.network.present()) return *addition.model;
@@ -81,7 +81,7 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
     ladder.steps.push_back(std::move(step));
     const std::vector<TriedAddition> refused = std::move(ladder.last_next.refused);
     ladder.last_next = {};
-    if (is_network) {  // its effects are those with which all else was refused
+    if (is_network) {  // its effects are those with which all other additions were refused
       ladder.last_next.refused = refused;
       break;
     }

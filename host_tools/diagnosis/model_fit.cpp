@@ -14,12 +14,12 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Where there is too little quiet to know the slow noise from, the faster part of everything else
-// helps: what smooth functions of any kind leave of it.
+// With too few quiet rows for the slow noise, the high-pass part of the other rows is used: the
+// residual of smooth functions of any kind.
 noise::NoiseModel noise_with_less_quiet(const series::Rows& rows,
                                         const fit::NoiseWeightedFit& fit) {
-  // Smooth functions reach 8 periods in a run and take some of what is beyond with them. Without
-  // any quiet part a guess that is too low is better than one that takes all drift for noise.
+  // Smooth functions cover up to 8 periods per run and remove some noise beyond. Without any quiet
+  // part a low estimate is better than one that takes all drift for noise.
   const std::size_t first_frequency = fit.noise.from_quiet_parts ? 16 : 8;
   std::vector<Eigen::MatrixXd> parts{fit.columns};
   for (StructureGroup& group : structure_groups(rows)) parts.push_back(std::move(group.columns));

@@ -7,9 +7,9 @@
 
 namespace fogcomp::diagnosis {
 
-/// First stage of a diagnosis: the model's effects, its network left out, solved for anew together
-/// with each run's own bias, the rows whitened with `noise` or else with the noise of their quiet
-/// parts. Throws InputError for fewer rows than any opinion needs, and for too few for the model.
+/// First stage of a diagnosis: solves for the model's effects, without its network, and for each
+/// run's own bias. The rows are whitened with `noise`, or else with the noise of their quiet parts.
+/// Throws InputError for fewer than rules::kMinRows rows, or too few for the model.
 fit::NoiseWeightedFit fit_for_diagnosis(const model::Model& model, const DiagnosisData& data,
                                         const std::optional<noise::NoiseModel>& noise);
 
@@ -17,7 +17,7 @@ fit::NoiseWeightedFit fit_for_diagnosis(const model::Model& model, const Diagnos
 double rms_of_rows(const series::Rows& rows, const fit::NoiseWeightedFit& fit,
                    const Eigen::VectorXd& residual);
 
-/// Whether these are recordings at rest themselves.
+/// Whether the rows themselves are recordings at rest.
 bool at_rest(const series::Rows& rows);
 
 }  // namespace fogcomp::diagnosis

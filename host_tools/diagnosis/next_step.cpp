@@ -13,18 +13,19 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Effects of a set that temperature and time alone drive, where the catalogue does not explain what
-// is left: three can be bent into nearly everything on one programme.
-constexpr std::size_t kMaxPliable = 2;
-constexpr std::size_t kMaxTried = 6;  // descriptions: each is a fit, and others left out in turn
+// Limit for sets of effects of temperature and time alone if the catalogue does not explain the
+// residual: on one programme three of them can imitate nearly everything.
+constexpr std::size_t kMaxWithoutOwnInput = 2;
+constexpr std::size_t kMaxTried = 6;  // descriptions; each needs a fit and a cross-validation
 
-// How `add` is told of an effect, with what it takes to grow one that is there already.
+// The argument for `fogcomp add`, including the changed parameter if the effect is already in the
+// model.
 std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
   const CandidateFinding* finding = diagnosis.find(effect);
   const auto own = std::find_if(diagnosis.terms.begin(), diagnosis.terms.end(),
                                 [&](const model::EffectTerm& term) { return term.name == effect; });
   if (own == diagnosis.terms.end() || finding == nullptr) return effect;
-  if (model::is_event(*own)) return effect;  // one more
+  if (model::is_event(*own)) return effect;  // one more event
   const model::CatalogueEntry& entry = model::find_effect(effect);
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
     if (finding->term().parameters[i] == own->parameters[i]) continue;
@@ -44,7 +45,7 @@ std::vector<std::string> events_among(const Diagnosis& diagnosis,
   return events;
 }
 
-// An expression stands alone: `add` takes effects, or one expression.
+// An expression must be the only addition: `add` takes effects, or one expression.
 std::optional<AdditionRequest> request_of(const Diagnosis& diagnosis,
                                           const std::vector<std::string>& effects) {
   AdditionRequest request;
@@ -65,7 +66,7 @@ double square(double value) {
   return value * value;
 }
 
-// Whether it added something to the model; an event is only masked.
+// Whether the entry added something to the model; an event only masks rows.
 bool is_addition(const model::HistoryEntry& entry) {
   const auto did = [&](const std::string& what) { return entry.action.rfind(what, 0) == 0; };
   const auto is_event = [&](const model::CatalogueEntry& effect) {
@@ -75,21 +76,21 @@ bool is_addition(const model::HistoryEntry& entry) {
   return did("add ") && std::none_of(catalogue.begin(), catalogue.end(), is_event);
 }
 
-// The model's error before it was given anything beside what it was fitted with, deg/h.
+// The model's error as first fitted, before any addition, deg/h.
 double error_when_fitted(const model::Model& model, double now_dph) {
   const auto first = std::find_if(model.history.begin(), model.history.end(), is_addition);
   return first == model.history.end() ? now_dph : first->rms_before_dph;
 }
 
-// What takes out very little of all may be the inexactness of what was added before, which only a
-// run that was not fitted can tell from an effect.
+// An addition that removes very little may only correct the inexactness of earlier terms; only a
+// run that was not fitted can tell.
 bool is_worth_adding(double before_dph, double after_dph, double fitted_dph) {
   const double fall = square(before_dph) - square(after_dph);
   return fall >= rules::kWorthAdding * (square(fitted_dph) - square(after_dph)) ||
          after_dph <= (1 - rules::kHardlyHelps) * before_dph;
 }
 
-// Why an addition that holds out of sample is not proposed all the same; "" where it is.
+// Reason not to propose an addition that helps out of sample; "" if there is none.
 std::string objection_to(const model::Model& grown, bool has_holdouts) {
   const model::HistoryEntry& step = grown.history.back();
   if (step.rms_after_dph >= step.rms_before_dph) return "it does not lower the error of these runs";
@@ -97,18 +98,18 @@ std::string objection_to(const model::Model& grown, bool has_holdouts) {
   if (has_holdouts || is_worth_adding(step.rms_before_dph, step.rms_after_dph, fitted_dph)) {
     return "";
   }
-  return "it would bring so little more that it may be the inexactness of what is there: let a run "
+  return "its gain is so small that it may only correct inexact terms of the model: let a run "
          "that was not fitted decide, with --holdout";
 }
 
-// Whether anything at all could be: what takes out all that is above the noise.
+// Whether an addition could be worth it if it removed everything above the noise.
 bool may_be_worth_adding(const model::Model& model, const Diagnosis& diagnosis) {
   const double now_dph = diagnosis.residual_rms_dph;
   return is_worth_adding(now_dph, std::min(now_dph, diagnosis.noise_floor_dph),
                          error_when_fitted(model, now_dph));
 }
 
-// As `add` would judge it. The network takes no part in that and is left out.
+// Judges additions as `add` does, without the network.
 class Judge {
  public:
   Judge(const model::Model& model, const JudgingRuns& runs) : model_(model), runs_(runs) {
@@ -135,8 +136,8 @@ class Judge {
     return trial;
   }
 
-  // The same of something that describes and may be no physics: stretches left out of a run have
-  // the temperatures of those beside them, another run has not.
+  // For a description without physics also requires every other run: stretches left out of a run
+  // have the temperatures of their neighbours, another run has not.
   TriedAddition of_description(AdditionRequest request) {
     TriedAddition trial = (*this)(std::move(request));
     const std::size_t count = runs_.holdouts.empty() ? runs_.training.runs.size() : 0;
@@ -150,8 +151,8 @@ class Judge {
   }
 
  private:
-  // Why it is not fit for that run, when identified on the others; "" where it is, or where the
-  // others do not determine it.
+  // Reason why the addition, identified on the other runs, fails on this run; "" if it does not, or
+  // if the others do not determine it.
   std::string objection_of_run(const AdditionRequest& request, std::size_t run) const {
     try {
       const fit::Addition addition = try_to_add(model_, request, runs_.without(run));
@@ -170,7 +171,7 @@ class Judge {
   fit::RefittedModel refitted_;
 };
 
-// Whether it holds; either way `next` has it.
+// Whether the addition is accepted; stores it in `next` in either case.
 bool try_out(AdditionRequest request, Judge& judge, NextStep& next) {
   TriedAddition addition =
       next.describes ? judge.of_description(std::move(request)) : judge(std::move(request));
@@ -183,15 +184,15 @@ bool try_out(AdditionRequest request, Judge& judge, NextStep& next) {
   return accepted;
 }
 
-// Something that could describe what is left, and how much of it.
+// A possible description of the residual and the fraction it explains.
 struct Description {
   AdditionRequest request;
   double explained_fraction = 0;
-  bool is_part = false;                // surely: of what is missing, with more that is unknown
-  std::vector<std::string> effects{};  // of a set, by name
+  bool is_part = false;  // a certain part of the missing drift, the rest being unknown
+  std::vector<std::string> effects{};  // names of a set
 };
 
-// Whether temperature and time alone drive all of them.
+// Whether all of them are functions of temperature and time alone.
 bool has_no_own_input(const Diagnosis& diagnosis, const std::vector<std::string>& effects) {
   return std::none_of(effects.begin(), effects.end(), [&](const std::string& effect) {
     const CandidateFinding* const finding = diagnosis.find(effect);
@@ -200,13 +201,14 @@ bool has_no_own_input(const Diagnosis& diagnosis, const std::vector<std::string>
   });
 }
 
-// `add` takes an effect once: two ripples are one effect's two parts, added one after the other.
+// `add` takes an effect once per call: two ripples are two parts of one effect, added one after the
+// other.
 bool names_twice(const std::vector<std::string>& effects) {
   const std::set<std::string> different(effects.begin(), effects.end());
   return different.size() < effects.size();
 }
 
-// `named` was refused. Where a random walk would do as well, sets around it are no better.
+// `named` was refused. If a random walk explains as much, sets containing it are not tried.
 void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
               const NextStep& next, std::vector<Description>& descriptions) {
   const bool may_be_walk = !next.refused.empty() && next.refused[0].may_be_walk;
@@ -218,7 +220,7 @@ void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
     });
     if (may_be_walk && is_around) continue;
     const bool is_pliable =
-        set.effects.size() > kMaxPliable && has_no_own_input(diagnosis, set.effects);
+        set.effects.size() > kMaxWithoutOwnInput && has_no_own_input(diagnosis, set.effects);
     if (is_pliable && diagnosis.verdict == Verdict::unknown) continue;
     if (auto request = request_of(diagnosis, set.effects)) {
       descriptions.push_back({std::move(*request), set.explained_fraction, false, set.effects});
@@ -226,8 +228,8 @@ void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
   }
 }
 
-// The coil's temperature, its rate, and the one other input on which what is left depends, if it
-// does: each more would double the formulas, and two inputs that hardly move are all alike.
+// Coil temperature, its rate, and the one other input on which the residual depends, if any. Each
+// further input would double the number of formulas, and inputs that hardly vary look alike.
 fog::InputMask signals_of_formulas(const Diagnosis& diagnosis) {
   const fog::InputDescription* best = nullptr;
   double max = rules::kMinShareOfInput;
@@ -257,13 +259,13 @@ void add_formulas(const model::Model& model, const Diagnosis& diagnosis, const D
     const AdditionRequest request = *request_of(offered, {finding.effect});
     next.forms.push_back(
         {form_text(finding.term().expression->expression), request.expression, finding.lead});
-    // Never before a likelier one: a parameter more always explains a little more.
+    // a parameter more always explains a little more
     explained_fraction = std::min(explained_fraction, finding.explained_fraction);
     descriptions.push_back({request, explained_fraction});
   }
 }
 
-// The first few that could describe it, until one holds. `is_named`: as physics.
+// Tries the first few descriptions until one is accepted. `is_named`: as physics.
 bool describe(std::vector<Description> descriptions, bool is_named, Judge& judge, NextStep& next) {
   if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
   for (Description& description : descriptions) {
@@ -335,7 +337,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
       if (named.size() > 1) next.together = named;
       return next;
     }
-    // The catalogue explains it: the likeliest of its sets first.
+    // The catalogue explains the residual: its sets, most probable first.
     add_sets(diagnosis, named, next, descriptions);
     if (describe(std::move(descriptions), true, judge, next)) return next;
     descriptions.clear();
@@ -352,7 +354,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   sort_by_explained(descriptions);
   const bool described = describe(std::move(descriptions), false, judge, next);
   next.together.clear();
-  // In one run its inputs follow one path, beside which it is anything.
+  // Within one run the inputs follow a single path, so a network is undetermined beside it.
   const bool has_other_runs = runs.training.runs.size() > 1 || !runs.holdouts.empty();
   if (!described && is_function_of_signals(diagnosis) && !model.network.present() &&
       has_other_runs) {

@@ -10,10 +10,10 @@ namespace fogcomp::diagnosis {
 namespace {
 
 constexpr int kDraws = 400;
-constexpr double kTailShare = 0.15;  // of the draws that an exponential tail is fitted to
+constexpr double kTailShare = 0.15;  // share of the draws to which an exponential tail is fitted
 constexpr double kCovarianceRidge = 1e-7;
 
-// Each candidate's gains by itself, for one series of numbers after another.
+// chi^2 decrease of each candidate alone, for one vector of projections after another.
 class SingleCandidateDrops {
  public:
   SingleCandidateDrops(const fit::ExplainedSpace& space, const RegressorBasis& regressors) {
@@ -28,7 +28,7 @@ class SingleCandidateDrops {
     }
   }
 
-  // Of the candidate with most evidence; and which shape, where that is asked for.
+  // Evidence of the best candidate; `where`, if given, is set to its shape.
   double max_evidence(const Eigen::VectorXd& projection, series::ColumnRange* where) {
     double evidence = 0;
     for (Candidate& candidate : candidates_) {
@@ -69,8 +69,8 @@ class SingleCandidateDrops {
   std::vector<Candidate> candidates_;
 };
 
-// The best effect's evidence, measured in the noise that smooth functions still find beside that
-// effect: where slow noise is stronger than the quiet parts said, it is so in every direction.
+// Evidence of the best effect, in units of the noise that smooth functions find beside it: where
+// slow noise is stronger than in the quiet parts, it is so in every direction.
 double best_evidence(const fit::ExplainedSpace& space, SingleCandidateDrops& drops,
                      const series::ColumnRange& structure, double degrees_of_freedom,
                      const Eigen::VectorXd& projection) {
@@ -83,7 +83,7 @@ double best_evidence(const fit::ExplainedSpace& space, SingleCandidateDrops& dro
   return drops.max_evidence(projection / std::sqrt(std::max(1.0, variance)), nullptr);
 }
 
-// Logarithm of the share of draws beyond `value`; beyond the upper draws, by their exponential
+// Logarithm of the fraction of draws above `value`; beyond the upper draws, by their exponential
 // tail.
 double beyond_log_p(std::vector<double> draws, double value) {
   std::sort(draws.begin(), draws.end());

@@ -8,7 +8,7 @@
 
 namespace fogcomp::diagnosis {
 
-/// How often noise alone would seem to contain an effect.
+/// Probability that noise alone resembles an effect.
 struct NullTest {
   double library_log_p = 0;    ///< of the best effect of the catalogue being this good
   double structure_log_p = 0;  ///< of smooth structure of any kind being this strong
@@ -18,8 +18,8 @@ struct NullTest {
   }
 };
 
-/// The best over all effects and shapes of many draws of white noise, put through the same space.
-/// `freedom`: how well the noise itself is known, as the degrees of freedom of a variance.
+/// Compares the best of all effects and shapes with its Monte-Carlo null distribution: white noise
+/// projected into the same space. `degrees_of_freedom`: of the estimated noise variance.
 NullTest test_against_noise(const fit::ExplainedSpace& space, const RegressorBasis& regressors,
                             const series::ColumnRange& structure, double degrees_of_freedom,
                             std::uint64_t seed);

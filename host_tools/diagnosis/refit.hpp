@@ -7,17 +7,17 @@
 
 namespace fogcomp::diagnosis {
 
-/// Puts `added` behind the terms, in place of a smaller version of it among them.
+/// Appends `added` to the terms, or replaces a smaller version of it.
 void put(std::vector<model::EffectTerm>& terms, const model::EffectTerm& added);
 
-/// Terms with the coefficients that fit best, and what they leave of each row.
+/// Terms with least-squares coefficients, and the residual of each row.
 struct Refit {
   std::vector<model::EffectTerm> terms;
   Eigen::VectorXd residual_dph;
 };
 
-/// Solves for the coefficients of `terms`, their shapes held, and of each run's own bias: rows
-/// weighted as `fit` of the same `series` has them.
+/// Solves for the coefficients of `terms`, with fixed shapes, and for each run's own bias, with the
+/// row weights of `fit` of the same `series`.
 Refit refit(std::vector<model::EffectTerm> terms, const series::SignalSeries& series,
             const fit::NoiseWeightedFit& fit);
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kStepsPerRun = 48;
 
-// `step`, from this row on.
+// `step` at this row.
 std::optional<Candidate::Shape> step_shape(const series::Rows& rows,
                                            const ProjectOutModel& project_out_model,
                                            model::EffectTerm step, std::size_t row) {

@@ -29,7 +29,7 @@ Eigen::VectorXd column_of(
   return column;
 }
 
-// Cubic B-splines over the range of x, evenly spaced: smooth, local, and they sum to 1.
+// Cubic B-splines over the range of x with equidistant knots: smooth, local, with sum 1.
 Eigen::MatrixXd smooths(const Eigen::VectorXd& x, int knots) {
   const double min = x.minCoeff();
   const double step = (x.maxCoeff() - min) / (knots - 1);
@@ -75,7 +75,7 @@ Eigen::MatrixXd of_time(const series::Rows& rows) {
 Eigen::VectorXd temperature_beyond(const series::Rows& rows, const Eigen::VectorXd& temperature,
                                    const TemperatureHistory& history) {
   if (history.is_play) return beyond_play(rows, temperature, history.parameter);
-  return temperature - series::lag_of(rows, temperature, history.parameter);
+  return temperature - series::first_order_lag(rows, temperature, history.parameter);
 }
 
 std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
@@ -111,9 +111,9 @@ std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
 
 namespace {
 
-// Orthonormal directions of columns, without those that are all but invisible.
+// Orthonormal directions of the columns that are not practically invisible.
 Eigen::MatrixXd principal(const Eigen::MatrixXd& columns) {
-  constexpr double kMin = 1e-3;  // of a unit column: what is less is all but invisible
+  constexpr double kMin = 1e-3;  // norm relative to a unit column
   const SymmetricEigen eigen = symmetric_eigen(gram(columns));
   Eigen::Index kept = 0;
   while (kept < columns.cols() && eigen.values[columns.cols() - 1 - kept] > kMin) ++kept;

@@ -10,8 +10,8 @@
 
 namespace fogcomp::diagnosis {
 
-/// Smooth functions of one thing that a drift can depend on; no physics in them. They find out
-/// whether a residual has structure that no catalogued effect explains, and on what it depends.
+/// Smooth functions of one variable of the drift, without physics. They show whether a residual has
+/// structure that no catalogued effect explains, and on which variable it depends.
 struct StructureGroup {
   std::string variable;     ///< "temperature_degc", "temperature_rate", "time_s", ...
   Eigen::MatrixXd columns;  ///< rows x any, neither whitened nor scaled
@@ -29,11 +29,12 @@ inline constexpr std::array<TemperatureHistory, 8> kTemperatureHistories{
 Eigen::VectorXd temperature_beyond(const series::Rows& rows, const Eigen::VectorXd& temperature,
                                    const TemperatureHistory& history);
 
-/// Smooths of temperature, of its rate, of their product, of history (lagged temperatures and play
-/// operators), of time within each run, and of every further input that varies.
+/// Smooth functions of temperature, its rate, their product, history (lagged temperatures and play
+/// operators), time within each run, and every further input that varies.
 std::vector<StructureGroup> structure_groups(const series::Rows& rows);
 
-/// Smooth structure behind a model: orthonormal whitened columns, group by group and together.
+/// Smooth structure with the model projected out: orthonormal whitened columns, by group and
+/// together.
 struct VisibleStructure {
   std::vector<std::string> variables;
   std::vector<Eigen::MatrixXd> groups;

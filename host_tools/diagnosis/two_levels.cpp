@@ -15,10 +15,11 @@ constexpr double kHeightStep = 1.3;
 constexpr double kMinDwell_rows = 8;
 constexpr double kDwellStep = 1.8;
 constexpr double kLongestDwell = 0.5;  // of the longest stretch
-// "To and fro": a bias that steps once, or whose record ends elsewhere, does neither.
+// Minimum number of complete visits: a bias that steps once, or whose record ends at another level,
+// has none.
 constexpr std::size_t kMinVisits = 2;
 constexpr std::size_t kMinVisit_rows = 4;
-constexpr int kCentres = 11;  // from half a height below the mean to as much above
+constexpr int kCentres = 11;  // from half a height below the mean to half a height above
 
 // Both processes have mean `centre` and autocovariance (height / 2)^2 decay^rows.
 struct Shape {
@@ -26,8 +27,8 @@ struct Shape {
   double decay = 0;
 };
 
-// Logarithms of likelihoods, but for what both have in common. A row that does not count (NaN)
-// tells nothing; time goes on.
+// Log-likelihoods up to a common constant. A row that does not count (NaN) gives no information;
+// time passes.
 
 // Forward algorithm.
 double log_two_levels(const Eigen::VectorXd& values, const Shape& shape, double centre) {
@@ -78,7 +79,7 @@ double mean_of(const Eigen::VectorXd& values) {
   return count > 0 ? sum / count : 0;
 }
 
-// The best centre of a stretch whose mean is 0.
+// The best centre of a stretch of mean 0.
 template <class Log>
 std::pair<double, double> best_centre(const Eigen::VectorXd& values, const Shape& shape, Log log) {
   std::pair<double, double> best{-HUGE_VAL, 0};
@@ -89,7 +90,7 @@ std::pair<double, double> best_centre(const Eigen::VectorXd& values, const Shape
   return best;
 }
 
-// With the best centre of every stretch.
+// With the best centre for every stretch.
 template <class Log>
 double over_all(const std::vector<Eigen::VectorXd>& stretches, const Shape& shape, Log log) {
   double sum = 0;
@@ -97,15 +98,15 @@ double over_all(const std::vector<Eigen::VectorXd>& stretches, const Shape& shap
   return sum;
 }
 
-// The likeliest sequence of levels (Viterbi): true where it is the upper one.
+// Most probable sequence of levels (Viterbi): true at the upper level.
 std::vector<bool> likeliest_levels(const Eigen::VectorXd& values, const Shape& shape,
                                    double centre) {
-  const double change = std::log((1 - shape.decay) / (1 + shape.decay));  // against staying
+  const double change = std::log((1 - shape.decay) / (1 + shape.decay));  // relative to staying
   const auto size = static_cast<std::size_t>(values.size());
   std::vector<std::array<bool, 2>> came_from_upper(size);
   double upper_over_lower = 0;
   for (std::size_t i = 0; i < size; ++i) {
-    // The better way to the lower and to the upper level, relative to having been in the lower.
+    // Better path to the lower and to the upper level, relative to having been at the lower.
     const double to_lower = std::max(0.0, upper_over_lower + change);
     const double to_upper = std::max(change, upper_over_lower);
     came_from_upper[i] = {to_lower > 0, upper_over_lower > change};
@@ -122,7 +123,7 @@ std::vector<bool> likeliest_levels(const Eigen::VectorXd& values, const Shape& s
   return upper;
 }
 
-// Where the likeliest levels of a stretch change.
+// Changes of the most probable level within a stretch.
 struct Changes {
   std::size_t whole_visits = 0;  // that begin and end within the stretch and last several rows
   std::size_t up = 0;            // changes with an eighth of the stretch on either side
@@ -132,7 +133,7 @@ struct Changes {
 Changes changes_of(const Eigen::VectorXd& values, const std::vector<bool>& upper) {
   Changes changes;
   std::vector<std::size_t> begins{0};
-  std::vector<std::size_t> rows{0};  // that count, of each visit
+  std::vector<std::size_t> rows{0};  // rows of each visit that count
   for (std::size_t i = 0; i < upper.size(); ++i) {
     if (i > 0 && upper[i] != upper[i - 1]) {
       begins.push_back(i);
@@ -150,7 +151,7 @@ Changes changes_of(const Eigen::VectorXd& values, const std::vector<bool>& upper
   return changes;
 }
 
-// Of all stretches together.
+// Over all stretches.
 bool goes_to_and_fro(const std::vector<Eigen::VectorXd>& stretches, const Shape& shape) {
   Changes changes;
   for (const Eigen::VectorXd& values : stretches) {

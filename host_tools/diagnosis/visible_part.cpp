@@ -15,13 +15,13 @@ namespace fogcomp::diagnosis {
 namespace {
 
 constexpr double kRankThreshold = 1e-8;
-// What is known beforehand of how well the model's own terms describe what they stand for; one
-// standard deviation each. The sensor's time: so long before or behind the coil.
+// Prior knowledge of how exactly the model's terms describe the physics, one standard deviation
+// each. Time by which the sensor leads or lags the coil.
 constexpr double kSensorDelay_s = 60;
-// The corners of a ramp: rounder or sharper by as much as this smoothing rounds them.
+// Smoothing of the corners of a ramp: they may be rounder or sharper by this.
 constexpr double kRounding_s = 40;
-// A coil of many layers is no single body: these shares of the drift may follow with such lags,
-// more is an effect of its own. The rate terms are of heat on its way through the layers and show
+// A coil of many layers is not one body: these fractions of the drift may follow with such lags;
+// more is an effect of its own. The rate terms depend on heat flowing through the layers and show
 // it most.
 struct Lagging {
   double share;
@@ -35,17 +35,17 @@ constexpr std::array<Lagging, 6> kLagging{{{0.1, 60, false},
                                            {0.2, 120, true},
                                            {0.2, 480, true}}};
 constexpr Eigen::Index kTimings = 2 + kLagging.size();
-// The formula of an effect is what the gyro does but for such a share that bends with temperature.
-// Of physics from first principles polynomials and cosines of temperature miss up to 4 %; terms of
-// the temperature rate less, and an effect of its own may make them bend by a fifth.
+// Error of an effect's formula: a fraction of its drift that bends with temperature. Polynomials
+// and cosines of temperature differ from a first-principles simulation by up to 4 %; terms of the
+// temperature rate differ less, but an additional effect may bend them by a fifth.
 constexpr double kStaticBend = 0.05;
 constexpr double kRateBend = 0.02;
-// Of the white noise of means over 10 s, at most: where much more than noise is left, that is no
-// matter of formulas.
+// Upper limit, in units of the white noise of 10 s means: a residual far above noise is not an
+// error of the formulas.
 constexpr double kMaxBend = 0.1;
-constexpr Eigen::Index kBends = 2;  // in T and T^2
+constexpr Eigen::Index kBends = 2;  // orders T and T^2
 
-// What the model's coefficients of the temperature rate make of the drift.
+// Drift of the model's terms of the temperature rate.
 Eigen::VectorXd drift_of_rate_terms(const series::Rows& rows, const fit::NoiseWeightedFit& fit) {
   Eigen::VectorXd drift = Eigen::VectorXd::Zero(rows.size());
   const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, rows.row_s);
@@ -60,7 +60,7 @@ Eigen::VectorXd drift_of_rate_terms(const series::Rows& rows, const fit::NoiseWe
   return drift;
 }
 
-// d/dt of a series of rows, per second; 0 where a run begins or ends.
+// d/dt of a series of rows, per second; 0 at the ends of a run.
 Eigen::VectorXd slope(const series::Rows& rows, const Eigen::VectorXd& values) {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(values.size());
   for (Eigen::Index i = 1; i + 1 < values.size(); ++i) {
@@ -78,8 +78,8 @@ bool is_of_rate(const model::EffectTerm& term) {
       [](const auto& coefficient) { return model::of_temperature_rate(coefficient); });
 }
 
-// How each term may bend: what it makes of the drift beside its mean, bent with temperature over
-// the range of these rows (Legendre's polynomials).
+// Possible bending of each term: its drift without its mean, times Legendre polynomials of the
+// temperature over the range of these rows.
 Eigen::MatrixXd bent_terms(const series::Rows& rows, const fit::NoiseWeightedFit& fit) {
   Eigen::ArrayXd degc(rows.size());
   for (Eigen::Index i = 0; i < degc.size(); ++i) {
@@ -105,7 +105,7 @@ Eigen::MatrixXd bent_terms(const series::Rows& rows, const fit::NoiseWeightedFit
   return bent;
 }
 
-// How the model's terms may differ from what they stand for, each by one standard deviation.
+// Possible errors of the model's terms, each of one standard deviation.
 Eigen::MatrixXd inexact_terms(const series::Rows& rows, const fit::NoiseWeightedFit& fit) {
   const Eigen::VectorXd drift = fit.columns * fit.coefficients;
   const Eigen::VectorXd of_rate = drift_of_rate_terms(rows, fit);
@@ -116,7 +116,7 @@ Eigen::MatrixXd inexact_terms(const series::Rows& rows, const fit::NoiseWeighted
     const Lagging& part = kLagging[i];
     const Eigen::VectorXd& whole = part.rate_terms_only ? of_rate : drift;
     timings.col(static_cast<Eigen::Index>(i) + 2) =
-        part.share * (whole - series::lag_of(rows, whole, part.lag_s));
+        part.share * (whole - series::first_order_lag(rows, whole, part.lag_s));
   }
   return side_by_side({timings, bent_terms(rows, fit)}, rows.size());
 }
@@ -131,7 +131,7 @@ Residualizer::Residualizer(const series::Rows& rows, const fit::NoiseWeightedFit
       Eigen::MatrixXd::Zero(rows.size() + priors_, fit.whitened.cols() + priors_);
   columns.topLeftCorner(rows.size(), fit.whitened.cols()) = fit.whitened;
   columns.topRightCorner(rows.size(), priors_) = whitening_.apply(inexact);
-  // Where far more than noise is left, the rows know less about these than their noise says.
+  // With a residual far above noise the rows determine these less well than their noise suggests.
   const auto size = static_cast<double>(rows.size());
   const double excess = std::max(0.0, fit.whitened_residual.squaredNorm() - size);
   columns.bottomRightCorner(priors_, priors_)
@@ -147,7 +147,7 @@ Eigen::MatrixXd Residualizer::with_priors(const Eigen::MatrixXd& columns) const 
   return longer;
 }
 
-// Once more where rounding is much of what is left.
+// Repeated if rounding errors are a large part of the result.
 Eigen::MatrixXd Residualizer::without_model(const Eigen::MatrixXd& columns) const {
   constexpr double kLittle = 1e-2;
   Eigen::MatrixXd left = projected_out(basis_, columns);

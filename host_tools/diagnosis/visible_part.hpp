@@ -8,18 +8,17 @@
 
 namespace fogcomp::diagnosis {
 
-/// Takes out of whitened columns what a fitted model could do itself: its coefficients, small
-/// changes of its shape parameters, and that its terms are not exactly what the coil does: a sensor
-/// a little early or late, layers that follow with other lags, a formula that bends a little more
-/// with temperature.
+/// Projects out of whitened columns what a fitted model could describe: its coefficients, small
+/// changes of its shape parameters, and errors of its terms: a sensor a little early or late,
+/// layers with other lags, a formula that bends a little with temperature.
 class Residualizer {
  public:
   Residualizer(const series::Rows& rows, const fit::NoiseWeightedFit& fit);
 
-  /// Whitened, without the model; a few rows more than given (what is known beforehand is
-  /// like a few more measurements).
+  /// Whitened, without the model; has a few more rows than the input, because prior knowledge acts
+  /// like additional measurements.
   VisiblePart operator()(const Eigen::MatrixXd& regressors) const;
-  /// What the model leaves of the measurement.
+  /// Whitened residual of the model.
   const Eigen::VectorXd& residual() const { return residual_; }
   const noise::Whitening& whitening() const { return whitening_; }
 
@@ -28,7 +27,7 @@ class Residualizer {
   Eigen::MatrixXd without_model(const Eigen::MatrixXd& columns) const;
 
   noise::Whitening whitening_;
-  Eigen::Index priors_ = 0;  // rows for what is known beforehand
+  Eigen::Index priors_ = 0;  // rows of prior knowledge
   Eigen::MatrixXd basis_;    // orthonormal
   Eigen::VectorXd residual_;
 };

@@ -9,7 +9,7 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// One effect of the library is as likely to be missing as none.
+// Prior: an effect of the basis is as probable as none.
 std::vector<fit::Explanatory> explanatory(const std::vector<Hypothesis>& hypotheses,
                                           const RegressorBasis& regressors) {
   const double each = -std::log(static_cast<double>(regressors.size()));
@@ -20,8 +20,8 @@ std::vector<fit::Explanatory> explanatory(const std::vector<Hypothesis>& hypothe
 
 }  // namespace
 
-WalkFinding weigh_walk(const EvidenceSpace& evidence, const std::vector<Hypothesis>& hypotheses,
-                       const noise::NoiseModel& noise, std::uint64_t seed) {
+WalkFinding assess_walk(const EvidenceSpace& evidence, const std::vector<Hypothesis>& hypotheses,
+                        const noise::NoiseModel& noise, std::uint64_t seed) {
   if (!noise.from_quiet_parts) return {};
   const fit::WalkRival rival = fit::find_walk(evidence.space, evidence.walk, noise.walks);
   if (rival.coefficient == 0) return {};

@@ -8,20 +8,20 @@
 
 namespace fogcomp::diagnosis {
 
-/// A random walk of the bias instead of an effect or of any other slow structure.
+/// A random walk of the bias as alternative to an effect or other slow structure.
 struct WalkFinding {
   double coefficient = 0;  ///< of the likeliest, deg/h/sqrt(h)
   double chance = 0;       ///< 0 where something stands out of noise that walks
   double noise_alone = 1;  ///< chance that such noise looks like this
 
-  /// Whether effects of whatever is slow are not to be believed for it.
+  /// Whether slow effects must not be accepted because of it.
   bool may_be_all() const { return chance >= fit::rules::kMaxChanceOfWalk; }
 };
 
-/// How likely all that is slow is a random walk of the bias: no effect and no smooth structure
-/// stands out of noise that walks, and none is likelier. {} without quiet parts, where nothing is
-/// known of slow noise and anything could be a walk.
-WalkFinding weigh_walk(const EvidenceSpace& evidence, const std::vector<Hypothesis>& hypotheses,
-                       const noise::NoiseModel& noise, std::uint64_t seed);
+/// Probability that everything slow is a random walk of the bias: no effect and no smooth structure
+/// exceeds noise that includes a walk, and none is more probable. {} without quiet parts: then the
+/// slow noise is unknown, and anything could be a walk.
+WalkFinding assess_walk(const EvidenceSpace& evidence, const std::vector<Hypothesis>& hypotheses,
+                        const noise::NoiseModel& noise, std::uint64_t seed);
 
 }  // namespace fogcomp::diagnosis

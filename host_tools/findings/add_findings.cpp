@@ -50,7 +50,7 @@ void add_errors(Document& document, const fit::Addition& addition) {
   for (const fit::HalfTest& half : addition.halves) document.sentence(words(fit::half_words(half)));
 }
 
-// Of several effects, each by itself and beside the others.
+// For several effects: each alone, and beside the others.
 void add_parts(Document& document, const fit::Addition& addition) {
   const auto judged = [](const std::optional<fit::OutOfSample>& one) {
     return one ? words(fit::out_of_sample_words(*one)) : Text("not determined");

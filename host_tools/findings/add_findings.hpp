@@ -7,8 +7,8 @@
 
 namespace fogcomp::findings {
 
-/// What `fogcomp add` found, with plots of every run before and after. `model`: the one that the
-/// effect was to be added to; `written`: the file with it, "" where nothing was written.
+/// Findings of `fogcomp add`, with plots of every run before and after. `model`: the original
+/// model; `written`: the new file, "" if none was written.
 Document add_findings(const fit::Addition& addition, const std::string& model,
                       const std::string& written);
 

@@ -35,7 +35,7 @@ Json coefficients_json(const model::EffectTerm& term) {
   return coefficients;
 }
 
-// All that were added; of several, each alone and beside the others.
+// All added terms; for several, each alone and beside the others.
 Json added_terms_json(const fit::Addition& addition) {
   Json terms = Json::array();
   for (std::size_t i = 0; i < addition.changed.size(); ++i) {

@@ -32,7 +32,7 @@ std::vector<Term> terms_of(const noise::NoiseCoefficients& noise) {
   };
 }
 
-// A slope is drawn where it is seen: not far below the curve.
+// A slope is drawn where it contributes to the curve.
 constexpr double kMinShareOfSum = 0.02;
 
 Text seen(const std::vector<Curve>& slopes) {
@@ -49,7 +49,7 @@ Text seen(const std::vector<Curve>& slopes) {
 
 namespace {
 
-// Of each coefficient that was found, over these times.
+// Slopes of the fitted coefficients over these times.
 std::vector<Curve> slopes_of(const noise::NoiseCoefficients& fitted,
                              const std::vector<double>& tau_s) {
   std::vector<Curve> slopes;

@@ -9,15 +9,15 @@
 
 namespace fogcomp::findings {
 
-/// An Allan deviation in deg/h, and the colour that it has in the other plots.
+/// An Allan deviation in deg/h, with its colour in the other plots.
 struct AllanCurve {
   Text label;
   std::string colour;
   const std::vector<noise::AllanPoint>& points;
 };
 
-/// Allan deviations with their standard deviations; through the last one the fitted slopes of IEEE
-/// Std 952, those that the data show, and their sum.
+/// Allan deviations with their standard deviations; for the last one also the fitted slopes of IEEE
+/// Std 952 that the data show, and their sum.
 Plot allan_plot(const std::vector<AllanCurve>& curves, const noise::NoiseCoefficients& fitted);
 
 }  // namespace fogcomp::findings

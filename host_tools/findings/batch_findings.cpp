@@ -21,7 +21,7 @@ using batch::Summary;
 
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-// Its page, or its folder. Serial numbers may have any character in them.
+// Link to its page or folder. Serial numbers may contain any characters.
 std::string link_of(const Summary::Gyro& gyro, bool reports) {
   std::string link = "./";
   for (const char character : gyro.result.gyro) {
@@ -43,7 +43,7 @@ Text limits_of(const std::string& figure, const std::vector<Limit>& limits) {
   return text.empty() ? Text("-") : verbatim(text);
 }
 
-// What an engineer would do with the first that fails and for which there is something to do.
+// Proposes the command for the first failed gyro that has one.
 void add_next(Document& document, const Summary& summary) {
   for (const Summary::Gyro& gyro : summary.gyros) {
     if (!gyro.diagnosis || gyro.diagnosis->next.empty()) continue;
@@ -68,7 +68,7 @@ void add_rejected(Document& document, const Summary& summary, bool reports) {
   document.table(std::move(table));
 }
 
-// Gyros that are not like the others, limits or not.
+// Gyros that differ from the others, independent of limits.
 void add_outliers(Document& document, const Summary& summary) {
   const batch::Lot& lot = summary.lot;
   document.heading("Unlike the others");
@@ -95,7 +95,7 @@ void add_notes(Document& document, const Summary& summary) {
   Table table;
   table.columns = {"gyro", "note"};
   for (const Summary::Gyro& gyro : summary.gyros) {
-    if (gyro.outcome == Outcome::fail) continue;  // there it is part of why
+    if (gyro.outcome == Outcome::fail) continue;  // there it is part of the reason
     for (const std::string& note : gyro.result.notes)
       table.rows.push_back({verbatim(gyro.result.gyro), words(note)});
   }
@@ -131,7 +131,7 @@ void add_spread(Document& document, const Summary& summary) {
   document.table(std::move(table), Shown::on_page);
 }
 
-// What is limited, then what gyros are compared by; else what a line looks at first.
+// First the limited values, then the compared ones; without either, the usual ones.
 std::vector<std::string> plotted_figures(const Summary& summary) {
   std::vector<std::string> wanted;
   const auto want = [&](const std::string& figure) {
@@ -146,7 +146,7 @@ std::vector<std::string> plotted_figures(const Summary& summary) {
 struct Place {
   double value = 0;
   std::string gyro;
-  bool named = false;  ///< breaks a limit of this figure, or is an outlier by it
+  bool named = false;  ///< violates a limit of this value, or is an outlier of it
 };
 
 std::vector<Place> places_of(const Summary& summary, const std::string& figure) {
@@ -156,7 +156,7 @@ std::vector<Place> places_of(const Summary& summary, const std::string& figure) 
     if (!value) continue;
     const bool breaks = std::any_of(
         summary.limits.begin(), summary.limits.end(),
-        [&](const Limit& limit) { return limit.figure == figure && !limit.keeps(*value); });
+        [&](const Limit& limit) { return limit.figure == figure && !limit.meets(*value); });
     const auto& outliers = summary.lot.outliers;
     const bool is_off =
         std::any_of(outliers.begin(), outliers.end(), [&](const batch::Outlier& outlier) {
@@ -169,14 +169,14 @@ std::vector<Place> places_of(const Summary& summary, const std::string& figure) 
   return places;
 }
 
-// Whether one gyro is so far off that the others would lie on one line.
+// Whether one gyro is so far away that the others would coincide on the axis.
 bool has_far_outlier(const std::vector<Place>& places) {
   constexpr double kFarOff = 20;
   return places.front().value > 0 &&
          places.back().value > kFarOff * places[places.size() / 2].value;
 }
 
-// Width of a bin by Scott's rule, of the spread that a few outliers do not widen.
+// Width of a bin by Scott's rule, from a spread that is robust against outliers.
 double bin_width(std::vector<double> values) {
   const double middle = values[values.size() / 2];
   for (double& value : values) value -= middle;
@@ -185,7 +185,7 @@ double bin_width(std::vector<double> values) {
   return width > 0 ? width : 1;
 }
 
-// How many of the values up to each one, which are rising, lie in the same bin.
+// Position of each of the sorted values within its bin, from 1.
 std::vector<double> heights_of(const std::vector<double>& values) {
   const double width = bin_width(values);
   std::vector<double> heights;
@@ -198,7 +198,7 @@ std::vector<double> heights_of(const std::vector<double>& values) {
   return heights;
 }
 
-// A histogram of dots, a gyro each, so that every one has its name.
+// A histogram of dots, one per gyro, so that each shows its name.
 Plot histogram(const std::vector<Place>& places, const Text& label) {
   Plot plot;
   if (has_far_outlier(places)) plot.kind = Plot::Kind::log_x;
@@ -236,7 +236,7 @@ std::string names_of(const std::vector<Place>& places) {
   return join(names, ", ") + (more > 0 ? format(" and %zu more", more) : "");
 }
 
-// Whether an axis on which it is shown still tells the gyros apart.
+// Whether the gyros remain distinguishable on an axis that includes `limit`.
 bool is_near(double limit, const std::vector<Place>& places) {
   constexpr double kSpansBeyond = 2;
   const double span = places.back().value - places.front().value;
@@ -244,10 +244,10 @@ bool is_near(double limit, const std::vector<Place>& places) {
          limit < places.back().value + kSpansBeyond * span;
 }
 
-// Where what lies beyond the limit ends: a little behind the last gyro, whose dot stays clear of
-// the edge, and behind the limit.
+// End of the band beyond a limit: a little beyond the limit and the last gyro, whose dot needs a
+// margin.
 double end_of_band(const Limit& limit, const std::vector<Place>& places, Plot::Kind kind) {
-  constexpr double kMore = 0.05;  // of the axis
+  constexpr double kMore = 0.05;  // margin, as a fraction of the axis
   const double min = std::min(limit.value, places.front().value);
   const double max = std::max(limit.value, places.back().value);
   if (kind == Plot::Kind::log_x && min > 0) {
@@ -258,7 +258,7 @@ double end_of_band(const Limit& limit, const std::vector<Place>& places, Plot::K
   return limit.is_max ? max + more : min - more;
 }
 
-// A place without a dot.
+// Extends the axis to a value without drawing a dot.
 void show_on_axis(double value, Plot& plot) {
   const auto at = std::lower_bound(plot.x.begin(), plot.x.end(), value) - plot.x.begin();
   plot.x.insert(plot.x.begin() + at, value);

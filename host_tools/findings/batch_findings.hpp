@@ -7,9 +7,9 @@
 
 namespace fogcomp::findings {
 
-/// The index page of a batch: who passes, who does not and why, how every figure is spread over the
-/// gyros. `input`: the folder of recordings, `output`: of results and of this page. `reports`: each
-/// gyro has SERIAL/report.html beside it.
+/// The index page of a batch: who passes, who fails and why, and the distribution of every value
+/// over the gyros. `input`: folder of recordings; `output`: folder of results and of this page.
+/// `reports`: each gyro has SERIAL/report.html.
 Document batch_findings(const batch::Summary& summary, const std::string& input,
                         const std::string& output, bool reports);
 

@@ -10,7 +10,7 @@
 namespace fogcomp::findings {
 namespace {
 
-// The run that a model serves worst.
+// The run with the model's largest error.
 const compare::ModelOnRun& worst_of(const compare::ModelOnRuns& model) {
   const auto drift = [](const compare::ModelOnRun& run) {
     return compare::floor_removed(run.comparison.whole.rms_dph,
@@ -26,7 +26,8 @@ double worst_rms_dph(const compare::ModelOnRuns& model) {
   return worst_of(model).comparison.whole.rms_dph;
 }
 
-// The model whose worst run is best comes first; the others in the order of the command line.
+// First the model with the smallest error on its worst run, then the others in the order of the
+// command line.
 std::vector<const compare::ModelOnRuns*> best_first(
     const std::vector<compare::ModelOnRuns>& models) {
   std::vector<const compare::ModelOnRuns*> order;

@@ -7,9 +7,8 @@
 
 namespace fogcomp::findings {
 
-/// What `fogcomp compare` finds, with plots. The best model, which leaves the smallest rms on its
-/// worst run, comes first, and lies on top in plots of several; what only one model can have is of
-/// that one.
+/// Findings of `fogcomp compare`, with plots. The best model, with the smallest rms on its worst
+/// run, comes first, and is on top in plots of several; plots for a single model show the best one.
 Document compare_findings(const std::vector<compare::ModelOnRuns>& models);
 
 }  // namespace fogcomp::findings

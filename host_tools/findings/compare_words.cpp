@@ -114,7 +114,7 @@ std::vector<Text> turn_on_sentences(const std::vector<compare::TurnOnBias>& turn
   std::vector<Text> sentences;
   for (const compare::TurnOnBias& run : turn_on) {
     if (!run.certain) continue;
-    // As many decimals as two digits of the uncertainty have.
+    // Decimals that show two digits of the uncertainty.
     const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(run.sigma_dph))));
     const std::vector<std::string> names = short_names({run.run, run.reference});
     sentences.push_back(

@@ -16,7 +16,7 @@
 namespace fogcomp::findings {
 namespace {
 
-// What the reader named in the recordings and on the command line.
+// Names from the recordings and from the command line.
 std::vector<std::string> names_from_outside(const diagnosis::DiagnosisData& data,
                                             const DiagnosedFiles& files) {
   std::vector<std::string> names = files.runs;
@@ -43,9 +43,9 @@ Text probability_text(double probability) {
   return words(format("%.3f", probability));
 }
 
-// What is missing may be several effects together.
+// Several effects together may be missing.
 void add_explanations(Document& document, const diagnosis::Diagnosis& diagnosis) {
-  document.heading("What together explains it", Shown::on_page);
+  document.heading("Sets of effects that explain it", Shown::on_page);
   Table table;
   table.caption = "sets of effects that compete to be all that is missing";
   table.columns = {"set", {"probability", "residual"}, "explains"};
@@ -68,7 +68,7 @@ bool is_named(const diagnosis::Diagnosis& diagnosis, const std::string& effect) 
          std::find(rivals.begin(), rivals.end(), effect) != rivals.end();
 }
 
-// On a terminal the likeliest, and whatever the user offered.
+// On a terminal: the most probable ones, and those offered by the user.
 void add_candidates(Document& document, const diagnosis::Diagnosis& diagnosis) {
   constexpr std::size_t kLikeliest = 6;
   Table table;
@@ -97,7 +97,7 @@ void add_candidates(Document& document, const diagnosis::Diagnosis& diagnosis) {
 }
 
 void add_untestable(Document& document, const diagnosis::Diagnosis& diagnosis) {
-  // Those that need the same stand together, where the first of them does.
+  // grouped by their needs
   std::vector<std::pair<std::string, std::vector<std::string>>> by_need;
   for (const diagnosis::Untestable& one : diagnosis.untestable) {
     auto same = std::find_if(by_need.begin(), by_need.end(),
@@ -142,7 +142,7 @@ void add_ladder(Document& document, const diagnosis::Ladder& ladder, const Diagn
   document.listing("  " + join(ladder_commands(ladder, files), "\n  ") + "\n");
 }
 
-// What the segments are called: several runs may have the same.
+// Names of the segments, which several runs may share.
 std::vector<Text> segment_names(const diagnosis::DiagnosisData& data,
                                 const std::vector<std::string>& runs) {
   const std::vector<std::string> files = short_names(runs);
@@ -182,14 +182,14 @@ void add_where(Document& document, const diagnosis::Diagnosis& diagnosis,
              variables, diagnosis.variables);
 }
 
-// The rows of one recording, as columns.
+// The rows of one recording.
 struct Run {
   recording::RowRange range;
   std::vector<double> time_s;
   std::vector<double> temperature_degc;
   std::vector<double> first_dph;
   std::vector<double> last_dph;
-  std::vector<recording::RowRange> stretches;  // counted from the run's first row
+  std::vector<recording::RowRange> stretches;  // relative to the run's first row
   std::vector<recording::Segment> segments;
 };
 
@@ -229,8 +229,8 @@ Run columns_of(const diagnosis::DiagnosisData& data, recording::RowRange range,
   return run;
 }
 
-// What the effect that is proposed would take out of the residual, everything refitted; about its
-// mean, as the runs' own biases are refitted too. Empty where none is proposed.
+// The part of the residual that the proposed effect would remove, with everything refitted; about
+// its mean, because the runs' biases are refitted too. Empty if none is proposed.
 std::vector<double> would_take_out(const diagnosis::Diagnosis& diagnosis,
                                    const diagnosis::DiagnosisData& data,
                                    recording::RowRange range) {
@@ -246,15 +246,15 @@ std::vector<double> would_take_out(const diagnosis::Diagnosis& diagnosis,
   return values;
 }
 
-// One quantity that the residual may depend on.
+// A quantity on which the residual may depend.
 struct Variable {
-  std::string name;  ///< as Diagnosis::variables has it
+  std::string name;  ///< as in Diagnosis::variables
   Text title;
   Text label;
   std::vector<double> values;
 };
 
-// Those that the residual depends on most come first.
+// Sorted by the dependence of the residual, largest first.
 std::vector<Variable> variables_of(const series::Rows& rows, const Run& run,
                                    const diagnosis::Diagnosis& diagnosis) {
   std::vector<Variable> all;
@@ -278,7 +278,7 @@ std::vector<Variable> variables_of(const series::Rows& rows, const Run& run,
     }
     return 0.0;
   };
-  const auto share = [&](const Variable& variable) {  // a loop shows over temperature
+  const auto share = [&](const Variable& variable) {  // a loop is shown over temperature
     const bool loop = variable.name == "temperature_degc";
     return std::max(share_of(variable.name), loop ? share_of("temperature history") : 0);
   };
@@ -333,7 +333,7 @@ void add_run(Document& document, const Run& run, const diagnosis::Ladder& ladder
   Plot residual = time_plot("Residual, the model refitted.", "residual, deg/h", axis, residuals);
   if (!taken_out.empty()) {
     residual.caption =
-        "On top, what " + verbatim(effect) + " would take out, all coefficients solved for anew.";
+        "On top, what " + verbatim(effect) + " would remove, with all coefficients refitted.";
   }
   document.plot(residual);
   document.plot(temperature_plot(axis, run.temperature_degc));

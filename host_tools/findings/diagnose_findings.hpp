@@ -9,8 +9,8 @@
 
 namespace fogcomp::findings {
 
-/// What `fogcomp diagnose` found in `data`, with plots. The ladder has its section where the loop
-/// was wanted (--max-effects).
+/// Findings of `fogcomp diagnose` in `data`, with plots. The stepwise selection has a section if it
+/// was requested (--max-effects).
 Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
                            const diagnosis::DiagnosisData& data, const DiagnosedFiles& files);
 

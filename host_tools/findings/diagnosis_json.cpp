@@ -73,7 +73,7 @@ Json candidates_json(const std::vector<diagnosis::CandidateFinding>& candidates)
   });
 }
 
-// What is missing, and what else could be.
+// The missing effects, and the alternatives.
 void set_verdict(Json& result, const diagnosis::Diagnosis& diagnosis,
                  const diagnosis::NextStep& next) {
   result.set("verdict", diagnosis::name_of(diagnosis.verdict));
@@ -102,7 +102,7 @@ void set_verdict(Json& result, const diagnosis::Diagnosis& diagnosis,
   result.set("tests", diagnosis.tests);
 }
 
-// How large what is left is, beside the noise.
+// Size of the residual relative to the noise.
 void set_residual(Json& result, const diagnosis::Diagnosis& diagnosis) {
   result.set("residual_rms_dph", diagnosis.residual_rms_dph);
   const std::optional<compare::BoardError>& given = diagnosis.as_given;
@@ -125,7 +125,8 @@ Json expression_json(const diagnosis::AdditionRequest& request) {
   return request.expression.empty() ? Json() : Json(request.expression);
 }
 
-// What lowers the error where nothing is named; null where nothing does or something is named.
+// A description that lowers the error without naming a cause; null if there is none or an effect is
+// named.
 Json description_json(const diagnosis::NextStep& next) {
   if (!next.describes || !next.addition) return Json();
   const diagnosis::TriedAddition& trial = *next.addition;
@@ -136,7 +137,7 @@ Json description_json(const diagnosis::NextStep& next) {
       .set("rms_after_dph", trial.rms_after_dph);
 }
 
-// The command to type now; null where there is none.
+// The command to type next; null if there is none.
 Json next_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
                const DiagnosedFiles& files) {
   const std::string command = words_of(diagnosis, next, files).command;

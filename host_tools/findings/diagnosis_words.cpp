@@ -22,7 +22,7 @@ std::string walk_words(const diagnosis::Diagnosis& diagnosis) {
       diagnosis.walk.coefficient);
 }
 
-// What is said, and how certain it is.
+// A verdict and its certainty.
 using Headline = std::pair<std::string, std::string>;
 
 Headline missing_words(const diagnosis::Diagnosis& diagnosis) {
@@ -78,7 +78,7 @@ Headline verdict_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
   return unknown_words(diagnosis, main_part_holds);
 }
 
-// nullptr where these effects are no set that competes.
+// nullptr if these effects are not one of the competing sets.
 const diagnosis::Diagnosis::Explanation* find_explanation(const diagnosis::Diagnosis& diagnosis,
                                                           const std::vector<std::string>& effects) {
   const auto set = std::find_if(
@@ -87,7 +87,7 @@ const diagnosis::Diagnosis::Explanation* find_explanation(const diagnosis::Diagn
   return set == diagnosis.explanations.end() ? nullptr : &*set;
 }
 
-// What only together lowers the error.
+// Effects that lower the error only together.
 std::string together_words(const diagnosis::Diagnosis& diagnosis,
                            const std::vector<std::string>& together) {
   const auto* set = find_explanation(diagnosis, together);
@@ -207,7 +207,7 @@ BriefDiagnosis in_brief(const diagnosis::Diagnosis& diagnosis, const diagnosis::
 
 std::string end_words(const diagnosis::Ladder& ladder) {
   if (!ladder.left_alone.empty()) {
-    return ladder.left_alone + " holds out of sample and leaves more in these rows: not added";
+    return ladder.left_alone + " helps out of sample but leaves more in these rows: not added";
   }
   const auto [verdict, certainty] = verdict_words(ladder.last);
   std::string text = "at the end: " + verdict + (certainty.empty() ? "" : "; " + certainty);

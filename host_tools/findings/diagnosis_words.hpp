@@ -10,32 +10,32 @@
 
 namespace fogcomp::findings {
 
-/// What a diagnosis found, for people, without figures that belong in tables.
+/// A diagnosis in words, without the values of tables.
 struct DiagnosisWords {
-  std::string verdict;                ///< the finding itself
-  std::string certainty;              ///< of the verdict, or between which effects; may be ""
-  std::vector<std::string> findings;  ///< how much it is, where it sits, which test would tell
-  std::string next;                   ///< what to do, where no command does it; may be ""
-  std::string command;                ///< or the command line that does it; may be ""
-  std::vector<std::string> limits;    ///< what limits the answer
+  std::string verdict;                ///< the result
+  std::string certainty;              ///< of the verdict, or the alternatives; may be ""
+  std::vector<std::string> findings;  ///< size, place, and the experiment that would decide
+  std::string next;                   ///< advice without a command; may be ""
+  std::string command;                ///< command line to type next; may be ""
+  std::vector<std::string> limits;    ///< reservations
 };
 
 DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
                         const DiagnosedFiles& files);
 
-/// A diagnosis in one line, and the figures in it.
+/// A diagnosis in one line, with its values.
 struct BriefDiagnosis {
-  std::vector<std::string> effects;  ///< missing: all of them together, or one of them
-  double size_dph = 0;               ///< of these, or of all that is above the noise, rms
+  std::vector<std::string> effects;  ///< missing: all together, or one of them
+  double size_dph = 0;               ///< rms of these, or of everything above the noise
   std::optional<double> probability;
   std::string sentence;
 };
 BriefDiagnosis in_brief(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next);
 
-/// Why the loop came to its end.
+/// Why the stepwise selection ended.
 std::string end_words(const diagnosis::Ladder& ladder);
 
-/// The shape of an effect: "radius 5.2 degC".
+/// The shape parameters of an effect: "radius 5.2 degC".
 std::string shape_words(const model::EffectTerm& term);
 
 }  // namespace fogcomp::findings

@@ -11,65 +11,65 @@
 
 namespace fogcomp::findings {
 
-/// A line of words: no capital at its beginning and no full stop at its end, which only a page has.
+/// A sentence without initial capital and full stop, which only a page adds.
 struct Sentence {
   Text text;
 };
 
-/// Begins a part of the document.
+/// Starts a section.
 struct Heading {
   Text text;
-  std::string path{};  ///< of the file that the part is about; "": none
+  std::string path{};  ///< of the section's file; "": none
 };
 
-/// Fixed pitch, line by line, as on a terminal.
+/// Preformatted lines, as on a terminal.
 struct Listing {
   std::string text;
 };
 
-/// Rows of a name and its figures. The first column stays in view where a screen is too narrow for
-/// the others: those that decide come first.
+/// Rows of a name and values. The first columns should be the most important ones: on a narrow
+/// screen only the name stays in view.
 struct Table {
   struct Column {
     Text title;
-    std::string colour{};  ///< as Curve::colour: a page draws its figures as bars; "": it does not
+    std::string colour{};  ///< as Curve::colour: the page draws bars; "": it does not
     Column(Text name, std::string bars = {}) : title(std::move(name)), colour(std::move(bars)) {}
     Column(const char* name) : title(name) {}
   };
   struct Cell {
     Text text;
-    double value = std::numeric_limits<double>::quiet_NaN();  ///< of a bar
+    double value = std::numeric_limits<double>::quiet_NaN();  ///< length of a bar
     Cell(Text words, double bar = std::numeric_limits<double>::quiet_NaN())
         : text(std::move(words)), value(bar) {}
     Cell(const char* words) : text(words) {}
   };
   struct Row {
     std::vector<Cell> cells;
-    std::string link{};    ///< of its name, relative to the page; "": none
-    std::string colour{};  ///< of its bars, instead of the column's
+    std::string link{};    ///< for its name, relative to the page; "": none
+    std::string colour{};  ///< of its bars; overrides the column's
     bool minor = false;    ///< left out on a terminal
     Row(std::initializer_list<Cell> list) : cells(list) {}
     explicit Row(std::vector<Cell> list) : cells(std::move(list)) {}
   };
   Text caption{};               ///< what it shows
-  std::vector<Column> columns;  ///< what is drawn as bars stands next to each other
+  std::vector<Column> columns;  ///< columns drawn as bars are adjacent
   std::vector<Row> rows{};
-  Text quantity{};             ///< what the bars are of, with its unit: the name of their axis
-  double full = 0;             ///< value of a bar of full length; 0: the largest
+  Text quantity{};             ///< name of the bars' axis, with unit
+  double full = 0;             ///< value of a full bar; 0: the largest
   double floor = 0;            ///< marked on every bar; 0: none
-  Text notes{};                ///< what the columns mean
-  std::vector<Column> keys{};  ///< what the colours of rows mean; empty: the columns' titles say it
+  Text notes{};                ///< meaning of the columns
+  std::vector<Column> keys{};  ///< meaning of row colours; empty: the columns' titles
 
-  /// Whether some column is drawn as bars.
+  /// Whether a column is drawn as bars.
   bool has_bars() const;
-  /// Whether a column's cells are sentences, which may be broken, and not figures.
+  /// Whether a column has sentences, which may be broken, and not values.
   bool is_of_words(std::size_t column) const;
 };
 
-/// Where a part of a document is shown. What a page draws, a terminal shows as figures on request.
+/// Where a part of a document is shown. A terminal shows what a page draws as values, on request.
 enum class Shown : std::uint8_t { everywhere, on_page, in_details };
 
-/// What a command found, made once. Report page and terminal write it, each in its own way.
+/// Findings of a command, made once. Report page and terminal render it in their own way.
 class Document {
  public:
   using Content = std::variant<Sentence, Heading, Listing, Table, Plot>;
@@ -77,33 +77,33 @@ class Document {
     Content content;
     Shown shown = Shown::everywhere;
   };
-  /// What to do now.
+  /// Proposed next action.
   struct Next {
     Text sentence{};
-    std::string command{};  ///< to be typed in a shell; "": the sentence says it
+    std::string command{};  ///< for a shell; "": the sentence suffices
   };
 
   /// `subject`: the command line, e.g. "fogcomp info run.csv". `found`: one line.
   Document(std::string subject, Text found)
       : subject_(std::move(subject)), found_(std::move(found)) {}
 
-  /// `command`: its words; none where the sentence says it.
+  /// `command`: its words; empty if the sentence suffices.
   void next(Text sentence, const std::vector<std::string>& command = {});
-  /// The same with a command line as a shell takes it.
+  /// The same with a command line quoted for a shell.
   void next_line(Text sentence, std::string command) {
     next_ = {std::move(sentence), std::move(command)};
   }
-  /// The options with which the recordings were read: what next() proposes reads them so, too.
+  /// The options with which the recordings were read; next() repeats them in its commands.
   void read_with(const std::vector<std::string>& options);
   void heading(Text text, Shown shown = Shown::everywhere);
-  /// Headed by the file's name; its folder stands beneath where there is one.
+  /// Heading with the file's name; its folder, if any, is below.
   void file_heading(const std::string& path, const Text& remark = {});
-  /// An empty one is left out.
+  /// An empty sentence is left out.
   void sentence(Text text, Shown shown = Shown::everywhere);
   void listing(std::string text, Shown shown = Shown::everywhere);
-  /// One without rows is left out.
+  /// A table without rows is left out.
   void table(Table table, Shown shown = Shown::everywhere);
-  /// One without curves is left out.
+  /// A plot without curves is left out.
   void plot(Plot plot);
 
   const std::string& subject() const { return subject_; }

@@ -7,12 +7,12 @@
 
 namespace fogcomp::findings {
 
-/// Four significant digits of a quantity of any unit; whole numbers as they are.
+/// Four significant digits of a value in any unit; whole numbers unchanged.
 Text significant(double value);
 
-/// A rate in deg/h: four significant digits, no finer than the 1e-6 that a recording holds.
+/// A rate in deg/h: four significant digits, no finer than the 1e-6 of a recording.
 Text number(double rate_dph);
-/// The same; "-" where there is none.
+/// The same; "-" if there is none.
 Text dph(const std::optional<double>& value);
 
 /// "12 %"

@@ -24,7 +24,7 @@ Text found(const FitOutcome& fit) {
   return text;
 }
 
-// What the fit is made of and what was left out of it.
+// The rows of the fit, and those left out.
 void add_rows(Document& document, const FitOutcome& fit) {
   const fit::Identification& identified = fit.result.identified;
   const noise::NoiseModel& noise = identified.noise;
@@ -66,7 +66,7 @@ void add_steps(Document& document, const FitOutcome& fit) {
   }
 }
 
-// What changes from one power-on to the next, which no model of a board can know.
+// Change from one power-on to the next, which a model of a board cannot predict.
 void add_turn_on(Document& document, const FitOutcome& fit) {
   const std::vector<Text> sentences = turn_on_sentences(fit.turn_on);
   for (const Text& sentence : sentences) document.sentence(sentence);

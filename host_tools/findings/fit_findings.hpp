@@ -6,7 +6,7 @@
 
 namespace fogcomp::findings {
 
-/// What `fogcomp fit` found. `model`: FitOutcome::on_its_runs() of it.
+/// Findings of `fogcomp fit`. `model`: its FitOutcome::on_its_runs().
 Document fit_findings(const workflow::FitOutcome& fit, const compare::ModelOnRuns& model);
 
 }  // namespace fogcomp::findings

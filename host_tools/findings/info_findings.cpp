@@ -64,7 +64,7 @@ std::string duration(double seconds) {
   return format("%.2f h", seconds / kSecondsPerHour);
 }
 
-// What was read, and what was left out of it.
+// Extent of the data, and rows left out.
 void add_extent(Document& document, const recording::Recording& recording) {
   std::string text = counted(recording.rows(), "row");
   if (recording.period_s > 0) {
@@ -85,7 +85,7 @@ void add_extent(Document& document, const recording::Recording& recording) {
         words(counted(recording.refused_rows, "row") + " left out by the board's rules"));
   }
   if (recording.capture) document.sentence(words(recording::describe(*recording.capture)));
-  if (recording.rows() > 1 && !recording::rate_resolution(recording).moves()) {
+  if (recording.rows() > 1 && !recording::rate_resolution(recording).varies()) {
     document.sentence("note: the rate does not move; is the gyro on and connected?");
   }
 }
@@ -153,18 +153,18 @@ void add_over_time(Document& document, const recording::Recording& recording,
   document.plot(every);
 }
 
-// Decimals that show a figure of this size with `digits` digits.
+// Decimals that show `digits` digits of a value of this size.
 int decimals_for(double size, int digits) {
   if (!(size > 0)) return digits;
   return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(size))), 0, 12);
 }
 
-// As many digits as its uncertainty leaves.
+// As many digits as its uncertainty justifies.
 Text to_digits_of(double value, double uncertainty) {
   return verbatim(format("%.*f", decimals_for(uncertainty, 2), value));
 }
 
-// What the lowest point of the curve still says where no flat part is seen.
+// Upper bound from the lowest point of the curve, if no flat part is visible.
 Text instability_bound(const std::vector<noise::AllanPoint>& curve) {
   const auto lowest = std::min_element(curve.begin(), curve.end(),
                                        [](const noise::AllanPoint& a, const noise::AllanPoint& b) {
@@ -243,8 +243,8 @@ void add_over_temperature(Document& document, const compare::RunSummary& summary
   document.table(std::move(table));
 }
 
-// A part of the bias's variance, 0..1, that goes with the input rate, its powers, its size and its
-// change, or with it and the temperature.
+// Fraction of the bias's variance, 0..1, that depends on the input rate: its powers, magnitude,
+// change, and product with temperature.
 double share_of_input_rate(const recording::Recording& blocks, const std::vector<double>& bias) {
   const auto vector = [](const std::vector<double>& values) {
     return Eigen::Map<const Eigen::VectorXd>(values.data(),
@@ -257,7 +257,7 @@ double share_of_input_rate(const recording::Recording& blocks, const std::vector
   return 1 - solve_linear(columns, around).residual.squaredNorm() / around.squaredNorm();
 }
 
-// The bias over each input that varies, the input rate first.
+// The bias as a function of each varying input, the input rate first.
 void add_over_inputs(Document& document, const compare::RunSummary& summary) {
   const recording::Recording& blocks = summary.blocks;
   const std::vector<double> bias = recording::bias_dph(blocks);

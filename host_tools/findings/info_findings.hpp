@@ -6,7 +6,7 @@
 
 namespace fogcomp::findings {
 
-/// What `fogcomp info` prints, with plots. `recording` is what `summary` was made of.
+/// Output of `fogcomp info`, with plots. `summary` is that of `recording`.
 Document info_findings(const recording::Recording& recording, const compare::RunSummary& summary);
 
 }  // namespace fogcomp::findings

@@ -13,7 +13,7 @@
 #include "support/json.hpp"
 #include "workflow/fit.hpp"
 
-/// What `--json` prints: every figure of a finding, by the names that scripts rely on.
+/// Output of `--json`: every value of a finding, by stable names.
 namespace fogcomp::findings {
 
 Json info_json(const recording::Recording& recording, const compare::RunSummary& summary);
@@ -21,28 +21,28 @@ Json info_json(const recording::Recording& recording, const compare::RunSummary&
 /// `output`: the model file that was written.
 Json fit_json(const workflow::FitOutcome& fit, const std::string& output);
 
-/// The first model's runs at the top; all under "models".
+/// The first model's runs at the top level; all models under "models".
 Json compare_json(const std::vector<compare::ModelOnRuns>& models);
 
 Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
                     const DiagnosedFiles& files);
-/// The diagnosis of the model as given, the steps of the loop, and the diagnosis at its end, which
-/// is of no file.
+/// The diagnosis of the given model, the steps of the selection, and the diagnosis at its end,
+/// whose model has no file.
 Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files);
 
-/// `written`: the model file that was written, "" for none.
+/// `written`: the new model file, "" for none.
 Json add_json(const fit::Addition& addition, const std::string& written);
 
 Json paper_json(const std::vector<research::Study>& studies);
 
-/// Of the second run, the third, ... beside the first, certain or not.
+/// The second run, the third, ... relative to the first, certain or not.
 Json turn_on_json(const std::vector<compare::TurnOnBias>& turn_on);
 
-/// `output`: folder of the results. `calibrated`, `already_done`: gyros, now and before.
+/// `output`: folder of the results. `calibrated`, `already_done`: numbers of gyros, now and before.
 Json batch_json(const batch::Summary& summary, const std::string& output, std::size_t calibrated,
                 std::size_t already_done);
 
-/// Shape parameters and coefficients by their names, coefficients in their own units.
+/// Shape parameters and coefficients by name, coefficients in their own units.
 void set_parameters(Json& object, const model::EffectTerm& term);
 void set_coefficients(Json& object, const model::EffectTerm& term);
 

@@ -53,7 +53,7 @@ Text with_unit(const std::string& name, const std::string& unit) {
   return verbatim(name) + (dimensionless ? Text() : words(", " + unit));
 }
 
-// "warm_up.tau": a shape parameter or a coefficient of an effect.
+// Label of "warm_up.tau": a shape parameter or a coefficient of an effect.
 Text part_label(const model::CatalogueEntry& effect, const std::string& part) {
   const Text title = verbatim(std::string(effect.description.name)) + ": ";
   for (const fog::ParameterDescription& one : effect.parameters) {

@@ -7,16 +7,16 @@
 
 namespace fogcomp::findings {
 
-/// "input rate, °/h": an input with its unit, as the name of an axis.
+/// "input rate, °/h": an input with its unit, for an axis.
 Text input_label(fog::Input input);
 /// The same without the unit.
 Text input_name(fog::Input input);
 
-/// What a diagnosis or a recording calls "temperature_rate", for people.
+/// Text for the name of a variable, such as "temperature_rate".
 Text variable_label(const std::string& variable);
 
-/// What a batch calls "holdout_drift_dph" or "warm_up.tau", with its unit; empty where the name
-/// says all that is known.
+/// Text with unit for a value of a batch, such as "holdout_drift_dph" or "warm_up.tau"; empty if
+/// the name suffices.
 Text figure_label(const std::string& figure);
 
 }  // namespace fogcomp::findings

@@ -6,7 +6,7 @@
 
 namespace fogcomp::findings {
 
-/// Whether a network was judged worth keeping, in a line; "" where none was judged.
+/// Result of the comparison of a network with the effects alone, one line; "" without one.
 std::string network_verdict(const fit::FitResult& fit);
 
 }  // namespace fogcomp::findings

@@ -62,7 +62,8 @@ std::vector<std::string> description_words(const diagnosis::NextStep& next) {
 
 std::string nothing_holds_words(const diagnosis::NextStep& next) {
   if (next.little_is_left) {
-    return "nothing to add: what is left is so little beside what was taken out that it may be the "
+    return "nothing to add: what is left is so small compared with what was removed that it may be "
+           "the "
            "inexactness of what is there: let a run that was not fitted decide, with --holdout";
   }
   if (next.refused.empty()) return "";

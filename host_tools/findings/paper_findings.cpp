@@ -93,7 +93,7 @@ void add_table_3(Document& document, const research::Study& study) {
   document.table(std::move(table));
 }
 
-// Rows of one segment follow each other; "20~-40" is a ramp.
+// Rows of one segment are consecutive; "20~-40" is a ramp.
 std::vector<recording::Segment> study_segments(const research::Study& study,
                                                const std::vector<double>& degc) {
   const std::vector<std::string>& names = study.run.segments;
@@ -172,7 +172,7 @@ void add_medians(Document& document, const std::vector<research::Study>& studies
       "drift: without the noise floor, error: against the noise-free truth; on the run that a "
       "model "
       "was fitted to and on programmes that it never saw; noise alone: what a fit would leave that "
-      "knew the course of every effect and had but their sizes to find";
+      "knew the time course of every effect and estimated only their sizes";
   for (const std::string& profile : research::kHeldOutProfiles) {
     table.columns.emplace_back(verbatim(profile) + ": drift");
     table.columns.emplace_back("error");

@@ -7,8 +7,8 @@
 
 namespace fogcomp::findings {
 
-/// The reference paper's figures 1, 3, 4, 8, 9, 10 and Tables 1 to 3 on the first gyro beside what
-/// is printed there, and medians over all. Throws InputError where the study left out bp or pso-bp.
+/// The reference paper's figures 1, 3, 4, 8, 9, 10 and Tables 1 to 3 for the first gyro, with the
+/// printed values, and medians over all gyros. Throws InputError if the study lacks bp or pso-bp.
 Document paper_findings(const std::vector<research::Study>& studies);
 
 }  // namespace fogcomp::findings

@@ -12,7 +12,7 @@
 namespace fogcomp::findings {
 namespace {
 
-constexpr double kSlowCycle_s = 7200;  // no machine of a laboratory is that slow
+constexpr double kSlowCycle_s = 7200;  // no laboratory machine is that slow
 
 }  // namespace
 
@@ -67,14 +67,14 @@ std::string fast_words(const diagnosis::Diagnosis& diagnosis) {
                     diagnosis.fast.band_period_s, 100 * diagnosis.fast.band_excess);
     case diagnosis::FastKind::two_levels:
       return format(
-          "the bias jumps to and fro between two levels %.3g deg/h apart, each held for %.2g s on "
+          "the bias switches between two levels %.3g deg/h apart, each held for %.2g s on "
           "average: look at light source, detector and electronics",
           diagnosis.jumps.height_dph, diagnosis.jumps.dwell_s);
   }
   return "";
 }
 
-// Far beyond the draws of the test the tail of their distribution is a guess.
+// Far beyond the draws of the test, the probability is an extrapolation.
 std::string chance_words(double chance) {
   constexpr double kTiny = 1e-6;
   return "chance that noise alone looks like this: " +
@@ -82,8 +82,8 @@ std::string chance_words(double chance) {
 }
 
 std::string network_words(const diagnosis::Diagnosis& diagnosis) {
-  constexpr double kSaysNothing = 0.05;   // difference of shares that says nothing
-  constexpr double kNextToNothing = 0.1;  // of the noise floor
+  constexpr double kSaysNothing = 0.05;   // insignificant difference of shares
+  constexpr double kNextToNothing = 0.1;  // relative to the noise floor
   if (!diagnosis.network) return "";
   const diagnosis::NetworkLearnt& network = *diagnosis.network;
   std::string text = format("the network, left out here, adds %.4g deg/h rms", network.rms_dph);
@@ -97,7 +97,7 @@ std::string network_words(const diagnosis::Diagnosis& diagnosis) {
     return text + " (at most " + percent(network.effects[0].share) + ", " +
            network.effects[0].term.name + ")";
   }
-  // Of those that explain it alike, the one that the verdict names.
+  // If several explain it equally well, the one of the verdict.
   diagnosis::NetworkLearnt::Share best = network.effects[0];
   for (const diagnosis::NetworkLearnt::Share& share : network.effects) {
     const bool as_well = share.share > network.effects[0].share - kSaysNothing;

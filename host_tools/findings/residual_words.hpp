@@ -6,18 +6,18 @@
 
 namespace fogcomp::findings {
 
-// Sentences about what a model leaves; "" where there is nothing to say.
+// Sentences about the residual of a model; "" if there is nothing to say.
 
-/// How much it is, and what `effect` would leave of it where that is one of the candidates.
+/// Size of the residual, and the remainder with `effect` if that is one of the candidates.
 std::string size_words(const diagnosis::Diagnosis& diagnosis, const std::string& effect);
-/// Why `compare` has another figure, where it has: it shows the model as it is.
+/// Why `compare` has another value, if it has: it uses the model as it is.
 std::string as_given_words(const diagnosis::Diagnosis& diagnosis);
-/// In which segments it sits and on what it depends.
+/// Segments and variables of the residual.
 std::string where_words(const diagnosis::Diagnosis& diagnosis);
-/// Cycles and jumps, which no function of the inputs describes.
+/// Cycles and jumps, which do not depend on the inputs.
 std::string fast_words(const diagnosis::Diagnosis& diagnosis);
 std::string chance_words(double chance);
-/// What the network, which the diagnosis leaves out, had learnt.
+/// What the network, which the diagnosis excludes, had learnt.
 std::string network_words(const diagnosis::Diagnosis& diagnosis);
 
 }  // namespace fogcomp::findings

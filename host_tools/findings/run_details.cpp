@@ -9,12 +9,12 @@
 namespace fogcomp::findings {
 namespace {
 
-// A star marks what is beyond noise.
+// A star marks significant dependences.
 Text star(bool beyond_noise) {
   return beyond_noise ? "*" : "";
 }
 
-// The verdict in the same words for every variable.
+// The verdict, in the same words for every variable.
 Text structure_text(const compare::ResidualAnalysis& analysis, const compare::ClassTest& test) {
   if (!test.structured()) return "no more than noise";
   const std::optional<double> share = analysis.share_of_excess(test);

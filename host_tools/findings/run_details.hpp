@@ -5,7 +5,7 @@
 
 namespace fogcomp::findings {
 
-/// What a page draws of a run, as figures for a terminal: dependences, loop, Allan deviation,
+/// The plots of a run as values for a terminal: dependences, loop, Allan deviation,
 /// autocorrelation.
 void add_details(Document& document, const compare::ModelOnRun& judged);
 

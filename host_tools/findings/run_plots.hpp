@@ -11,7 +11,7 @@
 
 namespace fogcomp::findings {
 
-/// A quantity over time, to be drawn.
+/// A quantity as a function of time, for a plot.
 struct Trace {
   Text label;
   std::string colour;
@@ -19,48 +19,48 @@ struct Trace {
   Look look = Look::line;
 };
 
-/// Time axis of a run that several plots share: cursor and zoom go together by `group`.
+/// Common time axis of several plots of a run; `group` links their cursor and zoom.
 struct TimeAxis {
   const std::vector<double>& time_s;
   std::vector<std::size_t> stretch_starts;
   std::string group;
   std::vector<recording::Segment> segments;
 };
-/// Of a comparison, which must outlive it.
+/// Time axis of a comparison, which must outlive it.
 TimeAxis time_axis(const compare::Comparison& comparison, const std::string& group);
 std::vector<std::size_t> starts_of(const std::vector<recording::RowRange>& stretches);
 
 /// Segments of a run as parts of an axis of hours, ramps shaded.
 std::vector<Band> bands_of(const std::vector<recording::Segment>& segments);
 
-/// Traces over hours since power-on, the segments shaded; long ones as minimum and maximum of each
-/// column.
+/// Traces over hours since power-on, with shaded segments; long traces as minimum and maximum per
+/// pixel column.
 Plot time_plot(const Text& title, const Text& y_label, const TimeAxis& axis,
                const std::vector<Trace>& traces);
 
 /// The temperature, with its range and segments in words.
 Plot temperature_plot(const TimeAxis& axis, const std::vector<double>& temperature_degc);
 
-/// The same traces upon each other as areas, each less its mean, with their sum.
+/// The same traces stacked as areas, each less its mean, with their sum.
 Plot stacked_plot(const Text& title, const Text& y_label, const TimeAxis& axis,
                   const std::vector<Trace>& traces);
 
-/// One quantity over another as points, heating and cooling in two colours.
+/// One quantity as a function of another, as points; heating and cooling in two colours.
 Plot branch_plot(const Text& title, const Text& x_label, const Text& y_label,
                  const std::vector<double>& x, const std::vector<double>& y,
                  const std::vector<compare::Branch>& branch);
 
-/// Whether the temperature ever moved: else a plot over it has nothing to show.
+/// Whether the temperature moved at all: otherwise a plot over it shows nothing.
 bool ever_moves(const std::vector<compare::Branch>& branch);
 
-/// The means of the residual's bins with their standard errors, to lie on a branch_plot().
+/// Means of the residual's bins with standard errors, for a branch_plot().
 Curve bin_means(const std::vector<compare::ResidualBin>& bins);
 
-/// Means of heating and cooling branch on a plot over temperature, and in its caption how far they
-/// lie apart where that is more than noise.
+/// Adds means of the heating and the cooling branch to a plot over temperature and, if significant,
+/// their distance to its caption.
 void add_loop(Plot& over_temperature, const compare::Loop& loop);
 
-/// The colour of the i-th of several like things.
+/// Colour of the i-th of several similar curves.
 std::string part_colour(std::size_t i);
 
 }  // namespace fogcomp::findings

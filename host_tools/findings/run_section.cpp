@@ -21,7 +21,7 @@ const compare::Comparison& on_run(const compare::ModelOnRuns& model, std::size_t
   return model.runs[run].comparison;
 }
 
-// One model has the name of what it is; several are told apart by their files.
+// A single model is named by its kind; several are named by their files.
 std::vector<Text> labels(const Models& models, const Text& alone) {
   if (models.size() == 1) return {alone};
   std::vector<std::string> files;
@@ -31,7 +31,7 @@ std::vector<Text> labels(const Models& models, const Text& alone) {
   return labels;
 }
 
-// The best has the colour of a single one.
+// The best model has the colour of a single one.
 std::string residual_colour(std::size_t model) {
   return model == 0 ? "residual" : part_colour(model);
 }
@@ -40,7 +40,7 @@ Look look_of(std::size_t model) {
   return model == 0 ? Look::line : Look::faint;
 }
 
-// Inputs on which the residual depends, which structure_words() does not ask.
+// Inputs on which the residual depends, which structure_words() does not cover.
 Text input_words(const compare::ModelOnRun& run) {
   Text text;
   for (std::size_t i = 0; i < run.analysis.inputs.size(); ++i) {
@@ -90,7 +90,7 @@ void add_segments(Document& document, const compare::Comparison& comparison, Sho
   document.table(std::move(table), shown);
 }
 
-// The same quantity segment by segment: left by a constant alone, then by each model.
+// Segment by segment: residual of a constant, then of each model.
 void add_before_and_after(Document& document, const Models& models, std::size_t run, Shown shown) {
   const compare::Comparison& best = on_run(*models[0], run);
   Table table;
@@ -123,7 +123,7 @@ void add_before_and_after(Document& document, const Models& models, std::size_t 
   document.table(std::move(table), shown);
 }
 
-// Where what is left is largest.
+// The segment with the largest residual.
 Text worst_segment(const compare::Comparison& comparison) {
   const auto worst =
       std::max_element(comparison.segments.begin(), comparison.segments.end(),
@@ -167,7 +167,7 @@ void add_parts(Document& document, const compare::ModelOnRuns& model, std::size_
   const compare::Comparison& comparison = on_run(model, run);
   std::vector<Trace> parts;
   for (std::size_t i = 0; i < comparison.effects.size(); ++i) {
-    constexpr double kConstant = 1e-9;  // deg/h: such a part has no share in any change
+    constexpr double kConstant = 1e-9;  // deg/h: a constant part
     if (comparison.effects[i].std_dph < kConstant) continue;
     parts.push_back(
         {verbatim(comparison.effects[i].name), part_colour(parts.size()), comparison.parts_dph[i]});
@@ -180,7 +180,7 @@ void add_parts(Document& document, const compare::ModelOnRuns& model, std::size_
   table.caption = "what each part of the model does";
   table.columns = {"part", "share of the raw variance", "std, deg/h", "mean, deg/h"};
   table.notes =
-      "share: what comes back when a part alone is left out; parts that go together share, so the "
+      "share: rise of the residual without this part alone; correlated parts share it, so the "
       "shares need not add up to 100 %";
   for (const compare::EffectShare& effect : comparison.effects) {
     table.rows.push_back({verbatim(effect.name), words(format("%.1f %%", 100 * effect.share)),
@@ -189,13 +189,13 @@ void add_parts(Document& document, const compare::ModelOnRuns& model, std::size_
   document.table(std::move(table), Shown::on_page);
 }
 
-// A plot of the residual over one quantity, and how much of it that quantity could explain.
+// Residual as a function of one quantity, and the share that this quantity could explain.
 struct Dependent {
   Plot plot;
   double variance_dph2 = 0;
 };
 
-// What a test says of one quantity.
+// Result of a test for one quantity.
 Text dependence_text(const compare::ResidualAnalysis& analysis, const compare::ClassTest& test) {
   if (!test.structured()) return "Nothing in it depends on this alone beyond noise.";
   const std::optional<double> share = analysis.share_of_excess(test);
@@ -203,7 +203,7 @@ Text dependence_text(const compare::ResidualAnalysis& analysis, const compare::C
   return "It depends on this: " + words(percent(*share)) + " of what lies above the noise floor.";
 }
 
-// What is left over everything that it could depend on; what it depends on most comes first.
+// Residual as a function of each quantity, the strongest dependence first.
 void add_dependences(Document& document, const compare::ModelOnRuns& model, std::size_t run) {
   const compare::Comparison& comparison = on_run(model, run);
   const compare::ResidualAnalysis& analysis = model.runs[run].analysis;

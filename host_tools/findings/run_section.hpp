@@ -8,21 +8,20 @@
 
 namespace fogcomp::findings {
 
-/// Everything that is known of one run: a heading, words, segments, and the plots. `models`: the
-/// best first; what only one model can have (segments, dependences, parts) is of that one. `run`:
-/// which of the runs; plots of different runs are not linked. `shown`: where its words and
-/// its main table are.
+/// Adds everything about one run: a heading, sentences, segments, and plots. `models`: the best
+/// first; segments, dependences and contributions are those of the best. `run`: index of the run;
+/// plots of different runs are not linked. `shown`: place of its sentences and main table.
 void add_run(Document& document, const std::vector<const compare::ModelOnRuns*>& models,
              std::size_t run, Shown shown);
 
-/// The runs' files as on a command line, each with a space before it.
+/// The runs' files for a command line, each preceded by a space.
 std::vector<std::string> run_files(const compare::ModelOnRuns& model);
 
-/// The words that ask what a model lacks.
+/// The words of a command that diagnoses the model.
 std::vector<std::string> diagnose_command(const std::string& model,
                                           const std::vector<std::string>& runs);
 
-/// Whether what a model leaves of a run lies above the noise floor beyond doubt.
+/// Whether a model's residual on a run is significantly above the noise floor.
 bool leaves_drift(const compare::ModelOnRun& run);
 
 }  // namespace fogcomp::findings

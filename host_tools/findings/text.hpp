@@ -6,20 +6,20 @@
 
 namespace fogcomp::findings {
 
-/// What a reader sees, in UTF-8, for a terminal and typeset for a page (deg/h is °/h there, degC
-/// °C, +- ±). Only words of ours are typeset; names from outside (files, serial numbers, segments,
-/// expressions) never are. A std::string does not convert: whoever has one says which of the two
-/// it is.
+/// Text for the reader, in UTF-8, for a terminal and typeset for a page (deg/h becomes °/h, degC
+/// °C, +- ±). Only our own words are typeset; names from outside (files, serial numbers, segments,
+/// expressions) are not. So a std::string does not convert implicitly: the caller says which of the
+/// two it is.
 class Text {
  public:
   Text() = default;
-  Text(const char* literal);  ///< ours
+  Text(const char* literal);  ///< our own words
   Text& operator+=(const Text& more);
 
   const std::string& plain() const { return plain_; }
   const std::string& typeset() const { return typeset_; }
   bool empty() const { return plain_.empty(); }
-  /// Typeset, with a capital at its beginning, unless a name stands there, and a full stop.
+  /// Typeset, with an initial capital (unless a name is there) and a full stop.
   std::string sentence() const;
 
  private:
@@ -31,13 +31,13 @@ class Text {
 };
 Text operator+(Text begin, const Text& end);
 
-/// Words of ours. `names` from outside that are part of them stay as they are.
+/// Our own words; `names` from outside within them are unchanged.
 Text words(std::string_view sentence, const std::vector<std::string>& names = {});
 
-/// A name from outside, as it is.
+/// A name from outside, unchanged.
 Text verbatim(const std::string& name);
 
-/// The names of files without their folders, or whole where two would have the same.
+/// File names without folders, or full paths where two would be equal.
 std::vector<std::string> short_names(const std::vector<std::string>& paths);
 
 }  // namespace fogcomp::findings

@@ -13,7 +13,7 @@ constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
 
 using Columns = std::vector<const std::vector<double>*>;
 
-// Rows [first, end) as two points: minimum and maximum of each curve, as they come.
+// Rows [first, end) as two points: minimum and maximum of each curve, in their order.
 void append_extremes(Curves& curves, const std::vector<double>& x, const Columns& y,
                      recording::RowRange rows) {
   const bool single = rows.size() == 1;
@@ -45,7 +45,7 @@ void append_gap(Curves& curves, double x) {
   for (std::vector<double>& values : curves.y) values.push_back(kGap);
 }
 
-// Cuts the rows into columns without a gap that could be seen.
+// Divides the rows into columns without visible gaps.
 template <class Append>
 Curves cut(const std::vector<double>& x, const Columns& y,
            const std::vector<std::size_t>& stretch_starts, Append append) {
@@ -65,7 +65,7 @@ Curves cut(const std::vector<double>& x, const Columns& y,
       gap = first > 0;
       ++next_start;
     }
-    // A gap narrower than a column could not be seen.
+    // A gap narrower than a column is invisible.
     if (gap && (all || x[first] - x[first - 1] > column_width)) {
       append_gap(curves, (x[first - 1] + x[first]) / 2);
     }

@@ -17,8 +17,7 @@
 namespace fogcomp::fit {
 namespace {
 
-// Whether the holdouts' squares rose from one model to the other by more than chance does once in
-// 100 times.
+// Whether the sum of squares on the holdouts rises by more than chance does once in 100 times.
 class RiseTest {
  public:
   void add(const compare::Comparison& before, const compare::Comparison& after) {
@@ -64,13 +63,13 @@ FitSettings fit_settings(const model::Model& model, const AddSettings& settings)
   FitSettings fit;
   if (model.network.present()) fit.network_inputs = model.network.inputs;
   fit.identify.run_offsets = settings.run_offsets;
-  fit.identify.max_new_steps = 1;  // the next: what is missing beside it may look like more
+  fit.identify.max_new_steps = 1;  // one at a time: without it further steps may look larger
   fit.network.hidden = static_cast<int>(model.network.hidden.biases.size());
   fit.network.training.seed = settings.seed;
   return fit;
 }
 
-// Steps that are searched for anew stand behind all other terms after a fit.
+// Position of an effect after a fit, which moves the steps behind all other terms.
 std::size_t place_of(const std::string& name, const std::vector<model::EffectTerm>& terms) {
   const auto found = std::find_if(terms.begin(), terms.end(),
                                   [&](const model::EffectTerm& term) { return term.name == name; });
@@ -82,13 +81,13 @@ model::Model without_network(model::Model model) {
   return model;
 }
 
-// What is needed to judge one model against another out of sample.
+// Data needed to compare two models out of sample.
 struct Judge {
   const series::SignalSeries& series;
   const std::vector<compare::RunInBlocks>& holdouts;
   JudgedWith with;
 
-  // `after`: its terms `changed` are what it has more than `before`.
+  // `changed`: the terms of `after` that `before` lacks.
   OutOfSample operator()(const model::Model& before, const model::Model& after,
                          const std::vector<std::size_t>& changed) const {
     if (holdouts.empty()) {
@@ -99,10 +98,10 @@ struct Judge {
   }
 };
 
-// The model with any of a set of effects, refitted, each once; without a network.
+// The model with any subset of the added effects, refitted, each subset once; without a network.
 class PartsOfSet {
  public:
-  /// `given`: the terms from which the change was made; a fit may put steps elsewhere.
+  /// `given`: the terms that were changed; a fit may move steps elsewhere.
   PartsOfSet(const std::vector<model::EffectTerm>& given, const model::Model& before,
              const model::Model& after, const EffectChange& change,
              const series::SignalSeries& series, const AddSettings& settings)
@@ -110,7 +109,7 @@ class PartsOfSet {
     take({}, before);
     take(change.changed, after);
   }
-  // Throws InputError where the data do not determine that part.
+  // Throws InputError if the data do not determine that subset.
   const model::Model& fitted(const std::vector<std::size_t>& chosen) {
     const auto known = fitted_.find(chosen);
     if (known != fitted_.end()) return known->second;
@@ -142,7 +141,7 @@ class PartsOfSet {
   std::map<std::vector<std::size_t>, model::Model> fitted_;
 };
 
-// Of `after`, what has a name.
+// Positions in `after` of a named effect.
 std::vector<std::size_t> places_of(const EffectChange& change,
                                    const std::vector<std::size_t>& chosen,
                                    const model::Model& model) {
@@ -151,7 +150,8 @@ std::vector<std::size_t> places_of(const EffectChange& change,
   return places;
 }
 
-// The effects `added` to those of `before`; nothing where the data determine them only with others.
+// Judges the effects `added` to those of `before`; nothing if the data determine them only together
+// with others.
 std::optional<OutOfSample> judge_part(const EffectChange& change,
                                       const std::vector<std::size_t>& before,
                                       const std::vector<std::size_t>& after, std::size_t added,
@@ -168,8 +168,8 @@ bool is_needless(const Addition::Part& part) {
   return part.beside && !part.beside->helps();
 }
 
-// Each effect of a set by itself, and beside the others. For a verdict alone only the latter, up to
-// the first that is not needed.
+// Judges each effect of a set alone and beside the others. If only the verdict is wanted, only
+// beside the others, up to the first that is not needed.
 std::vector<Addition::Part> judge_parts(const EffectChange& change, const Judge& judge,
                                         PartsOfSet& models, bool verdict_only) {
   std::vector<Addition::Part> parts;
@@ -185,7 +185,7 @@ std::vector<Addition::Part> judge_parts(const EffectChange& change, const Judge&
   return parts;
 }
 
-// What the change explains may be a random walk.
+// Probability that a random walk explains what the change explains.
 double chance_of_walk_instead(const model::Model& before, const Addition& after,
                               const series::SignalSeries& series, bool run_offsets) {
   const series::Rows& rows = series.rows();
@@ -200,7 +200,7 @@ double chance_of_walk_instead(const model::Model& before, const Addition& after,
                         rows.drift_dph);
 }
 
-// The effects alone, by what was not fitted.
+// Judges the effects alone, on data that were not fitted.
 void judge_out_of_sample(const std::vector<model::EffectTerm>& given, const model::Model& before,
                          const EffectChange& change, const series::SignalSeries& series,
                          const std::vector<compare::RunInBlocks>& holdouts,
@@ -224,8 +224,8 @@ void judge_out_of_sample(const std::vector<model::EffectTerm>& given, const mode
   }
 }
 
-// Against the same effects without it: where there is a holdout there, else where it was not
-// trained. A network that does not help was not kept.
+// Compares with the same effects without the network: on the holdouts or, without any, by
+// cross-validation. A network that does not help is not kept.
 void judge_network(const std::vector<compare::RunInBlocks>& holdouts, bool run_offsets,
                    Addition& result) {
   result.out_of_sample = result.fit.network_judged;
@@ -234,19 +234,19 @@ void judge_network(const std::vector<compare::RunInBlocks>& holdouts, bool run_o
                                            result.fit.identified.noise, run_offsets);
 }
 
-// Why what is new in a term is not believed although it helps; "" where nothing speaks against it.
+// Reason not to accept a new part of a term although it helps; "" if there is none.
 std::string doubt_of(const model::EffectTerm& term, const model::Model& before) {
   const model::EffectTerm* own = before.find(term.name);
   for (const model::ShapeDoubt& doubt : model::shape_doubts(term)) {
     if (own == nullptr || !own->identified[doubt.parameter]) return doubt.sentence;
   }
-  // With a free shape the coefficient may be unknown where the course is known well: for t << t0
-  // the logarithm of aging is a line, whose slope is the ratio of the two.
+  // With a free shape the coefficient may be uncertain although the curve is known well: for t <<
+  // t0 the logarithm of aging is a line with the slope coefficient / t0.
   const bool judged = own == nullptr && model::shape_parameters({term}).empty();
   return judged ? model::coefficient_doubt(term) : "";
 }
 
-// The model as it was, refitted, is half of the work.
+// Refitting the model without the change is half of the work.
 void refit_both(model::Model& before, Addition& after, int network_hidden,
                 const series::SignalSeries& series, const AddSettings& settings) {
   FitSettings fitting = fit_settings(before, settings);
@@ -269,7 +269,7 @@ void refit_both(model::Model& before, Addition& after, int network_hidden,
   after.fit = fit_model(after.model, series, fitting);
 }
 
-// Of all runs, the holdouts last; returns how the latter's errors moved.
+// Errors on all runs, the holdouts last; returns the change on the holdouts.
 RiseTest compare_on_runs(const model::Model& before,
                          const std::vector<compare::RunInBlocks>& training,
                          const std::vector<compare::RunInBlocks>& holdouts, bool verdict_only,
@@ -290,9 +290,9 @@ RiseTest compare_on_runs(const model::Model& before,
   return on_holdouts;
 }
 
-// Steps are found anew by every fit and stand behind all other terms. One more than `before` had is
-// accepted.
-void take_up_steps(const std::string& name, const model::Model& before, Addition& result) {
+// Every fit searches for steps anew and moves them behind all other terms. Accepts one more than
+// `before` had.
+void accept_steps(const std::string& name, const model::Model& before, Addition& result) {
   const std::vector<FoundStep>& steps = result.fit.identified.steps;
   const auto has_name = [&](const model::EffectTerm& term) { return term.name == name; };
   const auto known = std::count_if(before.terms.begin(), before.terms.end(), has_name);
@@ -311,7 +311,7 @@ void take_up_steps(const std::string& name, const model::Model& before, Addition
   result.reason = "found " + join(places, ", ") + "; the rows around are masked";
 }
 
-// Accepted or not, and why. `risen`: on the holdouts, where the whole model became worse there.
+// Sets verdict and reason. `risen`: the whole model became worse on the holdouts.
 void decide(const model::Model& model, const std::optional<model::HistoryEntry::Holdout>& risen,
             Addition& result) {
   result.accepted = false;
@@ -369,7 +369,7 @@ Addition add_effect(const model::Model& model, const EffectChange& change,
   const bool is_event =
       !change.changed.empty() && searches_steps({change.terms[change.changed.front()]});
   if (is_event) {
-    take_up_steps(change.terms[change.changed.front()].name, before, result);
+    accept_steps(change.terms[change.changed.front()].name, before, result);
   } else if (change.network_hidden > 0) {
     judge_network(holdouts, settings.run_offsets, result);
   } else {

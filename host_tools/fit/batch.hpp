@@ -7,16 +7,16 @@
 
 namespace fogcomp::fit {
 
-/// Makes rows x any of the rows that their noise makes dependent rows of independent noise with
-/// variance 1: linear, and the same for the first rows alone.
+/// Whitens rows x any number of columns: turns rows with dependent noise into rows of independent
+/// noise with variance 1. Linear; the first rows do not depend on later ones.
 using Whiten = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
 
-/// Rows that a network is trained or judged on, all at once ("full batch").
+/// The rows for training or judging a network, all at once ("full batch").
 class Batch {
  public:
-  /// `inputs` rows x inputs, `target` a value per row, both normalised to about +-1; `weights` say
-  /// how much each row counts (not negative). `whiten` (may be empty) serves errors() and takes the
-  /// rows' weights into account by itself.
+  /// `inputs`: rows x inputs; `target`: one value per row; both normalised to about +-1. `weights`:
+  /// weight of each row, not negative. `whiten` (may be empty) is used by errors() and includes the
+  /// rows' weights.
   Batch(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& target,
         const Eigen::VectorXd& weights, Whiten whiten = {});
 
@@ -25,12 +25,12 @@ class Batch {
 
   /// Weighted mean of (target - output)^2.
   double mean_square(const Perceptron& shape, const Eigen::VectorXd& weights) const;
-  /// The same, and its derivative by every weight.
+  /// The same, with its derivative by every weight.
   double mean_square(const Perceptron& shape, const Eigen::VectorXd& weights,
                      Eigen::VectorXd& gradient) const;
 
-  /// target - output, whitened, or where there is nothing to whiten with times sqrt(row weight);
-  /// and optionally its derivative by every weight (rows x weights).
+  /// target - output, whitened or, without `whiten`, times sqrt(row weight); optionally its
+  /// derivative by every weight (rows x weights).
   void errors(const Perceptron& shape, const Eigen::VectorXd& weights, Eigen::VectorXd& errors,
               Eigen::MatrixXd* jacobian) const;
 

@@ -6,15 +6,15 @@
 
 namespace fogcomp::fit {
 
-/// Remembers the best weights of a training: by the held-out rows where there are some, else by the
+/// Stores the best weights of a training, judged by the held-out rows if there are any, else by the
 /// training rows.
 class BestWeights {
  public:
-  /// `patience`: offers without a better one after which the held-out rows end the training.
+  /// `patience`: number of offers without improvement on the held-out rows that ends the training.
   BestWeights(const TrainingProblem& problem, int patience)
       : problem_(problem), patience_(patience) {}
 
-  /// `mean_square` is that of the training rows.
+  /// `mean_square`: of the training rows.
   void offer(const Eigen::VectorXd& weights, double mean_square) {
     const double judged = problem_.held_out == nullptr
                               ? mean_square

@@ -14,22 +14,23 @@
 namespace fogcomp::fit {
 namespace {
 
-constexpr Eigen::Index kMaxModes = 96;  // of each recording; what is faster counts as white
+constexpr Eigen::Index kMaxModes = 96;  // per recording; faster modes count as white
 constexpr Eigen::Index kMaxAllModes = 192;
 constexpr Eigen::Index kMinModes = 16;
-// Slow parts over white, in the first mode of the longest recording: from next to none up.
+// Grid of the ratio of slow to white noise in the first mode of the longest recording, from
+// negligible up.
 constexpr double kMinRatio = 0.25;
 constexpr double kRatioStep = 4;
 constexpr int kRatios = 10;
 
-// What can be slow in a residual: the slow noise of the quiet parts, more flicker, a random walk,
-// and what an effect leaves that the model lacks. The latter goes with the ramps, of which a
-// programme has about ten to thirty: as much power in every mode up to there, less beyond.
+// Kinds of slow parts in a residual: slow noise of the quiet parts, additional flicker, a random
+// walk, and the remainder of a missing effect. The latter follows the ramps, of which a programme
+// has about ten to thirty: equal power in every mode up to there, less beyond.
 enum Kind : Eigen::Index { kQuiet, kFlicker, kWalk, kLackingSlow, kLackingFast, kKinds };
 using Amounts = Eigen::Matrix<double, kKinds, 1>;
 
-// Slowly varying cosines over each recording, orthonormal, and the power that each kind has along
-// them: kQuiet relative to white noise, the others to the first mode of the longest recording.
+// Orthonormal slow cosines over each recording, and the power of each kind in them: kQuiet relative
+// to white noise, the others relative to the first mode of the longest recording.
 struct SlowModes {
   Eigen::MatrixXd cosines;            // rows x modes
   Eigen::MatrixXd powers;             // modes x kinds
@@ -47,9 +48,9 @@ void set_cosines(Eigen::Ref<Eigen::MatrixXd> cosines) {
   }
 }
 
-// Of mode k of a recording that has `relative` of the longest one's length. The mean of a recording
-// is mode 0: a walk from 0 has pi^2/3 of the first mode there. Of flicker what is slower than the
-// recording is its bias; what else moves the mean is about a third.
+// Powers of mode k of a recording whose length is `relative` of the longest one's. Mode 0 is the
+// mean: a walk from 0 has pi^2/3 of the first mode there. Flicker slower than the recording is its
+// bias; the remaining flicker of the mean is about a third.
 Amounts powers_of_mode(Eigen::Index k, double first_angle, double relative,
                        const noise::NoiseModel& noise) {
   const auto mode = static_cast<double>(k);
@@ -95,55 +96,56 @@ SlowModes slow_modes(const series::Rows& rows, const noise::NoiseModel& noise) {
   return modes;
 }
 
-// What the residual shows: squares along the modes and beside them, and what white noise and each
-// kind of amount 1 would make of the former.
-struct Shown {
+// Statistics of the residual: squares within the modes and outside, and the expected squares within
+// the modes for white noise and each kind of unit amount.
+struct ResidualStatistics {
   Eigen::ArrayXd squares;
-  double fast_square = 0;  // of the rows that count, those that were bridged left out
+  double fast_square = 0;  // of the rows that count, without bridged ones
   double fast_rows = 0;
   Eigen::ArrayXd white;
   Eigen::MatrixXd slow;  // modes x kinds
 };
 
-Shown shown_by(const series::Rows& rows, const NoiseWeightedFit& fit, const SlowModes& modes,
-               const Eigen::MatrixXd& of_modes, double mean_variance) {
+ResidualStatistics shown_by(const series::Rows& rows, const NoiseWeightedFit& fit,
+                            const SlowModes& modes, const Eigen::MatrixXd& of_modes,
+                            double mean_variance) {
   const Eigen::ArrayXd counted = (fit.row_weights.array() > 0).cast<double>();
   const Eigen::VectorXd residual = noise::bridged(rows, fit.residual_dph, counted.matrix());
-  // What the fit leaves of one in each mode, along every mode.
+  // Response of the residual in all modes to a unit amplitude in each mode.
   const Eigen::MatrixXd left =
       Eigen::MatrixXd::Identity(modes.cosines.cols(), modes.cosines.cols()) -
       (modes.cosines.transpose() * fit.columns) * of_modes.topRows(fit.columns.cols());
   const Eigen::MatrixXd share = left.cwiseAbs2();
-  Shown shown;
+  ResidualStatistics statistics;
   const Eigen::VectorXd projection = modes.cosines.transpose() * residual;
   const Eigen::ArrayXd beside = (residual - modes.cosines * projection).array();
-  shown.squares = projection.array().square();
-  shown.fast_rows = counted.sum() - static_cast<double>(modes.cosines.cols());
-  shown.fast_square = (beside.square() * counted).sum() / mean_variance;
-  shown.white = mean_variance * share.rowwise().sum().array() + 1e-3 * mean_variance;
-  shown.slow = mean_variance * (share * modes.powers);
-  return shown;
+  statistics.squares = projection.array().square();
+  statistics.fast_rows = counted.sum() - static_cast<double>(modes.cosines.cols());
+  statistics.fast_square = (beside.square() * counted).sum() / mean_variance;
+  statistics.white = mean_variance * share.rowwise().sum().array() + 1e-3 * mean_variance;
+  statistics.slow = mean_variance * (share * modes.powers);
+  return statistics;
 }
 
-// How much there is of each kind, and how likely that is.
+// Amounts of all kinds and their probability.
 struct Level {
   Amounts amounts = Amounts::Zero();
   double white = 0;            // variance of a full row
-  double log_probability = 0;  // but for a constant
+  double log_probability = 0;  // up to a constant
 };
 
-// With the white level that suits best.
-void judge_by_residual(const Shown& shown, Level& level) {
-  const Eigen::VectorXd slow = shown.slow * level.amounts;
-  const Eigen::ArrayXd expected = shown.white + slow.array();
-  const double squares = (shown.squares / expected).sum() + shown.fast_square;
-  const double count = static_cast<double>(shown.squares.size()) + shown.fast_rows;
+// With the most probable white level.
+void judge_by_residual(const ResidualStatistics& statistics, Level& level) {
+  const Eigen::VectorXd slow = statistics.slow * level.amounts;
+  const Eigen::ArrayXd expected = statistics.white + slow.array();
+  const double squares = (statistics.squares / expected).sum() + statistics.fast_square;
+  const double count = static_cast<double>(statistics.squares.size()) + statistics.fast_rows;
   level.white = std::max(squares / count, std::numeric_limits<double>::min());
   level.log_probability -= (expected.log().sum() + count * std::log(level.white)) / 2;
 }
 
-// Densities of the kinds that are noise, over white, in the spectrum of the quiet parts. A straight
-// line was taken from each of them: what is left of a walk has 6/5 of its density there.
+// Densities of the noise kinds relative to white noise, in the spectrum of the quiet parts. A
+// straight line was removed from each part, which leaves 6/5 of a walk's density.
 Eigen::MatrixXd quiet_densities(const noise::NoiseModel& noise, double first_angle) {
   const Eigen::ArrayXd& angle = noise.quiet_spectrum.angle;
   Eigen::MatrixXd densities = Eigen::MatrixXd::Zero(angle.size(), kKinds);
@@ -153,9 +155,9 @@ Eigen::MatrixXd quiet_densities(const noise::NoiseModel& noise, double first_ang
   return densities;
 }
 
-// Beforehand every fourth gyro has flicker beside what its quiet parts show, every fourth a random
-// walk, and every fourth model lacks something.
-std::vector<Level> levels_of(const Shown& shown, const noise::NoiseModel& noise,
+// Prior: every fourth gyro has flicker beyond its quiet parts, every fourth a random walk, and
+// every fourth model lacks an effect.
+std::vector<Level> levels_of(const ResidualStatistics& statistics, const noise::NoiseModel& noise,
                              double first_angle) {
   std::vector<double> ratios{0};
   for (int i = 0; i < kRatios; ++i) ratios.push_back(kMinRatio * std::pow(kRatioStep, i));
@@ -165,7 +167,7 @@ std::vector<Level> levels_of(const Shown& shown, const noise::NoiseModel& noise,
   const auto add = [&](Level level, Kind lacking, double amount) {
     level.amounts[lacking] = amount;
     if (amount > 0) level.log_probability += any - std::log(2.0);
-    judge_by_residual(shown, level);
+    judge_by_residual(statistics, level);
     levels.push_back(level);
   };
   for (const double quiet : {0.0, 0.5, 1.0, 2.0}) {
@@ -188,8 +190,9 @@ std::vector<Level> levels_of(const Shown& shown, const noise::NoiseModel& noise,
   return levels;
 }
 
-// Half of the range about 0 that holds 95 % of a mixture of normal distributions, over 1.96.
-double mixed_sigma(const Eigen::ArrayXd& probabilities, const Eigen::ArrayXd& variances) {
+// Half-width of the interval about 0 that contains 95 % of a mixture of normal distributions, over
+// 1.96.
+double mixture_sigma(const Eigen::ArrayXd& probabilities, const Eigen::ArrayXd& variances) {
   constexpr double kOutside = 0.05;
   constexpr double kNormal95 = 1.959964;
   constexpr int kHalvings = 40;
@@ -207,14 +210,14 @@ double mixed_sigma(const Eigen::ArrayXd& probabilities, const Eigen::ArrayXd& va
   return beyond / kNormal95;
 }
 
-// Levels that matter, likeliest first; probabilities add up to 1.
+// Levels of significant probability, most probable first; probabilities sum to 1.
 struct LikelyLevels {
   std::vector<Level> levels;
   Eigen::ArrayXd probabilities;
 };
 
 LikelyLevels likely(std::vector<Level> levels) {
-  constexpr double kNegligible = -14;  // a millionth of the likeliest
+  constexpr double kNegligible = -14;  // ln of a millionth of the largest
   std::sort(levels.begin(), levels.end(),
             [](const Level& a, const Level& b) { return a.log_probability > b.log_probability; });
   const double best = levels.front().log_probability;
@@ -234,7 +237,7 @@ LikelyLevels likely(std::vector<Level> levels) {
 
 Eigen::MatrixXd coefficient_covariance(const series::Rows& rows, const NoiseWeightedFit& fit) {
   if (fit.covariance.size() == 0) return {};
-  // Coefficients are estimator' * rows.
+  // coefficients = estimator' * rows
   const noise::Whitening whitening(fit.noise, rows, fit.row_weights);
   const Eigen::MatrixXd estimator = whitening.apply_transposed(fit.whitened * fit.covariance);
   const SlowModes modes = slow_modes(rows, fit.noise);
@@ -266,7 +269,7 @@ Eigen::MatrixXd coefficient_covariance(const series::Rows& rows, const NoiseWeig
   Eigen::VectorXd scale(covariance.rows());
   for (Eigen::Index i = 0; i < scale.size(); ++i) {
     scale[i] =
-        mixed_sigma(probabilities, variances.row(i).transpose()) / std::sqrt(covariance(i, i));
+        mixture_sigma(probabilities, variances.row(i).transpose()) / std::sqrt(covariance(i, i));
   }
   return scale.asDiagonal() * covariance * scale.asDiagonal();
 }

@@ -23,7 +23,7 @@ model::EffectTerm parse_one(const std::string& effect) {
   return terms[0];
 }
 
-// The parameters that were given, not identified, written as for `fit --effects`.
+// Parameters that were given, not identified, in the syntax of `fit --effects`.
 std::string given_parameters(const model::EffectTerm& term) {
   const model::CatalogueEntry& entry = model::find_effect(term.name);
   std::string text;
@@ -75,7 +75,7 @@ EffectChange change_effect(const std::vector<model::EffectTerm>& terms, const st
   const auto old = std::find_if(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
     return term.name == added.name;
   });
-  if (old == terms.end() || model::is_event(added)) {  // there may be several events
+  if (old == terms.end() || model::is_event(added)) {  // several events are allowed
     change.changed = {terms.size()};
     change.terms.push_back(added);
     return change;
@@ -91,10 +91,11 @@ EffectChange change_effect(const std::vector<model::EffectTerm>& terms, const st
   const bool has_bounds = effect.find('[') != std::string::npos;
   if (!has_bounds && changed.parameters == old->parameters &&
       changed.identified == old->identified) {
-    throw InputError("effect '" + effect + "'",
-                     effect.find(':') == std::string::npos
-                         ? "is in the model already; name a parameter to change, or another effect"
-                         : "is in the model just so already; give another value or ?[min,max]");
+    throw InputError(
+        "effect '" + effect + "'",
+        effect.find(':') == std::string::npos
+            ? "is in the model already; name a parameter to change, or another effect"
+            : "is in the model with this value already; give another value or ?[min,max]");
   }
   change.terms[place] = changed;
   return change;

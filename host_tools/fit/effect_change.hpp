@@ -7,31 +7,30 @@
 
 namespace fogcomp::fit {
 
-/// A set of effects after some were added or changed.
+/// A list of effects after additions or changes.
 struct EffectChange {
   std::vector<model::EffectTerm> terms;
-  std::vector<std::size_t> changed;  ///< which of them; none where a network is added
-  std::string what;                  ///< as it was asked for; the model's history keeps it
-  int network_hidden = 0;            ///< a network of so many hidden neurons is added instead
+  std::vector<std::size_t> changed;  ///< their positions; empty if a network is added
+  std::string what;                  ///< text of the request, for the model's history
+  int network_hidden = 0;            ///< hidden neurons of a network that is added instead
 };
 
-/// What stands for a network on what the effects leave, where an effect is named: `network`, with
-/// `:hidden=N` where not 4.
+/// Name that stands for a network on the residual where an effect is expected: `network`, with
+/// `:hidden=N` unless 4.
 constexpr const char* kNetworkName = "network";
 
-/// `effect`: one effect as `fit --effects` has it. A new one goes to the end. One that is there
-/// already keeps its shape but for the parameters that are named: `bias_temperature:order=4` raises
-/// the order; with none named it grows by what it can (the next order, a second radius). Throws
-/// InputError for anything else than one effect, for an unknown one, and where nothing would
-/// change.
+/// `effect`: one effect in the syntax of `fit --effects`. A new effect is appended. An existing one
+/// keeps its shape except for the named parameters: `bias_temperature:order=4` raises the order.
+/// Without parameters it is extended (the next order, a second radius). Throws InputError for more
+/// than one effect, an unknown one, or if nothing would change.
 EffectChange change_effect(const std::vector<model::EffectTerm>& terms, const std::string& effect);
 
-/// Several effects, one after the other; at least one, none twice. Or a network by itself.
+/// Several effects, one after the other; at least one, none twice. Or only a network.
 EffectChange change_effects(const std::vector<model::EffectTerm>& terms,
                             const std::vector<std::string>& effects);
 
-/// `definition`: `NAME = EXPRESSION`, a new term at the end. Throws InputError as add_expression()
-/// does.
+/// `definition`: `NAME = EXPRESSION`, appended as a new term. Throws InputError like
+/// add_expression().
 EffectChange change_expression(const std::vector<model::EffectTerm>& terms,
                                const std::string& definition);
 

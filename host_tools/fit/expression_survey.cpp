@@ -10,7 +10,7 @@
 namespace fogcomp::fit {
 namespace {
 
-constexpr double kHour = 3600;  // in s: a whole number of blocks
+constexpr double kHour = 3600;  // s; a whole number of blocks
 
 model::SignalRange widened(fog::Input input, const model::SignalRange& seen) {
   switch (input) {

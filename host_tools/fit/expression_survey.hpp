@@ -7,15 +7,16 @@
 
 namespace fogcomp::fit {
 
-/// Gives every expression among `terms` the ranges of its signals over the recordings, widened by a
-/// quarter of their span or size; temperature rate as far as the board knows it, time to sixteen
-/// times the longest recording. Throws InputError where an expression is not finite over the
-/// recordings, or the same all the time.
+/// Sets the signal ranges of every expression among `terms`: the ranges in the recordings, widened
+/// by a quarter of their span or size; the temperature rate limited to the board's range; time up
+/// to sixteen times the longest recording. Throws InputError for an expression that is not finite
+/// over the recordings, or constant.
 void set_expression_ranges(std::vector<model::EffectTerm>& terms,
                            const series::SignalSeries& series);
 
-/// Chooses the scale of an expression's regressor: the power of two at which it stays below 2 over
-/// the recordings, a quarter of what the board holds. The coefficient follows. Other terms stay.
+/// Chooses the scale of an expression's regressor: the power of two with which it stays below 2, a
+/// quarter of the board's range, over the recordings. Scales the coefficient accordingly. Other
+/// terms are unchanged.
 void set_expression_scale(model::EffectTerm& term, const series::SignalSeries& series);
 
 }  // namespace fogcomp::fit

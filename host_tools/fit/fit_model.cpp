@@ -10,13 +10,13 @@
 namespace fogcomp::fit {
 namespace {
 
-// n - 1 in the denominator, as everywhere.
+// Standard deviation with n - 1 in the denominator.
 double weighted_std(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
   const Eigen::ArrayXd deviation = values.array() - values.dot(weights) / weights.sum();
   return std::sqrt((deviation.square() * weights.array()).sum() / std::max(weights.sum() - 1, 1.0));
 }
 
-// What the network is trained on, without its noise, as the reference paper does it.
+// Removes noise from the target of the network, as the reference paper does.
 void denoise_rows(const series::Rows& rows, const denoise::DenoiseMethod& method,
                   Eigen::VectorXd& values) {
   std::vector<fog::Span<double>> parts;

@@ -13,26 +13,26 @@ namespace fogcomp::fit {
 struct FitSettings {
   IdentifySettings identify;
   NetworkSettings network;     ///< hidden 0: no network
-  bool force_network = false;  ///< it stays, whether or not it helps out of sample
+  bool force_network = false;  ///< kept even if it does not help out of sample
   std::vector<model::RealInput> network_inputs{{fog::NetworkInput::temperature},
                                                {fog::NetworkInput::temperature_rate}};
-  /// What the network is trained on is denoised first; nothing: the rows stay as they are.
+  /// Denoising of the network's target before training; nothing: none.
   std::optional<denoise::DenoiseMethod> row_denoising;
 };
 
 struct FitResult {
   double raw_std_dph = 0;  ///< of the rows, before any model
-  /// What the effects leave. With the network on top: Model::residual_rms_dph.
+  /// Residual of the effects. With the network: Model::residual_rms_dph.
   double effects_rms_dph = 0;
   Identification identified;
   std::optional<TrainerResult> training;      ///< of the network, kept or not
-  std::optional<OutOfSample> network_judged;  ///< nothing without a network, or where it is forced
+  std::optional<OutOfSample> network_judged;  ///< nothing without a network, or if it is forced
 };
 
-/// Both stages on all rows of `series`: the effects of model.terms, all together, then a new
-/// network on what they leave, which is kept if it helps out of sample (residual_network.hpp). The
-/// model's network, trained range and residual are replaced; its
-/// history is the caller's. Throws InputError as identify() does.
+/// Fits in two stages on all rows of `series`: the effects of model.terms together, then a new
+/// network on their residual, which is kept if it helps out of sample (residual_network.hpp).
+/// Replaces the model's network, trained range and residual; the caller updates its history. Throws
+/// InputError like identify().
 FitResult fit_model(model::Model& model, const series::SignalSeries& series,
                     const FitSettings& settings);
 

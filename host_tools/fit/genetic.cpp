@@ -12,9 +12,9 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr std::size_t kElite = 2;         // live on as they are
-constexpr std::size_t kTournament = 3;    // parents are the best of so many
-constexpr double kBlend = 0.5;            // a child's gene may lie so far outside its parents'
+constexpr std::size_t kElite = 2;       // survive unchanged
+constexpr std::size_t kTournament = 3;  // a parent is the best of so many
+constexpr double kBlend = 0.5;  // a child's gene may lie so far outside its parents' interval
 constexpr double kMutationChance = 0.05;  // of a gene
 constexpr double kMutation = 0.5;         // at most, at the start; falls to a tenth
 constexpr double kCalm = 0.9;
@@ -28,7 +28,7 @@ bool fitter(const Individual& a, const Individual& b) {
   return a.cost < b.cost;
 }
 
-// The population is sorted, so the smallest of the drawn numbers is the best.
+// The population is sorted, so the smallest index drawn is the best.
 const Individual& parent(const std::vector<Individual>& sorted, Uniform& uniform) {
   std::size_t best = sorted.size() - 1;
   for (std::size_t i = 0; i < kTournament; ++i) best = std::min(best, uniform.index(sorted.size()));

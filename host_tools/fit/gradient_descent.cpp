@@ -10,7 +10,7 @@ constexpr double kRateDown = 0.7;      // lr_dec
 constexpr double kMaxIncrease = 1.04;  // max_perf_inc
 constexpr double kMomentum = 0.9;      // mc
 constexpr double kMinGradient = 1e-5;  // min_grad
-// MATLAB's max_fail is 6 epochs; noise of the held-out rows moves that little, so wait longer.
+// MATLAB's max_fail is 6 epochs; longer here, because noise in the held-out rows changes slowly.
 constexpr int kEpochsWithoutGain = 200;
 constexpr int kEpochsPerReport = 50;
 

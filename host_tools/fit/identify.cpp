@@ -24,7 +24,7 @@
 namespace fogcomp::fit {
 namespace {
 
-// Largest correlation between any coefficient of one effect and any of the other.
+// Largest correlation between a coefficient of one effect and a coefficient of the other.
 double correlation(const Eigen::MatrixXd& covariance, const series::ColumnRange& a,
                    const series::ColumnRange& b) {
   double largest = 0;
@@ -81,11 +81,11 @@ bool is_sought(const model::EffectTerm& term) {
 }
 
 struct SoughtSteps {
-  std::optional<model::EffectTerm> step;  // as it was asked for
+  std::optional<model::EffectTerm> step;  // as requested
   std::size_t max = 0;
 };
 
-// Steps leave the list: without a time one has no regressors before it is found.
+// Removes the steps from the list: without a time a step has no regressor.
 SoughtSteps take_out_steps(std::vector<model::EffectTerm>& terms, std::size_t max_new) {
   SoughtSteps sought;
   for (const model::EffectTerm& term : terms) {
@@ -122,8 +122,8 @@ Identification noise_and_residual(const FitWithSteps& found) {
   return result;
 }
 
-// Takes a term's coefficients and their uncertainties from a fit. Returns how large the effect
-// would have to be, at its largest, to be seen for sure, deg/h.
+// Copies a term's coefficients and their uncertainties from a fit. Returns the peak, deg/h, that
+// the effect needs to be certainly visible.
 double set_coefficients(model::EffectTerm& term, const series::ColumnRange& columns,
                         const NoiseWeightedFit& fit, const Eigen::MatrixXd& covariance) {
   const auto [first, count] = columns;
@@ -151,7 +151,7 @@ void set_shape_sigmas(std::vector<model::EffectTerm>& terms, const NoiseWeighted
   }
 }
 
-// A step as a term of the model and as an event of its recording.
+// Stores a step as a term of the model and as an event of its recording.
 void add_step(model::Model& model, Identification& result, const series::Rows& rows,
               const noise::ChangePoint& change, model::EffectTerm step, double size_dph,
               double sigma_dph) {
@@ -171,13 +171,13 @@ void add_step(model::Model& model, Identification& result, const series::Rows& r
              change.time_s));
 }
 
-// Where the soak that is known worst is less certain than the drift is large, no compensation would
-// do better.
+// If the worst uncertainty of the drift in a soak exceeds the drift, warns that no compensation
+// would be as good.
 void judge_uncertainty(model::Model& model, const NoiseWeightedFit& fit,
                        const Eigen::MatrixXd& covariance, const series::Rows& rows,
                        std::vector<std::string>& warnings) {
   SoakUncertainty worst = soak_uncertainty(model, fit, covariance, rows);
-  worst.sigma_dph = std::min(worst.sigma_dph, model::kMaxModelDph);  // more would say nothing more
+  worst.sigma_dph = std::min(worst.sigma_dph, model::kMaxModelDph);  // larger values mean the same
   const double drift_dph =
       std::sqrt(rows.drift_dph.cwiseAbs2().dot(rows.weights) / rows.weights.sum());
   model.uncertain.reset();
@@ -190,7 +190,7 @@ void judge_uncertainty(model::Model& model, const NoiseWeightedFit& fit,
              worst.at_degc, worst.sigma_dph, drift_dph));
 }
 
-// Doubts about the whole, and what it leaves.
+// Warnings about the whole model, and its residual.
 void judge_model(model::Model& model, const NoiseWeightedFit& fit,
                  const series::SignalSeries& series, Identification& result) {
   const series::Rows& rows = series.rows();
@@ -215,7 +215,7 @@ Identification identify(model::Model& model, const series::SignalSeries& series,
                         const IdentifySettings& settings) {
   const series::Rows& rows = series.rows();
   const SoughtSteps sought = take_out_steps(model.terms, settings.max_new_steps);
-  require_moving_input_rate(model.terms, rows);
+  require_varying_input_rate(model.terms, rows);
   set_references(model.terms, series);
   set_expression_ranges(model.terms, series);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
@@ -233,7 +233,7 @@ Identification identify(model::Model& model, const series::SignalSeries& series,
   set_shape_sigmas(model.terms, fit, sigma);
   result.warnings = confusions(model.terms, columns, fit.covariance);
 
-  // Behind the terms' coefficients: an offset for each recording but the first, then the steps.
+  // order: coefficients, offsets of all recordings but the first, steps
   const Eigen::Index behind = columns.back().first + columns.back().count;
   const auto offset_values = fit.coefficients.segment(behind, offsets.cols());
   result.run_offsets_dph.assign(offset_values.begin(), offset_values.end());

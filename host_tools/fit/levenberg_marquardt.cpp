@@ -1,7 +1,7 @@
-// Levenberg-Marquardt on beta * sum e^2 + alpha * sum w^2, with alpha and beta re-estimated after
-// every step by MacKay's evidence rules (Foresee & Hagan, ICNN 1997), so that a network with
-// nothing to learn shrinks to nothing instead of learning noise. Rows with slow noise must come
-// whitened: taken for independent, they would make it something to learn.
+// Levenberg-Marquardt on beta * sum e^2 + alpha * sum w^2. MacKay's evidence rules re-estimate
+// alpha and beta after every step (Foresee & Hagan, ICNN 1997), so that the weights of a network
+// with nothing to learn go to zero. Rows with slow noise must be whitened: otherwise it would be
+// learnt.
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
@@ -19,20 +19,21 @@ using Eigen::VectorXd;
 constexpr double kMinDamping = 1e-12;
 constexpr double kMaxDamping = 1e12;
 constexpr double kSmallFall = 1e-7;  // relative fall of the cost in a step
-// Steps without a better held-out error. Long, because the prices of error and of weights settle in
-// the middle of a training, and the error on other runs falls again when they do.
+// Steps without a better held-out error. Large, because alpha and beta settle in the middle of a
+// training, and only then the held-out error falls again.
 constexpr int kStepsWithoutGain = 60;
 constexpr int kMaxIterations = 200;
-constexpr int kStarts = 3;  // from different first weights, as the cost has many minima
-// Of a weight, in variances of an error. The evidence finds a maximum near its start: from a low
-// price that of a network which has learnt noise, from a price ten times as high no network at all.
+constexpr int kStarts = 3;  // initial weights; the cost has many minima
+// Initial alpha, in variances of an error. The evidence finds the maximum near its start: from a
+// small value that of a network which has learnt noise, from a ten times larger one no network at
+// all.
 constexpr double kFirstPrice = 10;
-constexpr double kVarianceGuessed = 1e-3;  // of a normalised error, where nothing is known of it
+constexpr double kVarianceGuessed = 1e-3;  // of a normalised error, if unknown
 
-// The prices of error and of weights, and how many weights the data determine. One common factor of
-// the prices is free; it keeps that of errors at 1.
+// alpha, beta and the effective number of weights. A common factor of alpha and beta is free; it is
+// chosen so that beta is 1.
 struct Evidence {
-  double rows;          // that count
+  double rows;          // with a weight above 0
   double min_variance;  // of an error
   double variance;      // of an error
   double alpha;
@@ -53,12 +54,11 @@ struct Evidence {
     hessian.diagonal().array() += alpha;
     const MatrixXd inverse = inverse_of_definite(hessian);
     gamma = std::clamp(size - alpha * inverse.trace(), 0.0, size);
-    // Errors beyond the noise are what this network cannot learn: noise to it.
+    // Errors above the noise are what this network cannot learn: noise to it.
     variance = std::max({errors.squaredNorm() / std::max(rows - gamma, 1.0), min_variance, 1e-12});
     alpha = variance * gamma / std::max(w.squaredNorm(), 1e-12);
   }
-  // How probable a network that came to `w` makes the rows: MacKay's logarithm of the evidence, but
-  // for what is the same wherever it began.
+  // MacKay's log evidence of a network with weights `w`, up to a constant.
   double logarithm(const MatrixXd& normal, const VectorXd& errors, const VectorXd& w) const {
     MatrixXd hessian = normal;
     hessian.diagonal().array() += alpha;
@@ -72,10 +72,10 @@ struct Evidence {
 
 struct Start {
   TrainerResult result;
-  double worth = 0;  // by the held-out rows, or where there are none by the evidence
+  double score = 0;  // by the held-out rows, else by the evidence
 };
 
-// Where the training is.
+// State of the training.
 struct State {
   VectorXd w;
   VectorXd errors;
@@ -89,7 +89,7 @@ struct State {
   }
 };
 
-// One step down, damped until it is one. By how much the cost falls; 0 where none is found.
+// One step with enough damping to lower the cost. Returns the decrease; 0 if there is none.
 double step(const TrainingProblem& problem, const Evidence& evidence, State& state) {
   const double cost = evidence.cost(state.errors, state.w);
   const VectorXd gradient = state.jacobian.transpose() * state.errors + evidence.alpha * state.w;
@@ -137,10 +137,10 @@ Start train_from(const TrainingProblem& problem, const TrainerSettings& settings
   if (problem.held_out == nullptr) offer();
   best.put_into(result);
   result.effective_parameters = evidence.gamma;
-  const double worth = problem.held_out == nullptr
+  const double score = problem.held_out == nullptr
                            ? evidence.logarithm(state.normal, state.errors, state.w)
                            : -problem.held_out->mean_square(shape, result.weights);
-  return {result, worth};
+  return {result, score};
 }
 
 }  // namespace
@@ -150,7 +150,7 @@ TrainerResult train_levenberg_marquardt(const TrainingProblem& problem,
   Start best;
   for (int start = 0; start < kStarts; ++start) {
     const Start tried = train_from(problem, settings, start);
-    if (start == 0 || tried.worth > best.worth) best = tried;
+    if (start == 0 || tried.score > best.score) best = tried;
     if (!tried.result.interrupted) continue;
     best.result.interrupted = true;
     break;

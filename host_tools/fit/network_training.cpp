@@ -14,8 +14,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kHeadRoom = 1.25;      // the largest target lies at 1/1.25 of tansig's reach
-constexpr double kMinHalfRange = 1e-3;  // of an input that stands still
+constexpr double kHeadRoom = 1.25;      // the largest target is 1/1.25 of tansig's range
+constexpr double kMinHalfRange = 1e-3;  // for a constant input
 constexpr double kMinAmplitude = 1e-9;  // deg/h
 
 std::vector<TrainedNetwork::Input> min_max(const MatrixXd& inputs) {
@@ -62,14 +62,14 @@ VectorXd TrainedNetwork::drift_dph(const MatrixXd& rows) const {
 
 namespace {
 
-// Rows that are trained on: all but the last recording, which is held out where others are there.
+// Training rows: all but the last recording, which is held out if there are several.
 Index trained_rows(const NetworkTask& task) {
   const auto last_run = static_cast<Index>(task.run_starts.back());
   const Index rows = task.weights.size();
   return last_run > 0 && task.weights.tail(rows - last_run).sum() > 0 ? last_run : rows;
 }
 
-// Of targets that were divided by `amplitude_dph`.
+// For targets divided by `amplitude_dph`.
 Whiten whiten_normalised(const NetworkTask& task, double amplitude_dph) {
   if (!task.whiten) return {};
   return [&task, amplitude_dph](const MatrixXd& values) -> MatrixXd {

@@ -8,20 +8,19 @@
 
 namespace fogcomp::fit {
 
-/// What a network is to learn, row by row, in its own units. Where the inputs come from is the
-/// caller's business.
+/// Training data of a network, row by row, in physical units, from any source.
 struct NetworkTask {
   Eigen::MatrixXd inputs;               ///< rows x inputs
   Eigen::VectorXd target_dph;           ///< a value per row
-  Eigen::VectorXd weights;              ///< how much each row counts
+  Eigen::VectorXd weights;              ///< row weights
   std::vector<std::size_t> run_starts;  ///< first row of each recording; starts with 0
-  Whiten whiten = nullptr;              ///< of target_dph's noise; empty: rows are independent
+  Whiten whiten = nullptr;              ///< for the noise of target_dph; empty: independent rows
 };
 
-/// How the target is brought to the output's +-1.
+/// Mapping of the target to the output's +-1.
 enum class TargetScaling : std::uint8_t {
-  about_zero,  ///< with head room; a network that learns nothing gives 0: for what effects leave
-  min_max,     ///< min and max become -1 and +1, as MATLAB's mapminmax: for a whole drift
+  about_zero,  ///< with margin; a network that learns nothing gives 0: for residuals of effects
+  min_max,     ///< min and max become -1 and +1, like MATLAB's mapminmax: for a whole drift
 };
 
 struct NetworkSettings {
@@ -51,9 +50,9 @@ struct TrainedNetwork {
   Eigen::VectorXd drift_dph(const Eigen::MatrixXd& rows) const;
 };
 
-/// Normalises, trains, and puts the scales into the result. With several runs, the last one is held
-/// out where its rows count: training stops where the error on it is smallest (never on rows of the
-/// same run, whose noise and history they share). Throws InputError where no row counts.
+/// Normalises, trains, and stores the scales in the result. With several runs, the last one is held
+/// out if its rows count, and training stops at its smallest error. Rows of the same run cannot
+/// serve for that, because they share noise and history. Throws InputError if no row counts.
 TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& settings);
 
 }  // namespace fogcomp::fit

@@ -15,7 +15,7 @@
 namespace fogcomp::fit {
 namespace {
 
-constexpr int kRounds = 3;  // of noise and solution
+constexpr int kRounds = 3;  // iterations of noise and solution
 
 Eigen::MatrixXd all_columns(const series::SignalSeries& series,
                             const std::vector<model::EffectTerm>& terms,
@@ -26,8 +26,8 @@ Eigen::MatrixXd all_columns(const series::SignalSeries& series,
   return side_by_side(parts, series.rows().size());
 }
 
-// Relative to the rows that the noise model is of, the quiet ones. Without any, what differs from
-// part to part may be drift as well as noise.
+// Relative to the quiet rows, for which the noise model is. Without quiet rows the scale is 1:
+// differences between parts may be drift as well as noise.
 Eigen::VectorXd relative_scale(const std::vector<recording::RowRange>& quiet,
                                const Eigen::VectorXd& scale) {
   double square = 0;
@@ -40,8 +40,8 @@ Eigen::VectorXd relative_scale(const std::vector<recording::RowRange>& quiet,
   return scale / std::sqrt(square / count);
 }
 
-// By what the fit leaves so far, unless the noise is known. What goes with the input rate is none:
-// on a rate table it is most of what an incomplete model leaves.
+// Estimates the noise from the current residual, unless it is given. The part proportional to the
+// input rate is excluded: on a rate table it is most of an incomplete model's residual.
 void set_noise(const series::Rows& rows, const std::vector<recording::RowRange>& quiet,
                const std::optional<noise::NoiseModel>& known, NoiseWeightedFit& fit) {
   const Eigen::VectorXd left = noise::without_input_rate(rows, fit.residual_dph, fit.robust);
@@ -52,11 +52,11 @@ void set_noise(const series::Rows& rows, const std::vector<recording::RowRange>&
       rows.weights.cwiseProduct(fit.robust).cwiseQuotient(fit.noise_scale.cwiseAbs2());
 }
 
-// A search that left a shape where it was is not repeated with noise that is a little better known;
-// that of a term which no fit has found before is, once.
-std::vector<bool> to_search_again(const std::vector<model::EffectTerm>& terms,
-                                  const std::vector<model::ShapeParameter>& shapes,
-                                  std::vector<bool> elsewhere, int round) {
+// A shape search is not repeated for a slightly better noise estimate if it changed nothing; for a
+// term that no fit has found before it is repeated once.
+std::vector<bool> shapes_to_search_again(const std::vector<model::EffectTerm>& terms,
+                                         const std::vector<model::ShapeParameter>& shapes,
+                                         std::vector<bool> elsewhere, int round) {
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const bool is_new = terms[shapes[i].term].coefficients_dph.empty();
     elsewhere[i] = elsewhere[i] || (is_new && round == 0);
@@ -98,8 +98,8 @@ NoiseWeightedFit fit_rows(const series::SignalSeries& series,
     const auto progress = [&](double done) {
       if (settings.progress) settings.progress((round + done) / kRounds);
     };
-    ranges = to_search_again(terms, fit.shapes,
-                             search_shapes(problem, fit.shapes, ranges, progress), round);
+    ranges = shapes_to_search_again(terms, fit.shapes,
+                                    search_shapes(problem, fit.shapes, ranges, progress), round);
     fit.terms = problem.terms();
     const LinearFit solved = problem.solve();
     fit.coefficients = solved.coefficients;

@@ -24,8 +24,8 @@ auto segment(Eigen::VectorXd& values, const recording::RowRange& range) {
                         static_cast<Eigen::Index>(range.size()));
 }
 
-// The residuals of both, a row each, as no fit has seen them. `weights`: 0 for rows that do not
-// count.
+// Residuals of both models on rows that were not fitted, one value per row. `weights`: 0 for
+// excluded rows.
 OutOfSample judge(const series::Rows& rows, const Eigen::VectorXd& before,
                   const Eigen::VectorXd& after, const noise::NoiseModel& noise,
                   const Eigen::VectorXd& weights) {
@@ -49,7 +49,7 @@ OutOfSample judge(const series::Rows& rows, const Eigen::VectorXd& before,
   return result;
 }
 
-// The longest that the noise remembers in any part that counts.
+// Longest memory of the noise in any significant component.
 double noise_memory_s(const noise::NoiseModel& noise) {
   double total = noise.white_variance;
   for (const noise::NoiseModel::Component& component : noise.components)
@@ -64,7 +64,7 @@ double noise_memory_s(const noise::NoiseModel& noise) {
 
 using Part = std::vector<recording::RowRange>;  // left out together
 
-// How many stretches of a run tell something of their own. `residual`: as fitted.
+// Number of independent stretches of a run. `residual`: of the fit.
 double stretches_of(const series::Rows& rows, const std::vector<double>& residual,
                     const noise::NoiseModel& noise) {
   const double residual_s = rows.row_s * noise::correlated_values(residual, rows.runs());
@@ -74,9 +74,9 @@ double stretches_of(const series::Rows& rows, const std::vector<double>& residua
                     rules::kMaxStretches);
 }
 
-// Stretches of time in turns: every part has some of each phase of the run, so that what is left
-// out lies between what is known and not beyond it. Each run begins with another part: its start
-// is left out while the starts of the others are known.
+// Assigns stretches of time to the parts in turn. Every part contains some of each phase of the
+// run, so that it is interpolated, not extrapolated. Each run begins with another part, so that its
+// start is left out while the starts of the others are not.
 std::vector<Part> parts_of(const series::Rows& rows, double count) {
   constexpr std::size_t kParts = 5;
   std::vector<Part> parts(kParts);
@@ -99,11 +99,11 @@ std::string how_of(const std::vector<Part>& parts, const series::Rows& rows) {
                 static_cast<double>(parts[0][0].size()) * rows.row_s / kSecondsPerHour);
 }
 
-// What one set of effects leaves in all rows when identified without those of `left_out`.
+// Residual in all rows of a set of effects that was identified without the rows of `left_out`.
 struct Fold {
   Eigen::VectorXd residual_dph;
   bool determined = false;    // the other rows determine every coefficient
-  Eigen::VectorXd sigma_dph;  // of the coefficients, where they do
+  Eigen::VectorXd sigma_dph;  // of the coefficients, if determined
 };
 
 Fold leave_out(const series::SignalSeries& series, const std::vector<model::EffectTerm>& terms,
@@ -131,22 +131,22 @@ Fold leave_out(const series::SignalSeries& series, const std::vector<model::Effe
   return fold;
 }
 
-// Whether the rows of `fold` tell some coefficients about as well as all rows do. A run in which an
-// effect was never excited cannot speak for the one in which it was.
-bool tells(const Fold& fold, const Fold& all, Eigen::Index first, Eigen::Index count,
-           double much_worse) {
+// Whether the rows of `fold` determine some coefficients about as well as all rows do. A run that
+// did not excite an effect cannot judge a run that did.
+bool determines(const Fold& fold, const Fold& all, Eigen::Index first, Eigen::Index count,
+                double much_worse) {
   if (!fold.determined || !all.determined) return false;
   return (fold.sigma_dph.segment(first, count).array() <=
           much_worse * all.sigma_dph.segment(first, count).array())
       .all();
 }
-bool tells_all(const Fold& fold, const Fold& all) {
-  return tells(fold, all, 0, all.sigma_dph.size(), rules::kFarWorse);
+bool determines_all(const Fold& fold, const Fold& all) {
+  return determines(fold, all, 0, all.sigma_dph.size(), rules::kFarWorse);
 }
 
-// Every shape stays but those of one term.
-std::vector<model::EffectTerm> shapes_kept(std::vector<model::EffectTerm> terms,
-                                           const std::vector<std::size_t>& free) {
+// Fixes all shapes but those of one term.
+std::vector<model::EffectTerm> with_fixed_shapes(std::vector<model::EffectTerm> terms,
+                                                 const std::vector<std::size_t>& free) {
   for (std::size_t i = 0; i < terms.size(); ++i) {
     if (std::find(free.begin(), free.end(), i) == free.end())
       std::fill(terms[i].identified.begin(), terms[i].identified.end(), false);
@@ -157,8 +157,8 @@ std::vector<model::EffectTerm> shapes_kept(std::vector<model::EffectTerm> terms,
 struct Residuals {
   Eigen::VectorXd before;
   Eigen::VectorXd after;
-  std::vector<Fold> given;  // of the set `before`, one for each part left out
-  std::vector<Fold> added;  // of the set `after`
+  std::vector<Fold> given;  // of `before`, one for each part left out
+  std::vector<Fold> added;  // of `after`
 };
 
 Residuals leave_each_out(const series::SignalSeries& series,
@@ -180,30 +180,30 @@ Residuals leave_each_out(const series::SignalSeries& series,
   return residuals;
 }
 
-// Whether every fold tells the coefficients of some terms.
-bool tell_terms(const std::vector<Fold>& folds, const series::SignalSeries& series,
-                const std::vector<model::EffectTerm>& terms, const std::vector<std::size_t>& asked,
-                const JudgedWith& with) {
+// Whether every fold determines the coefficients of some terms.
+bool determine_terms(const std::vector<Fold>& folds, const series::SignalSeries& series,
+                     const std::vector<model::EffectTerm>& terms,
+                     const std::vector<std::size_t>& asked, const JudgedWith& with) {
   const Fold all = leave_out(series, terms, {}, with);
   Eigen::Index first = 0;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const Eigen::Index count = series.regressors(terms[i]).cols();
-    const bool told = std::all_of(folds.begin(), folds.end(), [&](const Fold& fold) {
-      return tells(fold, all, first, count, rules::kMuchWorse);
+    const bool determined = std::all_of(folds.begin(), folds.end(), [&](const Fold& fold) {
+      return determines(fold, all, first, count, rules::kMuchWorse);
     });
-    if (!told && std::find(asked.begin(), asked.end(), i) != asked.end()) return false;
+    if (!determined && std::find(asked.begin(), asked.end(), i) != asked.end()) return false;
     first += count;
   }
   return true;
 }
 
-// A part without which the effects cannot be told, as a warm-up without the start of its run, says
-// nothing of what they leave in it: its rows do not count, unless that leaves none.
+// Rows of a part without which the effects are undetermined (a warm-up without the start of its
+// run) get weight 0, unless no rows remain.
 Eigen::VectorXd weights_of_judged(const std::vector<Fold>& folds, const std::vector<Part>& parts,
                                   const Fold& all, const Eigen::VectorXd& row_weights) {
   Eigen::VectorXd weights = row_weights;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (tells_all(folds[i], all)) continue;
+    if (determines_all(folds[i], all)) continue;
     for (const recording::RowRange& range : parts[i]) segment(weights, range).setZero();
   }
   return weights.any() ? weights : row_weights;
@@ -221,7 +221,7 @@ Eigen::VectorXd residual_on(const model::Model& model,
                                            static_cast<Eigen::Index>(residual.size()));
 }
 
-// As fitted, in the rows of the fit.
+// Residual of the fit in its rows.
 std::vector<double> fitted_residual(const series::SignalSeries& series,
                                     const std::vector<model::EffectTerm>& terms) {
   Eigen::VectorXd residual = series.rows().drift_dph;
@@ -252,15 +252,15 @@ OutOfSample cross_validate(const series::SignalSeries& series,
                            const std::vector<model::EffectTerm>& after,
                            const std::vector<std::size_t>& changed, const JudgedWith& with) {
   const series::Rows& rows = series.rows();
-  const std::vector<model::EffectTerm> fixed_before = shapes_kept(before, {});
-  const std::vector<model::EffectTerm> fixed_after = shapes_kept(after, changed);
+  const std::vector<model::EffectTerm> fixed_before = with_fixed_shapes(before, {});
+  const std::vector<model::EffectTerm> fixed_after = with_fixed_shapes(after, changed);
   const std::vector<recording::RowRange> runs = rows.runs();
-  // A run's own offset cannot be known without the run.
+  // The offset of a run that is left out is unknown.
   if (runs.size() >= rules::kEnoughRuns && !with.run_offsets) {
     std::vector<Part> parts;
     for (const recording::RowRange& run : runs) parts.push_back({run});
     const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
-    if (tell_terms(left.added, series, fixed_after, changed, with)) {
+    if (determine_terms(left.added, series, fixed_after, changed, with)) {
       OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
       result.how = "on " + counted(runs.size(), "run") + ", each left out once";
       return result;
@@ -269,11 +269,11 @@ OutOfSample cross_validate(const series::SignalSeries& series,
   const std::vector<Part> parts =
       parts_of(rows, stretches_of(rows, fitted_residual(series, after), with.noise));
   const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
-  const Eigen::VectorXd told_before = weights_of_judged(
+  const Eigen::VectorXd weights_before = weights_of_judged(
       left.given, parts, leave_out(series, fixed_before, {}, with), with.row_weights);
-  const Eigen::VectorXd told =
-      weights_of_judged(left.added, parts, leave_out(series, fixed_after, {}, with), told_before);
-  OutOfSample result = judge(rows, left.before, left.after, with.noise, told);
+  const Eigen::VectorXd weights = weights_of_judged(
+      left.added, parts, leave_out(series, fixed_after, {}, with), weights_before);
+  OutOfSample result = judge(rows, left.before, left.after, with.noise, weights);
   result.how = how_of(parts, rows);
   result.within_runs = true;
   return result;
@@ -308,15 +308,15 @@ std::vector<HalfTest> judge_halves(const series::SignalSeries& series,
     first.push_back({run.first, middle});
     second.push_back({middle, run.end});
   }
-  const Fold all = leave_out(series, shapes_kept(after, {}), {}, with);
+  const Fold all = leave_out(series, with_fixed_shapes(after, {}), {}, with);
   std::vector<HalfTest> tests;
   for (const bool on_first : {true, false}) {
     const Part& judged = on_first ? second : first;
-    const Fold without = leave_out(series, shapes_kept(before, {}), judged, with);
-    const Fold added = leave_out(series, shapes_kept(after, changed), judged, with);
+    const Fold without = leave_out(series, with_fixed_shapes(before, {}), judged, with);
+    const Fold added = leave_out(series, with_fixed_shapes(after, changed), judged, with);
     HalfTest test;
     test.identified_on = on_first ? "first" : "second";
-    test.determined = without.determined && tells_all(added, all);
+    test.determined = without.determined && determines_all(added, all);
     Eigen::VectorXd weights = noise::counted_weights(rows, with.row_weights);
     for (const recording::RowRange& range : on_first ? first : second)
       segment(weights, range).setZero();

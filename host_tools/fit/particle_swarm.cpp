@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 
 constexpr double kOwn = 2;              // c1
 constexpr double kSocial = 2;           // c2
-constexpr double kFirstInertia = 0.9;   // falls in a straight line ...
+constexpr double kFirstInertia = 0.9;   // decreases linearly ...
 constexpr double kLastInertia = 0.4;    // ... to this
 constexpr double kMaxVelocity = 0.3;    // per weight and iteration
 constexpr double kFirstVelocity = 0.1;  // per weight, at most
@@ -31,7 +31,7 @@ std::vector<Particle> first_swarm(const TrainingProblem& problem, const TrainerS
   std::vector<Particle> swarm(static_cast<std::size_t>(settings.particles));
   for (std::size_t i = 0; i < swarm.size(); ++i) {
     Particle& particle = swarm[i];
-    // The first is where traingdx would begin, so that the swarm starts no worse.
+    // The first particle starts like traingdx, so that the swarm starts no worse.
     particle.place = problem.shape.first_weights(settings.seed + i);
     particle.velocity.resize(particle.place.size());
     for (double& v : particle.velocity) v = uniform.within(kFirstVelocity);

@@ -27,8 +27,8 @@ model::RealLayer Perceptron::output_layer(const VectorXd& weights) const {
 }
 
 VectorXd Perceptron::first_weights(std::uint64_t seed) const {
-  constexpr double kOverlap = 0.7;     // of the neurons' intervals
-  constexpr double kActiveLogsig = 4;  // its curved part is +-4, tansig's +-2
+  constexpr double kOverlap = 0.7;     // of the neurons' active intervals
+  constexpr double kActiveLogsig = 4;  // its curved part is +-4, that of tansig +-2
   constexpr double kOutputWeight = 0.5;
   Uniform uniform(seed);
   const auto neurons = static_cast<double>(hidden);

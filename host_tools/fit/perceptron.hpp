@@ -9,8 +9,8 @@ namespace fogcomp::fit {
 
 constexpr int kMaxTrainedHidden = 32;
 
-/// inputs -> hidden neurons -> one output, and where each weight lies in the one vector that the
-/// trainers move: hidden weights neuron by neuron, hidden biases, output weights, output bias.
+/// inputs -> hidden neurons -> one output, and the order of the weights in the vector that trainers
+/// change: hidden weights neuron by neuron, hidden biases, output weights, output bias.
 struct Perceptron {
   Eigen::Index inputs = 2;   ///< at least 1
   Eigen::Index hidden = 10;  ///< 1 to kMaxTrainedHidden
@@ -26,9 +26,9 @@ struct Perceptron {
   model::RealLayer hidden_layer(const Eigen::VectorXd& weights) const;
   model::RealLayer output_layer(const Eigen::VectorXd& weights) const;
 
-  /// First weights for inputs within +-1, by the rule of Nguyen and Widrow (IJCNN 1990), as
-  /// MATLAB's initnw: the hidden neurons' curved parts lie spread over the inputs' range, each a
-  /// little beyond the next. Output weights within +-0.5.
+  /// Initial weights for inputs within +-1 by the rule of Nguyen and Widrow (IJCNN 1990), like
+  /// MATLAB's initnw: the curved parts of the hidden neurons are spread over the inputs' range with
+  /// some overlap. Output weights within +-0.5.
   Eigen::VectorXd first_weights(std::uint64_t seed) const;
 };
 

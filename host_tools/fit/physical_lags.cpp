@@ -12,7 +12,7 @@
 namespace fogcomp::fit {
 namespace {
 
-// Leaves those shapes free that are time constants of the temperature rate; false where none is.
+// Frees the shapes that are time constants of the temperature rate; false if there are none.
 bool free_lags(std::vector<model::EffectTerm>& terms) {
   bool any = false;
   for (model::EffectTerm& term : terms) {

@@ -8,7 +8,7 @@
 
 namespace fogcomp::fit {
 
-/// A time constant of the gyro itself.
+/// A time constant of the gyro itself, without the delay of the board's derivative.
 struct PhysicalLag {
   std::string effect;
   std::string parameter;
@@ -17,10 +17,9 @@ struct PhysicalLag {
 };
 
 /// The identified time constants of a fitted model that act on the temperature rate. In the model
-/// they stand behind the board's derivative, which is itself late by two lags and a block, and make
-/// up for that: a coil's lag of 300 s becomes some 190 s. Here they are identified again, from
-/// where the fit found them, on signals without that delay. None where the data do not determine
-/// them so.
+/// they follow the board's derivative, which has a delay of two lags and a block, and compensate
+/// for it: a coil's lag of 300 s becomes about 190 s. Here they are identified again on signals
+/// without that delay, starting from the fitted values. Empty if the data do not determine them.
 std::vector<PhysicalLag> physical_lags(const model::Model& model,
                                        const std::vector<compare::RunInBlocks>& runs,
                                        bool run_offsets);

@@ -9,8 +9,8 @@
 namespace fogcomp::fit {
 namespace {
 
-// About this temperature an error in proportion to W (T - reference) has no part in proportion to
-// W. Without any rate there is nothing to tell apart: the plain mean.
+// With this reference an error proportional to W (T - reference) has no part proportional to W.
+// Without any input rate: the plain mean.
 double mean_temperature_degc(const series::Rows& rows) {
   double weights = 0;
   double sum = 0;

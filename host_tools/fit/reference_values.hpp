@@ -7,9 +7,9 @@
 
 namespace fogcomp::fit {
 
-/// Takes the references of `terms` that were not given from the rows (fog::NotGiven), within the
-/// catalogue's bounds. From then on they count as given: a later fit to other rows keeps them, so
-/// that its coefficients mean the same.
+/// Sets the reference values of `terms` that were not given from the rows (fog::NotGiven), within
+/// the catalogue's bounds. Afterwards they count as given: later fits to other rows keep them, so
+/// that the coefficients keep their meaning.
 void set_references(std::vector<model::EffectTerm>& terms, const series::SignalSeries& series);
 
 }  // namespace fogcomp::fit

@@ -10,22 +10,20 @@
 
 namespace fogcomp::fit {
 
-/// A network on what effects leave, and whether it was worth it.
+/// A network on the residual of effects, and whether it helps.
 struct ResidualNetwork {
   TrainedNetwork trained;
-  /// Against the effects alone. Nothing where it was not asked for, or was interrupted.
+  /// Comparison with the effects alone. Nothing if not requested or interrupted.
   std::optional<OutOfSample> judged;
 
-  /// A network that does not help where it was not trained has learnt noise, or what this run alone
-  /// has.
+  /// A network that does not help out of sample has learnt noise, or a property of this run alone.
   bool worth_keeping() const { return !judged || judged->helps(); }
 };
 
-/// Trains on `target_dph` (per row; what the effects of `identified` leave, or that denoised), its
-/// rows whitened with the noise of that fit. `inputs`: rows x inputs, in their units. `judge`: the
-/// network is trained five times more, each time without a fifth of the rows' stretches
-/// (out_of_sample.hpp), and judged where it was not trained. Effects and the inputs' ranges stay
-/// those of all rows.
+/// Trains on `target_dph` (per row; the residual of `identified`, or that denoised), whitened with
+/// the noise of that fit. `inputs`: rows x inputs, in their units. `judge`: trains the network five
+/// more times, each time without a fifth of the rows' stretches (out_of_sample.hpp), and judges it
+/// there. Effects and input ranges are those of all rows.
 ResidualNetwork train_on_residual(const series::Rows& rows, const Eigen::MatrixXd& inputs,
                                   const Eigen::VectorXd& target_dph,
                                   const Identification& identified, const NetworkSettings& settings,

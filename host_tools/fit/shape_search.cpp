@@ -9,12 +9,13 @@ namespace fogcomp::fit {
 namespace {
 
 constexpr int kGridPoints = 24;
-// From 2 to 60 degC: half a turn over 100 degC from each point to the next, as a cosine that is
-// half a turn off at the end of the data explains nothing of them.
+// From 2 to 60 degC, with half a turn over 100 degC between neighbours: a cosine that is half a
+// turn off at the end of the data explains nothing.
 constexpr int kPeriodGridPoints = 96;
-constexpr std::size_t kMaxStarts = 3;  // of one parameter
+constexpr std::size_t kMaxStarts = 3;  // per parameter
 constexpr int kGaussNewtonSteps = 12;
-// Relative fall of the cost that is worth another step: to compare starts, and at the end.
+// Smallest relative decrease of the cost that justifies another step: when comparing starts, and at
+// the end.
 constexpr double kRoughly = 1e-5;
 constexpr double kConverged = 1e-9;
 
@@ -22,8 +23,8 @@ int grid_points(const model::ShapeParameter& parameter) {
   return parameter.scale == fog::Scale::frequency ? kPeriodGridPoints : kGridPoints;
 }
 
-// Where one parameter may belong, the most promising place first: the deepest dips of the cost over
-// its grid, but for the dip in which it is.
+// Promising values of one parameter, best first: the deepest local minima of the cost over its
+// grid, except the present one.
 std::vector<double> starts_of(const WhitenedProblem& problem,
                               const std::vector<model::ShapeParameter>& parameters,
                               std::size_t which) {
@@ -50,7 +51,8 @@ std::vector<double> starts_of(const WhitenedProblem& problem,
   return starts;
 }
 
-// As much of a step as lowers the cost; returns the new cost, the same where nothing does.
+// Makes the largest fraction of a step that lowers the cost; returns the new cost, unchanged if
+// none does.
 double go(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
           const Eigen::VectorXd& change, double cost) {
   std::vector<double> start;
@@ -70,7 +72,7 @@ double go(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& pa
   return cost;
 }
 
-// Until a step promises no more than that part of the cost, or brings no more.
+// Iterates until the expected or the actual relative decrease is below the limit.
 double descend(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
                double worth_a_step) {
   double cost = problem.cost();
@@ -84,8 +86,8 @@ double descend(WhitenedProblem& problem, const std::vector<model::ShapeParameter
   return cost;
 }
 
-// Tries one parameter over its whole range; from each promising place all go downhill together.
-// Whether it belongs in another dip than the one where it was.
+// Searches one parameter over its whole range and optimises all parameters from each promising
+// value. Returns whether it moved to another local minimum.
 bool search_range(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
                   std::size_t which) {
   const WhitenedProblem before = problem;
@@ -104,9 +106,9 @@ bool search_range(WhitenedProblem& problem, const std::vector<model::ShapeParame
   return min_cost < cost_here * (1 - kRoughly);
 }
 
-// The two parts of an effect that may have a second one (radii, periods) are the same in either
-// order; the smaller is the first. Only where both were searched in the same range, so that no
-// bound is left.
+// The two parts of an effect with an optional second part (radii, periods) are interchangeable: the
+// smaller is made the first. Only if both were searched in the same range, so that the order cannot
+// violate a bound.
 bool is_second_part(const model::EffectTerm& term, std::size_t parameter) {
   return !term.expression &&
          model::is_optional_part(model::find_effect(term.name).parameters[parameter]);

@@ -8,11 +8,11 @@
 
 namespace fogcomp::fit {
 
-/// Moves the parameters to where the projected cost is smallest (Golub & Pereyra 1973): those of
-/// `ranges` (one for each parameter) in turn over a bounded grid, the others following to first
-/// order; then Gauss-Newton on all with the coefficients, from where they are and from the deepest
-/// dips of that grid. `progress` is told how much is done, 0..1. Returns which parameters a dip
-/// took elsewhere.
+/// Minimises the projected cost (Golub & Pereyra 1973) over the parameters. Those of `ranges` (one
+/// per parameter) are searched in turn over a bounded grid, the others following to first order;
+/// then Gauss-Newton on all with the coefficients, from the present values and from the deepest
+/// minima of that grid. `progress` is called with the fraction done, 0..1. Returns which parameters
+/// moved to another minimum.
 std::vector<bool> search_shapes(WhitenedProblem& problem,
                                 const std::vector<model::ShapeParameter>& parameters,
                                 const std::vector<bool>& ranges,

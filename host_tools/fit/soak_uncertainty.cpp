@@ -10,7 +10,7 @@ namespace {
 
 using Signals = fog::Signals<model::RealNumbers>;
 
-// Means of all inputs, at rest.
+// Means of all inputs, with temperature rate 0.
 Signals mean_signals(const series::Rows& rows) {
   Signals mean;
   const auto count = static_cast<double>(rows.signals.size());
@@ -33,10 +33,10 @@ Eigen::VectorXd regressors(const model::EffectTerm& term, const Signals& signals
   return values;
 }
 
-// How the drift changes with each unknown, in the order of the fit's covariance.
+// Derivative of the drift by each unknown, in the order of the fit's covariance.
 Eigen::VectorXd gradient(const std::vector<model::EffectTerm>& terms, const NoiseWeightedFit& fit,
                          const Signals& signals, double row_s) {
-  constexpr double kStep = 1e-4;  // of a shape's range
+  constexpr double kStep = 1e-4;  // fraction of a shape's range
   Eigen::VectorXd result = Eigen::VectorXd::Zero(fit.covariance.rows());
   const std::vector<series::ColumnRange> columns = series::columns_of(terms, row_s);
   for (std::size_t i = 0; i < terms.size(); ++i) {

@@ -17,8 +17,8 @@ Eigen::MatrixXd with_column(const Eigen::MatrixXd& columns, const Eigen::VectorX
   return all;
 }
 
-// The best place for a step in what a fit leaves, with that fit's noise. The first `columns` of its
-// matrix are the model beside the step; whatever comes after them is put back into the residual.
+// Best position of a step in the residual of a fit, with that fit's noise. The first `columns` of
+// its matrix are the model; the residual is taken without the later columns.
 std::optional<noise::ChangePoint> locate(const series::Rows& rows, const NoiseWeightedFit& fit,
                                          Eigen::Index columns) {
   const Eigen::Index others = fit.linear() - columns;
@@ -36,7 +36,7 @@ bool earns(const noise::ChangePoint& step, double chi_square) {
   return step.chi_square > chi_square * std::max(1.0, step.chi_square_left);
 }
 
-// Of the last columns of a fit, the smallest chi-square drop that one brings beside all others.
+// Smallest chi-square drop of one of the last `steps` columns of a fit, given all others.
 double min_chi_square(const NoiseWeightedFit& fit, std::size_t steps) {
   double min = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = fit.linear() - static_cast<Eigen::Index>(steps); i < fit.linear(); ++i) {

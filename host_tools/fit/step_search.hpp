@@ -8,19 +8,20 @@
 
 namespace fogcomp::fit {
 
-/// A fit with the bias steps that it found: their columns are the last of the nuisance.
+/// A fit with the bias steps that it found; they are the last nuisance columns.
 struct FitWithSteps {
   NoiseWeightedFit fit;
-  std::vector<noise::ChangePoint> steps;  ///< in the order of the columns; size and time as located
-  std::size_t masked = 0;                 ///< rows left out because a jump lies in them
+  std::vector<noise::ChangePoint>
+      steps;               ///< in the order of the columns; size and time as first located
+  std::size_t masked = 0;  ///< rows excluded because a step lies in them
 };
 
-/// Fits without a step, then with one more as long as the best further place lowers chi^2, in units
-/// of the noise that is left then, by more than 60: flicker noise imitates smaller ones. It must do
-/// so beside cosines over hours, so that slow drift which the model lacks is no step, and every
-/// step must still do so in the fit with all of them. The noise that judges a step is estimated
-/// with that step already taken out. Rows in which a jump may lie count for nothing. At most
-/// `max_steps`. `progress` is told how much of the first fit is done, 0..1.
+/// Fits without steps, then adds steps while the best further position lowers chi^2, in units of
+/// the remaining noise, by more than 60 (flicker noise imitates smaller ones). It must do so beside
+/// cosines over hours, so that a slow drift that the model lacks is no step; and every step must
+/// still do so in the fit with all of them. The noise that judges a step is estimated with the step
+/// removed. Rows that may contain a step have weight 0. At most `max_steps`. `progress` is called
+/// with the fraction of the first fit done, 0..1.
 FitWithSteps fit_with_steps(const series::SignalSeries& series,
                             const std::vector<model::EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance, std::size_t max_steps,

@@ -10,38 +10,39 @@
 
 namespace fogcomp::fit {
 
-/// What a trainer works on. All rows are normalised to about +-1.
+/// Data of a training. All rows are normalised to about +-1.
 struct TrainingProblem {
   Perceptron shape;
   const Batch* rows = nullptr;
-  const Batch* held_out = nullptr;  ///< of other runs: where its error is smallest, training stops
+  const Batch* held_out = nullptr;  ///< other runs: training stops at its smallest error
 };
 
 struct TrainerSettings {
   std::uint64_t seed = 1;
-  /// Epochs of the gradient trainers (5000 in the reference paper), steps of lm at most (200).
+  /// Epochs of the gradient trainers (5000 in the reference paper), or largest number of steps of
+  /// lm (200).
   int epochs = 5000;
-  /// Training ends at this mean square (0.0004 in the reference paper). 0: never. lm ignores it,
-  /// as its regularisation decides when there is no more to learn.
+  /// Training ends at this mean square (0.0004 in the reference paper); 0: never. lm ignores it,
+  /// because its regularisation decides.
   double goal = 0;
-  double learning_rate = 0.05;  ///< of traingdx at the start
-  int particles = 20;           ///< of pso-bp, and of ga-bp's population
+  double learning_rate = 0.05;  ///< initial one of traingdx
+  int particles = 20;           ///< pso-bp; population of ga-bp
   int iterations = 300;         ///< of the swarm, or generations, before backpropagation
-  /// Called now and then with the fraction done; false ends training with the best so far.
+  /// Called repeatedly with the fraction done; false ends training with the best weights so far.
   std::function<bool(double)> go_on;
 };
 
 struct TrainerResult {
-  Eigen::VectorXd weights;  ///< the best: by the held-out rows where there are some
+  Eigen::VectorXd weights;  ///< the best ones, by the held-out rows if there are any
   double mean_square = 0;   ///< of these weights on the training rows
-  int epochs = 0;           ///< or steps, done
+  int epochs = 0;           ///< or steps
   bool interrupted = false;
-  bool stopped_early = false;  ///< by the held-out rows
-  /// Of the weights, how many the data determine (MacKay's gamma); only lm knows.
+  bool stopped_early = false;  ///< because of the held-out rows
+  /// Number of weights that the data determine (MacKay's gamma); only from lm.
   std::optional<double> effective_parameters;
 };
 
-/// One way to find the weights of a network. Same seed, same result, on any processor.
+/// A training method. Same seed, same result, on any processor.
 struct Trainer {
   const char* name;
   const char* summary;  ///< a few words for --help

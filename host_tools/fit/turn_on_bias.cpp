@@ -13,11 +13,11 @@
 namespace fogcomp::fit {
 namespace {
 
-// The blocks of a run without what the network makes of them.
+// The blocks of a run less the drift of the network.
 series::BlockSeries without_network(const model::Model& model, series::BlockSeries blocks) {
   model::RealDriftModel drift(model, blocks.block_s);
   std::vector<double> network_dph(blocks.blocks.size(), 0);
-  series::walk_blocks(blocks, drift, [&](const series::BlockSeries::Block& block) {
+  series::run_blocks(blocks, drift, [&](const series::BlockSeries::Block& block) {
     network_dph[static_cast<std::size_t>(&block - blocks.blocks.data())] = drift.network_dph();
   });
   for (std::size_t i = 0; i < network_dph.size(); ++i) blocks.blocks[i].rate_dph -= network_dph[i];
@@ -31,7 +31,7 @@ std::vector<model::EffectTerm> with_fixed_shapes(std::vector<model::EffectTerm> 
   return terms;
 }
 
-// Mean square of what a fit describes as drift: all but the mean of each run.
+// Mean square of the fitted drift, without the mean of each run.
 double drift_square(const series::Rows& rows, const NoiseWeightedFit& fit) {
   const Eigen::VectorXd described = fit.columns * fit.coefficients;
   double square = 0;
@@ -43,7 +43,8 @@ double drift_square(const series::Rows& rows, const NoiseWeightedFit& fit) {
   return square / static_cast<double>(rows.size());
 }
 
-// A difference that as many runs without any would show in rules::kFalseTurnOn of all cases.
+// Whether a difference is larger than the one that so many equal runs show with probability
+// rules::kFalseTurnOn.
 bool is_certain(double standard_deviations, std::size_t differences) {
   const double chance = std::erfc(std::abs(standard_deviations) / std::sqrt(2.0));
   return chance * static_cast<double>(differences) < rules::kFalseTurnOn;

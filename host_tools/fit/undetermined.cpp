@@ -14,9 +14,9 @@
 namespace fogcomp::fit {
 namespace {
 
-// What a column of a fit's matrix stands for.
+// Meaning of a column of a fit's matrix.
 struct Unknown {
-  std::size_t term = 0;  // one beyond the last: not of a term
+  std::size_t term = 0;  // number of terms: belongs to no term
   std::string name;
   bool is_shape = false;
 };
@@ -61,7 +61,7 @@ double span_of(const series::Rows& rows, const Value& value) {
   return max - min;
 }
 
-// What the rows lack that a term feeds on; "" where nothing stands out.
+// Property of the rows because of which a term is undetermined; "" if none is obvious.
 std::string known_reason(const model::EffectTerm& term, const series::Rows& rows) {
   const fog::InputMask needs = model::info_of(term).needs;
   for (const fog::Input input : model::kOptionalInputs) {
@@ -81,7 +81,7 @@ std::string known_reason(const model::EffectTerm& term, const series::Rows& rows
   return "";
 }
 
-// What is said of the unknowns of one term.
+// Undetermined unknowns of one term, for the message.
 struct Blame {
   std::vector<std::string> coefficients;
   std::vector<std::string> shapes;
@@ -130,15 +130,15 @@ std::map<std::size_t, Blame> blames_of(const NoiseWeightedFit& fit, const series
 
 }  // namespace
 
-bool stands_still(fog::InputMask needs, const series::Rows& rows) {
+bool has_constant_input_rate(fog::InputMask needs, const series::Rows& rows) {
   return needs == bit_of(fog::Input::input_rate) &&
          span_of(rows, [](const auto& signals) { return signals.block.input_rate; }) == 0;
 }
 
-void require_moving_input_rate(const std::vector<model::EffectTerm>& terms,
-                               const series::Rows& rows) {
+void require_varying_input_rate(const std::vector<model::EffectTerm>& terms,
+                                const series::Rows& rows) {
   for (const model::EffectTerm& term : terms) {
-    if (term.expression || !stands_still(model::info_of(term).needs, rows)) continue;
+    if (term.expression || !has_constant_input_rate(model::info_of(term).needs, rows)) continue;
     throw InputError(term.name,
                      "these recordings do not determine it (input_rate_dph never "
                      "changes: the input rate does not move); leave the effect out");

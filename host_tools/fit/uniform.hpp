@@ -6,7 +6,8 @@
 
 namespace fogcomp::fit {
 
-/// Random numbers of the trainers: the same on every standard library, whose distributions differ.
+/// Random numbers of the trainers. The distributions of the standard libraries differ; this does
+/// not.
 class Uniform {
  public:
   explicit Uniform(std::uint64_t seed) : bits_(seed) {}

@@ -53,9 +53,9 @@ double chance_of_walk(const WalkRival& rival, const std::vector<Explanatory>& al
 
 namespace {
 
-// Orthonormal directions of whitened columns that `basis` cannot do itself.
-Eigen::MatrixXd what_is_new(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& basis,
-                            const noise::Whitening& whitening) {
+// Orthonormal directions of whitened columns outside the span of `basis`.
+Eigen::MatrixXd new_directions(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& basis,
+                               const noise::Whitening& whitening) {
   const Eigen::MatrixXd white = whitening.apply(columns);
   const Eigen::MatrixXd left = projected_out(basis, white);
   std::vector<Eigen::MatrixXd> seen;
@@ -76,7 +76,7 @@ double chance_of_walk(const series::Rows& rows, const noise::NoiseModel& noise,
     return projected_out(basis, whitening.apply(columns));
   };
   ExplainedSpace space(without_model(measured));
-  const series::ColumnRange effect = space.add(what_is_new(added, basis, whitening));
+  const series::ColumnRange effect = space.add(new_directions(added, basis, whitening));
   const WalkModes modes = add_walk(space, without_model(noise::random_walk_modes(rows)));
   space.finish();
   const WalkRival rival = find_walk(space, modes, noise.walks);

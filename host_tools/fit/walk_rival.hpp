@@ -7,40 +7,39 @@
 
 namespace fogcomp::fit {
 
-/// A random walk of the bias as the reason for what a model leaves: no effect at all.
+/// A random walk of the bias as the only cause of a residual.
 struct WalkRival {
-  double coefficient = 0;  ///< of the likeliest walk, deg/h/sqrt(h); 0: none
-  double log_odds = 0;     ///< ln of the odds of it against noise without a walk
-  ExplainedSpace space;    ///< with the likeliest walk as part of the noise
+  double coefficient = 0;  ///< of the most probable walk, deg/h/sqrt(h); 0: none
+  double log_odds = 0;     ///< ln of its odds against noise without a walk
+  ExplainedSpace space;    ///< with the most probable walk as part of the noise
 };
 
-/// Where the modes of a random walk lie in a space, made one long there.
+/// Columns of a random walk's modes in a space, scaled to unit length.
 struct WalkModes {
   series::ColumnRange columns;
-  Eigen::VectorXd square;  ///< of their own lengths
+  Eigen::VectorXd square;  ///< of their original lengths
 };
-/// `modes`: random_walk_modes(), whitened and without the model. Modes that the model can do itself
-/// are left out.
+/// `modes`: random_walk_modes(), whitened, model projected out. Modes within the model are left
+/// out.
 WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes);
 
-/// The walk that is likeliest by the quiet parts (`walks`) and by what `space` holds. Beforehand a
-/// walk is as likely as none, and each of `walks` as the others; what the quiet parts rule out is
-/// none.
+/// Most probable walk according to the quiet parts (`walks`) and `space`. Prior: a walk is as
+/// probable as none, all of `walks` equally. Walks excluded by the quiet parts are not considered.
 WalkRival find_walk(const ExplainedSpace& space, const WalkModes& modes,
                     const std::vector<noise::NoiseModel::Walk>& walks);
 
-/// Effects that explain something of what is left.
+/// Effects that explain a part of the residual.
 struct Explanatory {
   double log_evidence = 0;  ///< against noise alone
-  double log_prior = 0;     ///< how likely they are beforehand, against "nothing is missing"
+  double log_prior = 0;     ///< prior odds against "nothing is missing"
 };
 
-/// Chance that nothing is missing and all is noise with a random walk, 0..1, against effects
-/// without a walk, and beside the likeliest one.
+/// Probability, 0..1, that nothing is missing and all is noise with a random walk, against effects
+/// without a walk and effects beside the most probable walk.
 double chance_of_walk(const WalkRival& rival, const std::vector<Explanatory>& alone,
                       const std::vector<Explanatory>& beside);
 
-/// The same for columns that are added to a linear model, on rows x any that are whitened with
+/// The same for columns added to a linear model, on rows x any number that are whitened with
 /// `noise` and `row_weights`. `before`, `added` and `measured`: not whitened.
 double chance_of_walk(const series::Rows& rows, const noise::NoiseModel& noise,
                       const Eigen::VectorXd& row_weights, const Eigen::MatrixXd& before,

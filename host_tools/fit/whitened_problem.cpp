@@ -12,12 +12,12 @@ namespace {
 constexpr double kDifferenceStep = 1e-4;  // of a parameter's range, for derivatives
 constexpr double kDependent = 1e-8;
 
-// Of a shape at which an expression overflows: worse than any other.
+// A shape at which an expression overflows is worse than any other.
 double finite_or_worst(double cost) {
   return std::isfinite(cost) ? cost : std::numeric_limits<double>::infinity();
 }
 
-// Columns less what an orthonormal basis can do of them; nothing where only rounding is left.
+// Columns projected out of the span of an orthonormal basis; 0 if only rounding is left.
 Eigen::MatrixXd without(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& columns) {
   Eigen::MatrixXd left = projected_out(basis, columns);
   for (Eigen::Index i = 0; i < left.cols(); ++i) {
@@ -55,7 +55,8 @@ void WhitenedProblem::project_out_fixed() {
     if (!moves[i]) fixed.push_back(columns_[i]);
   }
   const Eigen::MatrixXd all = side_by_side(fixed, measured_.size());
-  const bool finite = all.allFinite();  // else an expression: no shape of the others mends that
+  const bool finite =
+      all.allFinite();  // else an expression overflows, which no other shape can mend
   fixed_ = finite ? orthonormal(all, kDependent) : Eigen::MatrixXd(all.rows(), 0);
   measured_left_ = without(fixed_, measured_);
   if (!finite) measured_left_.setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -81,7 +82,7 @@ void WhitenedProblem::set(const std::vector<model::ShapeParameter>& parameters,
   }
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::size_t term = parameters[i].term;
-    if (i + 1 < parameters.size() && parameters[i + 1].term == term) continue;  // once a term
+    if (i + 1 < parameters.size() && parameters[i + 1].term == term) continue;  // once per term
     columns_[term] = whitened(terms_[term]);
     left_[term] = without(fixed_, columns_[term]);
   }
@@ -109,8 +110,8 @@ LinearFit WhitenedProblem::solve(const std::vector<model::ShapeParameter>& param
   return solve_with_instruments(columns, instruments, measured_);
 }
 
-// Whitened, of the regressors' sum with these coefficients, for a change of the parameter's place
-// in its range from 0 to 1.
+// Derivative of the whitened sum of regressors, with these coefficients, by the parameter's
+// position in its range, 0 to 1.
 Eigen::VectorXd WhitenedProblem::derivative(const model::ShapeParameter& parameter,
                                             const Eigen::VectorXd& coefficients) const {
   model::EffectTerm moved = terms_[parameter.term];

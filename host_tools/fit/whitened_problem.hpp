@@ -10,42 +10,41 @@
 
 namespace fogcomp::fit {
 
-/// Whitened rows of a set of effects against whitened measurements. Regressors are kept per effect,
-/// so that moving one effect's shape recomputes only that effect; what no shape moves is projected
-/// out once.
+/// Least-squares problem of a set of effects on whitened rows. Regressors are stored per effect, so
+/// that a change of one shape recomputes only that effect; fixed columns are projected out once.
 class WhitenedProblem {
  public:
-  /// `nuisance`: further columns (rows x any) whose coefficients are solved for and forgotten.
+  /// `nuisance`: further columns (rows x any number) whose coefficients are solved for but not
+  /// returned.
   WhitenedProblem(const series::SignalSeries& series, const noise::Whitening& whitening,
                   std::vector<model::EffectTerm> terms, const Eigen::MatrixXd& nuisance);
 
   const std::vector<model::EffectTerm>& terms() const { return terms_; }
   double value(const model::ShapeParameter& parameter) const;
-  /// A value for each of some parameters.
+  /// Sets some parameters.
   void set(const std::vector<model::ShapeParameter>& parameters, const std::vector<double>& values);
 
   /// All regressors side by side, in the order of the terms, then the nuisance columns.
   Eigen::MatrixXd matrix() const;
   const Eigen::VectorXd& measured() const { return measured_; }
-  /// The coefficients of matrix() and, behind them, those of what a change of each parameter's
-  /// place does (0 at the best place), with their covariance. The noise of the temperature sensor
-  /// makes no coefficient smaller: smoothed readings stand for what really was (instrumental
-  /// variables), as a rate or its change otherwise counts the less the noisier it is.
+  /// Coefficients of matrix() and, after them, of the derivatives by each parameter's position (0
+  /// at the optimum), with their covariance. Smoothed temperatures serve as instrumental variables;
+  /// otherwise the noise of the temperature sensor would reduce the coefficients of rate terms.
   LinearFit solve(const std::vector<model::ShapeParameter>& parameters = {}) const;
-  /// matrix() and, behind it, what a change of each parameter's place in its range does with the
+  /// matrix() and, after it, the derivatives by each parameter's position in its range, with the
   /// best coefficients.
   Eigen::MatrixXd jacobian(const std::vector<model::ShapeParameter>& parameters) const;
 
-  /// Sum of squares that the best coefficients leave.
+  /// Residual sum of squares with the best coefficients.
   double cost() const;
-  /// cost() for each of some values of one parameter, where the coefficients are the best and the
-  /// other parameters move too, to first order from where they are: so that a period which is a
-  /// little off elsewhere does not pass for a second one here.
+  /// cost() for several values of one parameter, with the best coefficients, the other parameters
+  /// following to first order. So a period that is slightly wrong elsewhere is not taken for a
+  /// second one here.
   std::vector<double> costs(const model::ShapeParameter& parameter,
                             const std::vector<double>& values,
                             const std::vector<model::ShapeParameter>& others) const;
-  /// A step of Gauss and Newton: how far each parameter's place has to move to where the cost is
-  /// least to first order, and that cost. Not finite where an expression overflows.
+  /// A Gauss-Newton step: change of each parameter's position to the minimum to first order, and
+  /// the cost there. Not finite if an expression overflows.
   struct Step {
     Eigen::VectorXd change;
     double cost = 0;
@@ -58,7 +57,7 @@ class WhitenedProblem {
   void project_out_fixed();
   Eigen::VectorXd derivative(const model::ShapeParameter& parameter,
                              const Eigen::VectorXd& coefficients) const;
-  /// One for each parameter; `columns` are each term's, as they are solved for.
+  /// One per parameter; `columns` are those of each term, as solved for.
   Eigen::MatrixXd derivatives(const std::vector<model::ShapeParameter>& parameters,
                               const std::vector<Eigen::MatrixXd>& columns,
                               const Eigen::VectorXd& measured) const;
@@ -67,10 +66,10 @@ class WhitenedProblem {
   const series::SignalSeries* series_;
   const noise::Whitening* whitening_;
   std::vector<model::EffectTerm> terms_;
-  std::vector<Eigen::MatrixXd> columns_;  // of each term, then the nuisance
+  std::vector<Eigen::MatrixXd> columns_;  // of each term, then nuisance columns
   Eigen::VectorXd measured_;
-  Eigen::MatrixXd fixed_;              // orthonormal basis of the columns that no shape moves
-  std::vector<Eigen::MatrixXd> left_;  // as columns_, without that; none of those that stay
+  Eigen::MatrixXd fixed_;              // orthonormal basis of the fixed columns
+  std::vector<Eigen::MatrixXd> left_;  // columns_ with `fixed_` projected out; empty for fixed ones
   Eigen::VectorXd measured_left_;
 };
 

@@ -70,15 +70,15 @@ std::vector<CatalogueEntry> entries(fog::EffectList<Effects...> /*list*/) {
   return {entry<Effects>()...};
 }
 
-// Where a search begins: in the middle, by ratio where no bound is 0. Of bounds on both sides of 0,
-// in the middle of the wider side: at 0 the term may vanish, and nothing tells which way to go.
+// Start of a search: the middle, geometric if no bound is 0. With bounds on both sides of 0, the
+// middle of the wider side, because at 0 the term may vanish and has no gradient.
 double start_within(double min, double max) {
   if (min > 0) return std::sqrt(min * max);
   if (min < 0 && max > 0) return max >= -min ? max / 2 : min / 2;
   return (min + max) / 2;
 }
 
-// Nothing but the formula and the bounds says how to search for a parameter of an expression.
+// For a parameter of an expression only formula and bounds define the search.
 fog::Scale scale_of(const Expression& expression, std::size_t parameter) {
   constexpr double kFar = 20;
   const auto [name, min, max] = expression.parameters[parameter];

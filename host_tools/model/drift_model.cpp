@@ -6,12 +6,12 @@
 namespace fogcomp::model {
 namespace {
 
-// Where the board's format ends, so that what is fitted there is what the board does there.
+// Limit of the board's format, so that fit and board clip alike.
 const double kMaxRegressor = std::ldexp(1, 31 - fog::Regressor::fractional_bits);
 
-// The limit that the board clamps to: half an LSB beside it, a scale factor of 300 ppm/degC at 280
-// deg/s is 0.002 deg/h off.
-double as_on_board(double degc) {
+// The rounded limit that the board clamps to: half an LSB, with a scale factor of 300 ppm/degC at
+// 280 deg/s, makes 0.002 deg/h.
+double rounded_for_board(double degc) {
   return std::ldexp(std::round(std::ldexp(degc, fog::Temperature::fractional_bits)),
                     -fog::Temperature::fractional_bits);
 }
@@ -31,7 +31,9 @@ RealBlock to_real(const fog::BlockMeans<fog::BoardNumbers>& block) {
 
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s) {
   const double decay = RealNumbers::decay(block_s / model.derivative_tau_s);
-  return {{decay, decay * 60 / block_s}, as_on_board(model.min_degc), as_on_board(model.max_degc)};
+  return {{decay, decay * 60 / block_s},
+          rounded_for_board(model.min_degc),
+          rounded_for_board(model.max_degc)};
 }
 
 bool follows_input_rate(const EffectTerm& term) {
@@ -60,7 +62,7 @@ const std::vector<double>& RegressorBank::run(const fog::Signals<RealNumbers>& s
     const std::size_t count = part.effect->regressor_count();
     if (wanted(part)) {
       part.effect->step(signals, values);
-      // The board has no regressors of what follows the rate.
+      // The board has no regressors for effects that follow the rate.
       if (!part.follows_rate || part.host_only) {
         for (std::size_t i = 0; i < count; ++i) {
           values[i] = std::clamp(values[i], -kMaxRegressor, kMaxRegressor);

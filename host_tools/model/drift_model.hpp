@@ -10,32 +10,32 @@
 
 namespace fogcomp::model {
 
-/// What a model sees of one block.
+/// Inputs of a model for one block.
 using RealBlock = fog::BlockMeans<RealNumbers>;
 
-/// The same values, exactly.
+/// The same values in double, exact.
 RealBlock to_real(const fog::BlockMeans<fog::BoardNumbers>& block);
 
-/// Numbers of the thermal stage for a block period. The board's table is the rounding of these.
+/// Parameters of the thermal stage for a block period; the board's table has them rounded.
 fog::ThermalParameters<RealNumbers> thermal_parameters(const Model& model, double block_s);
 
 /// Whether a term is an effect that follows the input rate (fog::follows_input_rate).
 bool follows_input_rate(const EffectTerm& term);
 
-/// Regressors of a set of effects over block means: the board's own code in double. `terms` needs
-/// names and parameters only.
+/// Regressors of a set of effects from block means: the board's own code in double. `terms` needs
+/// only names and parameters.
 class RegressorBank {
  public:
   RegressorBank(const std::vector<EffectTerm>& terms, double block_s);
 
   std::size_t size() const { return values_.size(); }
   void reset(const fog::Signals<RealNumbers>& signals);
-  /// Advances one block; the result is valid until the next call.
+  /// Advances by one block; the result is valid until the next call.
   const std::vector<double>& step(const fog::Signals<RealNumbers>& signals);
-  /// The same but for the effects that see the record of the input rate (host only, with a state):
-  /// they are advanced by see_rate() alone. Values of effects that are left out stay.
+  /// The same without the effects that use the record of the input rate (host only, with a state),
+  /// which only see_rate() advances. Their values are unchanged.
   const std::vector<double>& step_block(const fog::Signals<RealNumbers>& signals);
-  /// Of the effects that follow the input rate alone.
+  /// Only the effects that follow the input rate.
   const std::vector<double>& see_rate(const fog::Signals<RealNumbers>& signals);
 
  private:
@@ -51,22 +51,21 @@ class RegressorBank {
   std::vector<double> values_;
 };
 
-/// fog::DriftModel in double: the reference for the board's rounding, and the model that fit and
-/// compare see.
+/// fog::DriftModel in double: reference for the board's rounding, and the model of fit and compare.
 class RealDriftModel {
  public:
   RealDriftModel(const Model& model, double block_s);
 
-  /// From the values of one sample, temperature rate 0.
+  /// Starts from one sample, with temperature rate 0.
   void start(const RealBlock& block);
-  /// The means of one more block.
+  /// Takes the means of one more block.
   void step(const RealBlock& block);
-  /// The mean input rate of the block that now runs, for the effects that follow it.
+  /// Takes the mean input rate of the present block, for the effects that follow it.
   void see_rate(double input_rate_dph);
 
   double drift_dph() const { return physics_dph_ + network_dph_; }
   double network_dph() const { return network_dph_; }
-  /// Part of one effect, by its place in the model.
+  /// Drift of one effect, by its position in the model.
   double effect_dph(std::size_t term) const { return effects_dph_[term]; }
   const fog::Signals<RealNumbers>& signals() const { return signals_; }
 

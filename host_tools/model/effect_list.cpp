@@ -14,7 +14,7 @@ std::string trimmed(const std::string& text) {
   return std::string(trim(text));
 }
 
-// The place of a parameter in its effect's list.
+// Position of a parameter in its effect's list.
 std::size_t parameter_index(const std::string& where, const CatalogueEntry& entry,
                             const std::string& name) {
   std::vector<std::string> names;
@@ -94,7 +94,7 @@ void set_parameter(EffectTerm& term, const CatalogueEntry& entry, const std::str
   term.identified[index] = false;
 }
 
-// At commas, but not at those within brackets.
+// Splits at commas outside brackets.
 std::vector<std::string> split_list(const std::string& list) {
   std::vector<std::string> parts(1);
   int depth = 0;

@@ -36,7 +36,7 @@ bool within_name(char c) {
   return begins_name(c) || std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-// Recursive descent; each rule returns the node of what it read.
+// Recursive descent; each rule returns the node that it has read.
 class Parser {
  public:
   explicit Parser(const std::string& definition) : text_(definition) {}
@@ -175,7 +175,7 @@ class Parser {
   std::size_t power() {
     const std::size_t base = primary();
     const std::size_t place = at_;
-    // To the right: a^b^c is a^(b^c), and -a^b is -(a^b).
+    // Right-associative: a^b^c is a^(b^c), and -a^b is -(a^b).
     return take('^') ? add(NodeKind::power, base, sign(), place) : base;
   }
   std::size_t primary() {
@@ -225,7 +225,7 @@ class Parser {
     if (!(parameter.min < parameter.max)) {
       fail_at(place, "the bounds of '" + parameter.name + "' must rise");
     }
-    // Squares and ratios of bounds stay finite, and no signal in its unit has such numbers.
+    // Keeps squares and ratios of bounds finite; no signal has such values in its unit.
     constexpr double kSmallest = 1e-30;
     constexpr double kLargest = 1e30;
     for (const double bound : {std::abs(parameter.min), std::abs(parameter.max)}) {
@@ -249,8 +249,7 @@ class Parser {
       node.signal = one.input;
       return add(node, place);
     }
-    fail_at(place,
-            "there is no signal '" + word + "'; there are " + list + "and ?name[least,most]");
+    fail_at(place, "there is no signal '" + word + "'; there are " + list + "and ?name[min,max]");
   }
   std::size_t function(const std::string& word, std::size_t place) {
     const auto* const found =
@@ -292,7 +291,7 @@ double apply(NodeKind kind, double left, double right) {
     case NodeKind::divide:
       return left / right;
     case NodeKind::power:
-      return right == 2 ? left * left : std::pow(left, right);  // the usual one, far faster
+      return right == 2 ? left * left : std::pow(left, right);  // common case, much faster
     case NodeKind::negate:
       return -left;
     case NodeKind::sine:
@@ -342,8 +341,8 @@ bool Expression::uses(fog::Input input) const {
 }
 
 bool Expression::is_period(std::size_t parameter) const {
-  std::vector<bool> holds(nodes.size());    // the parameter
-  std::vector<bool> divides(nodes.size());  // by what holds it
+  std::vector<bool> holds(nodes.size());    // contains the parameter
+  std::vector<bool> divides(nodes.size());  // divides by a node that contains it
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const ExpressionNode& node = nodes[i];
     if (node.kind == NodeKind::number || node.kind == NodeKind::signal) continue;
@@ -368,7 +367,7 @@ fog::InputMask Expression::needs() const {
 }
 
 Expression parse_expression(const std::string& definition) {
-  // It is one line of the model file, and of an error message.
+  // The text becomes one line of the model file, and of error messages.
   const bool one_line = std::none_of(definition.begin(), definition.end(),
                                      [](char c) { return c == '\n' || c == '\r'; });
   if (!one_line) throw InputError("expression", "has a line break in it; write it on one line");

@@ -9,7 +9,7 @@
 
 namespace fogcomp::model {
 
-/// What a node computes.
+/// Operation of a node.
 enum class NodeKind : std::uint8_t {
   number,     // value
   parameter,  // index into Expression::parameters
@@ -31,7 +31,7 @@ enum class NodeKind : std::uint8_t {
   play,  // right: radius, constant
 };
 
-/// One operation. Operands are nodes before it.
+/// One operation. Its operands are earlier nodes.
 struct ExpressionNode {
   NodeKind kind = NodeKind::number;
   std::size_t left = 0;
@@ -39,10 +39,10 @@ struct ExpressionNode {
   double value = 0;
   std::size_t parameter = 0;
   fog::Input signal{};
-  bool constant = false;  ///< of numbers and parameters alone
+  bool constant = false;  ///< consists of numbers and parameters only
 };
 
-/// The value of an operation on numbers; of signals, lags and plays, `left`.
+/// Value of an operation on numbers; for signals, lags and plays, `left`.
 double apply(NodeKind kind, double left, double right);
 
 /// A parameter of an expression, to be identified.
@@ -52,23 +52,23 @@ struct ExpressionParameter {
   double max = 0;
 };
 
-/// A term of the drift written by hand: `NAME = T*T*dTdt`.
+/// A term of the drift written by the user: `NAME = T*T*dTdt`.
 struct Expression {
   std::string name;
-  std::string text;                   ///< right of the equals sign
-  std::vector<ExpressionNode> nodes;  ///< operands first; the last one is the whole
+  std::string text;                   ///< text after the equals sign
+  std::vector<ExpressionNode> nodes;  ///< operands first; the last one is the whole expression
   std::vector<ExpressionParameter> parameters;
 
-  /// What it needs beside the coil's temperature.
+  /// Inputs that it needs beside the coil temperature.
   fog::InputMask needs() const;
   bool uses(fog::Input input) const;
   /// Whether a parameter divides within a sine or cosine: `sin(6.283 * T / ?p[2,60])`.
   bool is_period(std::size_t parameter) const;
-  /// Values of the nodes that are constant; 0 for the others.
+  /// Values of the constant nodes; 0 for the others.
   std::vector<double> constants(const std::vector<double>& parameter_values) const;
 };
 
-/// Reads `NAME = EXPRESSION` (host_tools/README.md, "Expressions"). Throws InputError that names
+/// Reads `NAME = EXPRESSION` (host_tools/REFERENCE.md, "Expressions"). Throws InputError that names
 /// the column, counted from 1 at the beginning of `definition`.
 Expression parse_expression(const std::string& definition);
 

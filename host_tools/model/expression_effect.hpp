@@ -19,9 +19,9 @@ struct SignalRange {
 };
 using SignalRanges = std::array<SignalRange, fog::kInputs>;
 
-/// What a term of a model that is an expression has beside any other: its regressor is
-/// expression / 2^scale_log2. Signals are clamped to `ranges`, what they went through in the fit
-/// and some more, on host and board alike: there a formula is known to be finite and of which size.
+/// Additional data of a term that is an expression: its regressor is expression / 2^scale_log2.
+/// Signals are clamped to `ranges`, their ranges in the fit plus a margin, on host and board alike:
+/// there the formula is known to be finite and of limited size.
 struct ExpressionTerm {
   Expression expression;
   int scale_log2 = 0;
@@ -31,7 +31,7 @@ struct ExpressionTerm {
 /// The regressor of an expression, in double.
 class ExpressionEffect : public RealEffect {
  public:
-  /// `parameters` as Expression::parameters lists them.
+  /// `parameters` in the order of Expression::parameters.
   ExpressionEffect(ExpressionTerm term, const std::vector<double>& parameters, double block_s);
 
   std::size_t regressor_count() const override { return 1; }
@@ -45,8 +45,8 @@ class ExpressionEffect : public RealEffect {
 
   ExpressionTerm term_;
   double block_s_;
-  std::vector<double> values_;  // of every node; constants stay
-  std::vector<double> states_;  // of lags and plays, at their node
+  std::vector<double> values_;  // of all nodes; constants never change
+  std::vector<double> states_;  // of lags and plays, by node
 };
 
 }  // namespace fogcomp::model

@@ -22,7 +22,7 @@ namespace {
 constexpr double kMaxWeight = 1e15;
 constexpr double kMaxDegc = 2000;
 
-// Within the catalogue's bounds, but for the rounding of a search that ends at one of them.
+// Within the catalogue's bounds, up to the rounding of a search that ended at one of them.
 double read_parameter(ModelReader& in, const fog::ParameterDescription& parameter) {
   constexpr double kRounding = 1e-9;
   const double min = parameter.min_milli / 1000.0;
@@ -37,7 +37,8 @@ double read_parameter(ModelReader& in, const fog::ParameterDescription& paramete
   return value;
 }
 
-// Effects whose parameters came after the first model files: without them, their defaults hold.
+// Effects whose parameters were added after the first model files: without them the defaults are
+// used.
 constexpr const char* kFirstWithoutParameters = "scale_factor_temperature";
 
 void read_parameters(ModelReader& in, const CatalogueEntry& entry, EffectTerm& term) {
@@ -77,10 +78,10 @@ EffectTerm read_effect(ModelReader& in) {
   return term;
 }
 
-// The text is the last on the line, so that it may hold spaces.
+// The text is last on the line, because it may contain spaces.
 EffectTerm read_expression(ModelReader& in) {
   const std::string name = in.word();
-  const auto scale_log2 = static_cast<int>(in.integer(-1100, 1100));  // of any double
+  const auto scale_log2 = static_cast<int>(in.integer(-1100, 1100));  // for any double
   const std::vector<double> parameters = in.numbers(in.count(16));
   const std::vector<double> sigma = in.numbers(parameters.size());
   const double coefficient = in.number(-kMaxModelDph, kMaxModelDph);
@@ -179,7 +180,7 @@ void read_input_range(ModelReader& in, Model& model) {
   in.fail("no extension record has an input '" + name + "'");
 }
 
-// A step, then what is known of it beyond the training error.
+// A step, then its optional properties.
 void read_history(ModelReader& in, const std::string& key, std::vector<HistoryEntry>& history) {
   if (key == kHistory) {
     HistoryEntry entry;
@@ -235,11 +236,11 @@ double read_signed_dph(ModelReader& in) {
   return in.number(-kMaxModelDph, kMaxModelDph);
 }
 
-// What a line holds, by its first word; but for the history.
+// Reader of a line by its first word; not for the history.
 using LineReader = void (*)(ModelReader&, Model&);
 const std::map<std::string, LineReader> kLines{
     {"serial", read_serial},
-    // As the options of these names take them.
+    // In the units of the options with these names.
     {"scale_factor", [](ModelReader& in, Model& m) { m.scale_factor = in.number(1e-6, 1e15); }},
     {"range_dps", [](ModelReader& in,
                      Model& m) { m.limits.range_dps = in.number(1e-3, recording::kMaxRangeDps); }},
@@ -286,7 +287,7 @@ void read_line(ModelReader& in, Model& model) {
   in.fail("unknown entry '" + key + "'");
 }
 
-// A mail or a checkout may have made CRLF of the line ends.
+// Mail or version control may have changed line ends to CRLF.
 std::string with_unix_line_ends(const std::string& text) {
   std::string unix_text;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -5,7 +5,7 @@
 
 #include "core/bytes/crc.hpp"
 
-/// What reader and writer of a model file share.
+/// Definitions shared by reader and writer of a model file.
 namespace fogcomp::model {
 
 inline constexpr const char* kHistory = "history";

@@ -40,8 +40,7 @@ class ModelWriter {
   std::string text_;
 };
 
-/// Reads the lines of a model file, word by word. Every failure is an InputError that names the
-/// line.
+/// Reads the lines of a model file, word by word. Every failure is an InputError with the line.
 class ModelReader {
  public:
   ModelReader(const std::string& text, std::string file)

@@ -12,8 +12,8 @@
 
 namespace fogcomp::model {
 
-/// A signal that the network sees, and its min-max normalisation: (x - centre) / half_range,
-/// clipped to +-1. In the input's unit (kInputTable).
+/// An input of the network and its min-max normalisation: (x - centre) / half_range, clipped to
+/// +-1. In the input's unit (kInputTable).
 struct RealInput {
   fog::NetworkInput signal{};
   double centre = 0;
@@ -21,21 +21,21 @@ struct RealInput {
   double tau_s = 0;       ///< of lagged_temperature; 0 for the others
 };
 
-/// The values of network inputs block by block, in their units: what the board's DriftNetwork sees,
-/// in double. Normalisation is not part of it.
+/// Values of network inputs block by block, in their units: the inputs of the board's DriftNetwork
+/// in double, without normalisation.
 class NetworkSignals {
  public:
   NetworkSignals(const std::vector<RealInput>& inputs, double block_s);
 
   std::size_t size() const { return inputs_.size(); }
   void reset(const fog::Signals<RealNumbers>& signals);
-  /// Advances one block; the result is valid until the next call.
+  /// Advances by one block; the result is valid until the next call.
   const Eigen::VectorXd& step(const fog::Signals<RealNumbers>& signals);
 
  private:
   std::vector<RealInput> inputs_;
   double block_s_;
-  std::vector<fog::FirstOrderLag<RealNumbers>> lags_;  // one per input; used by lagged ones
+  std::vector<fog::FirstOrderLag<RealNumbers>> lags_;  // one per input; only lagged ones are used
   Eigen::VectorXd values_;
 };
 
@@ -54,10 +54,10 @@ struct RealNetwork {
   double amplitude_dph = 0;
 
   bool present() const { return hidden.biases.size() != 0; }
-  /// 0 without a network. `values`: one per input, as NetworkSignals gives them.
+  /// 0 without a network. `values`: one per input, from NetworkSignals.
   double drift_dph(const Eigen::VectorXd& values) const;
   Eigen::VectorXd normalised(const Eigen::VectorXd& values) const;
-  /// What the inputs need beside the coil's temperature.
+  /// Inputs that it needs beside the coil temperature.
   fog::InputMask needs() const;
 };
 
@@ -66,7 +66,7 @@ double activate(fog::Activation activation, double x);
 
 const char* name_of(fog::Activation activation);
 const char* name_of(fog::NetworkInput input);
-/// Every input there is, in the order of their numbers.
+/// All inputs, in the order of their numbers.
 inline constexpr auto kEveryNetworkInput = [] {
   std::array<fog::NetworkInput, fog::kNetworkInputs> all{};
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<fog::NetworkInput>(i);

@@ -7,14 +7,14 @@
 
 namespace fogcomp::model {
 
-/// A term of the drift running in double, for identification: an effect of the firmware's registry
-/// or an expression.
+/// A term of the drift in double, for identification: an effect of the firmware's registry or an
+/// expression.
 class RealEffect {
  public:
   virtual ~RealEffect() = default;
   virtual std::size_t regressor_count() const = 0;
   virtual void reset(const fog::Signals<RealNumbers>& signals) = 0;
-  /// Advances one block; writes regressor_count() values.
+  /// Advances by one block; writes regressor_count() values.
   virtual void step(const fog::Signals<RealNumbers>& signals, double* regressors) = 0;
 };
 

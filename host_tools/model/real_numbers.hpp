@@ -50,10 +50,10 @@ struct RealNumbers {
     return {std::sin(kRadiansPerTurn * turns), std::cos(kRadiansPerTurn * turns)};
   }
 
-  // For board_constants, on the host only. A share of 1 has the largest Number<31> in its place.
+  // For board_constants, on the host only. 1 is replaced by the largest Number<31>.
   static constexpr double kMaxShare = 1 - 1.0 / 2147483648.0;
   static double share(double value) { return std::min(value, kMaxShare); }
-  /// Decay per block of a lag whose time constant is 1 / blocks_per_tau blocks.
+  /// Decay per block of a lag with a time constant of 1 / blocks_per_tau blocks.
   static double decay(double blocks_per_tau) { return share(-std::expm1(-blocks_per_tau)); }
 };
 

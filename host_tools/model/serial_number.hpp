@@ -4,10 +4,10 @@
 
 namespace fogcomp::model {
 
-/// Most characters of a gyro's serial number that a board holds.
+/// Largest length of a gyro's serial number on a board.
 constexpr std::size_t kMaxSerial = 15;
 
-/// Whether a board holds it: 1 to kMaxSerial characters of ASCII, none of them a space.
+/// Whether `text` is valid: 1 to kMaxSerial ASCII characters without spaces.
 inline bool is_serial_number(const std::string& text) {
   if (text.empty() || text.size() > kMaxSerial) return false;
   for (const char character : text) {

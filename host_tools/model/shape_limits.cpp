@@ -9,7 +9,7 @@
 namespace fogcomp::model {
 namespace {
 
-constexpr double kAtBound = 1e-3;  // of the range: ten of the search's difference steps
+constexpr double kAtBound = 1e-3;  // fraction of the range: ten difference steps of the search
 
 std::string with_unit(const char* pattern, double value, const std::string& unit) {
   return format(pattern, value) + (unit.empty() ? "" : " " + unit);

@@ -7,19 +7,17 @@
 
 namespace fogcomp::model {
 
-/// A shape parameter of a term about which the data said too little.
+/// A shape parameter that the data determine too little.
 struct ShapeDoubt {
   std::size_t parameter = 0;
   std::string sentence;  ///< e.g. "`aging`: t0 is at its upper bound 2e+06 s: a line in time ..."
 };
 
-/// Identified parameters that ended at a bound of their search, where the data would have gone on
-/// and the effect may be another, simpler one; and those known no better than that they lie within
-/// their bounds (one standard deviation spans them).
+/// Identified parameters that ended at a bound of their search, beyond which the data might fit
+/// better and a simpler effect may apply; and those whose standard deviation spans their bounds.
 std::vector<ShapeDoubt> shape_doubts(const EffectTerm& term);
 
-/// What is to be said of a term none of whose coefficients is larger than its standard deviation;
-/// "" where one is.
+/// Warning about a term without a coefficient above its standard deviation; "" if it has one.
 std::string coefficient_doubt(const EffectTerm& term);
 
 }  // namespace fogcomp::model

@@ -7,7 +7,7 @@
 
 namespace fogcomp::model {
 
-/// A shape parameter that a fit may move.
+/// A shape parameter that a fit may change.
 struct ShapeParameter {
   std::size_t term = 0;
   std::size_t index = 0;
@@ -15,7 +15,7 @@ struct ShapeParameter {
   double max = 0;
   fog::Scale scale = fog::Scale::linear;
 
-  /// Place in the range, 0..1, on that scale; and back, clipped to the range.
+  /// Position in the range, 0..1, on its scale; and back, clipped to the range.
   double to_unit(double value) const;
   double from_unit(double unit) const;
   /// d value / d unit.

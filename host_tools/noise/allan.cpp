@@ -9,7 +9,7 @@
 namespace fogcomp::noise {
 namespace {
 
-// Independent partial sums: the additions of one do not wait for those of another.
+// Independent partial sums, so that additions need not wait for each other.
 constexpr std::size_t kLanes = 8;
 
 double sum_of_squared_differences(const double* c, std::size_t m, std::size_t count) {
@@ -31,7 +31,7 @@ double sum_of_squared_differences(const double* c, std::size_t m, std::size_t co
   return sum;
 }
 
-// Less the mean, which the deviation does not see, so that the sum stays small and exact.
+// The mean, which does not affect the deviation, is subtracted to keep the sums small and exact.
 void cumulate(const std::vector<double>& values, recording::RowRange range,
               std::vector<double>& c) {
   const auto first = values.begin() + static_cast<std::ptrdiff_t>(range.first);
@@ -52,8 +52,8 @@ struct Octave {
   std::size_t ranges = 0;
 };
 
-// All octaves in one pass: a chunk of C stays in the cache while the short ones use it, and what a
-// long one reads at 2m the next reads again at m.
+// All octaves in one pass: a chunk of C stays in the cache for the short ones, and the values that
+// a long one reads at 2m are read again at m.
 void accumulate(const std::vector<double>& c, std::vector<Octave>& octaves) {
   constexpr std::size_t kChunk = 2048;
   const std::size_t n = c.size() - 1;

@@ -45,7 +45,7 @@ AllanModel::AllanModel(const std::vector<AllanPoint>& points) {
     terms_.row(k) = variance_of_terms(tau_h_[k]);
   }
 
-  // From the Nyquist frequency down to a sixteenth of the longest tau's.
+  // From the Nyquist frequency down to a sixteenth of that of the longest tau.
   const double period_h = tau_h_[0] / static_cast<double>(points[0].samples);
   const Index frequencies =
       kFrequenciesPerOctave * static_cast<Index>(std::log2(tau_h_[count - 1] / period_h) + 5);
@@ -57,7 +57,7 @@ AllanModel::AllanModel(const std::vector<AllanPoint>& points) {
     const double bandwidth = frequency * std::log(2.0) / kFrequenciesPerOctave;
     density_.row(i) = density_of_terms(frequency, period_h);
     for (Index k = 0; k < count; ++k) {
-      // The difference of two neighbouring means of m samples.
+      // Difference of two neighbouring means of m samples.
       const double m = tau_h_[k] / period_h;
       const double gain = std::pow(std::sin(kPi * frequency * tau_h_[k]), 2) /
                           (m * std::sin(kPi * frequency * period_h));
@@ -81,8 +81,9 @@ MatrixXd AllanModel::covariance_of_noise(const VectorXd& squares) const {
   return per_span.asDiagonal() * (4 * spread.transpose() * spread) * per_span.asDiagonal();
 }
 
-// From the product of ramp and noise. The mean of all differences of neighbouring averages is the
-// difference between the averages at the two ends of a range, so it is their noise that counts.
+// Covariance from the product of ramp and noise. The mean of all differences of neighbouring
+// averages is the difference between the averages at the two ends of a range, so their noise
+// counts.
 MatrixXd AllanModel::covariance_of_ramp(const VectorXd& squares) const {
   const Index count = tau_h_.size();
   MatrixXd result(count, count);

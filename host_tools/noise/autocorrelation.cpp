@@ -7,7 +7,7 @@
 namespace fogcomp::noise {
 namespace {
 
-std::vector<double> centred(const std::vector<double>& values) {
+std::vector<double> without_mean(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
   const double mean = sum / static_cast<double>(std::max<std::size_t>(1, values.size()));
@@ -39,13 +39,13 @@ double correlation(const std::vector<double>& centred_values, double variance,
 
 double autocorrelation(const std::vector<double>& values,
                        const std::vector<recording::RowRange>& stretches, std::size_t lag) {
-  const std::vector<double> around = centred(values);
+  const std::vector<double> around = without_mean(values);
   return correlation(around, mean_square(around), stretches, lag);
 }
 
 double correlated_values(const std::vector<double>& values,
                          const std::vector<recording::RowRange>& stretches) {
-  const std::vector<double> around = centred(values);
+  const std::vector<double> around = without_mean(values);
   const double variance = mean_square(around);
   double together = 1;
   for (std::size_t lag = 1;

@@ -10,7 +10,7 @@
 namespace fogcomp::noise {
 namespace {
 
-// First row and end of each recording, as Eigen counts.
+// First row and end of each recording, as Eigen indices.
 struct Run {
   Eigen::Index first;
   Eigen::Index end;
@@ -28,13 +28,13 @@ double time_before(const series::Rows& rows, Eigen::Index row) {
   return (rows.time_s[at - 1] + rows.time_s[at]) / 2;
 }
 
-// What a step from each row on would be, beside the model.
+// Steps starting at each row, fitted beside the model.
 struct Steps {
   Eigen::VectorXd residual;       // of the model
-  Eigen::VectorXd projection;     // of the residual on the step
-  Eigen::VectorXd square;         // of what the model leaves of the step
-  Eigen::VectorXd chi_square;     // what the step explains; 0 where it cannot be told
-  double degrees_of_freedom = 1;  // of what is left beside the step
+  Eigen::VectorXd projection;     // inner product of residual and step
+  Eigen::VectorXd square;         // squared length of the step, model projected out
+  Eigen::VectorXd chi_square;     // explained by the step; 0 if undetermined
+  double degrees_of_freedom = 1;  // of the residual of the step
 };
 
 Steps steps_of(const Whitening& whitening, const series::Rows& rows,
@@ -59,9 +59,9 @@ Steps steps_of(const Whitening& whitening, const series::Rows& rows,
   return steps;
 }
 
-// Sets where a step may lie and how well its time is known. Each place around the best has the
-// probability exp(chi^2 / 2) that a normal likelihood gives it.
-void set_place(const series::Rows& rows, const Eigen::VectorXd& chi_square, ChangePoint& found) {
+// Sets the possible rows of a step and the uncertainty of its time. Each row around the best has
+// the probability exp(chi^2 / 2) of a normal likelihood.
+void set_position(const series::Rows& rows, const Eigen::VectorXd& chi_square, ChangePoint& found) {
   const double unit = std::max(1.0, found.chi_square_left);
   double total = 0;
   double mean_s = 0;
@@ -80,7 +80,7 @@ void set_place(const series::Rows& rows, const Eigen::VectorXd& chi_square, Chan
   for (found.first = found.row - 1; found.first > 0 && weigh(found.first);) --found.first;
   --found.last;
   found.time_s = time_before(rows, found.row);
-  // Within a row nothing is known: a uniform distribution over its length.
+  // Within a row the time is uniformly distributed.
   found.time_sigma_s =
       std::sqrt(square_s / total - std::pow(mean_s / total, 2) + rows.row_s * rows.row_s / 12);
 }
@@ -98,7 +98,7 @@ std::optional<ChangePoint> find_change_point(const Whitening& whitening, const s
   found.size_sigma_dph = 1 / std::sqrt(steps.square[found.row]);
   found.chi_square_left =
       (steps.residual.squaredNorm() - found.chi_square) / steps.degrees_of_freedom;
-  set_place(rows, steps.chi_square, found);
+  set_position(rows, steps.chi_square, found);
   return found;
 }
 

@@ -8,31 +8,31 @@
 
 namespace fogcomp::noise {
 
-/// A jump of the residual between two rows of one recording, which stays to that recording's end.
+/// A jump of the residual between two rows of one recording that lasts to the recording's end.
 struct ChangePoint {
-  Eigen::Index row = 0;        ///< first row after the jump
-  Eigen::Index first = 0;      ///< first and last row that it may lie in: those around with a chi^2
-  Eigen::Index last = 0;       ///< within 9 of the best, and the one before, which may hold part
-  double time_s = 0;           ///< between the row before and `row`
-  double time_sigma_s = 0;     ///< one standard deviation
-  double size_dph = 0;         ///< after minus before
+  Eigen::Index row = 0;     ///< first row after the jump
+  Eigen::Index first = 0;   ///< first and last row that may contain it: rows with a chi^2
+  Eigen::Index last = 0;    ///< within 9 of the best, and the row before, which may contain a part
+  double time_s = 0;        ///< between the row before and `row`
+  double time_sigma_s = 0;  ///< one standard deviation
+  double size_dph = 0;      ///< after minus before
   double size_sigma_dph = 0;   ///< one standard deviation
-  double chi_square = 0;       ///< by how much the jump lowers the sum of squares
-  double chi_square_left = 0;  ///< what is left then, per degree of freedom: 1 for noise alone
+  double chi_square = 0;       ///< decrease of the sum of squares by the jump
+  double chi_square_left = 0;  ///< reduced chi^2 with the jump: 1 for noise alone
 };
 
 /// The jump that lowers the whitened sum of squares most, anywhere but within ten rows of a
-/// recording's ends; none where no place is determined beside the columns. O(rows).
-/// `whitened_residual`: per row. `whitened_columns`: rows x any, the model, which is fitted anew
-/// with the jump (projected out). Both whitened by `whitening`, whose rows are `rows`; rows of
-/// weight 0 in it are passed over. Whether a jump is worth believing is the caller's to say: of
-/// flicker noise alone the best has a chi^2 of 10 to 30.
+/// recording's ends; none if no position is determined beside the columns. O(rows).
+/// `whitened_residual`: per row. `whitened_columns`: rows x any number, the model, which is fitted
+/// again with the jump (projected out). Both are whitened by `whitening` of the same rows; rows of
+/// weight 0 are skipped. The caller decides whether a jump is significant: in flicker noise alone
+/// the best has a chi^2 of 10 to 30.
 std::optional<ChangePoint> find_change_point(const Whitening& whitening, const series::Rows& rows,
                                              const Eigen::VectorXd& whitened_residual,
                                              const Eigen::MatrixXd& whitened_columns);
 
-/// Cosines over each recording, down to this half period: rows x any, 0 outside their recording.
-/// Among the columns they keep slow drift that the model lacks from passing for jumps.
+/// Cosines over each recording, down to this half period: rows x any number, 0 outside their
+/// recording. Among the columns they keep slow drift outside the model from counting as jumps.
 Eigen::MatrixXd slow_columns(const series::Rows& rows, double half_period_s);
 
 }  // namespace fogcomp::noise

@@ -6,15 +6,15 @@
 
 namespace fogcomp::noise {
 
-/// What an error of the input rate can be made of, row by row: the rate itself, by powers of it,
-/// with the temperature, its size, its change, and what a nonlinearity makes of a change within a
-/// row. Dimensionless; rows x 0 where the rate never changes.
+/// Regressors of errors of the input rate, row by row: the rate, its powers, its product with
+/// temperature, its magnitude, its change, and the effect of a nonlinearity on a change within a
+/// row. Dimensionless; rows x 0 if the rate is constant.
 Eigen::MatrixXd input_rate_columns(const Eigen::VectorXd& input_rate_dph,
                                    const Eigen::VectorXd& temperature_degc);
 Eigen::MatrixXd input_rate_columns(const series::Rows& rows);
 
-/// A residual less what these columns explain of it, rows with a weight of 0 not asked: what of it
-/// may be noise. As given where the rate never changes.
+/// A residual less the part explained by these columns, fitted without rows of weight 0: the part
+/// that may be noise. Unchanged if the rate is constant.
 Eigen::VectorXd without_input_rate(const series::Rows& rows, const Eigen::VectorXd& residual,
                                    const Eigen::VectorXd& weights);
 

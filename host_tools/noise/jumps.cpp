@@ -11,7 +11,8 @@
 namespace fogcomp::noise {
 namespace {
 
-// A row that stands far out of both its neighbours has the one nearer to it: it would be a jump.
+// Replaces a row that deviates far from both neighbours by the nearer one: it would count as a
+// jump.
 Eigen::VectorXd without_spikes(const Eigen::VectorXd& values) {
   std::vector<double> steps;
   for (Eigen::Index i = 1; i < values.size(); ++i) steps.push_back(values[i] - values[i - 1]);
@@ -25,7 +26,7 @@ Eigen::VectorXd without_spikes(const Eigen::VectorXd& values) {
   return smooth;
 }
 
-// Sums of the first rows, so that every mean costs two of them.
+// Cumulative sums, so that a mean costs two reads.
 class Levels {
  public:
   explicit Levels(const Eigen::VectorXd& values) : sums_(values.size() + 1) {
@@ -33,7 +34,7 @@ class Levels {
     for (Eigen::Index i = 0; i < values.size(); ++i) sums_[i + 1] = sums_[i] + values[i];
   }
   Eigen::Index rows() const { return sums_.size() - 1; }
-  // Mean of the rows from `row` on less that of those before it.
+  // Mean of the rows from `row` on less that of the rows before it.
   double change_at(Eigen::Index row, Eigen::Index width) const {
     return (sums_[row + width] - 2 * sums_[row] + sums_[row - width]) / static_cast<double>(width);
   }
@@ -50,7 +51,7 @@ class Jumps {
       sigma_[i] = sigma_of_changes(rules::kJumpWidths[i]);
   }
 
-  // Rows of a stretch, between `begin` and `end`, where a new level begins; in order.
+  // Rows of a stretch, between `begin` and `end`, at which a new level begins; in order.
   void find(std::size_t stretch, Eigen::Index begin, Eigen::Index end,
             std::vector<Eigen::Index>& rows) const {
     const auto row = highest(levels_[stretch], begin, end);
@@ -72,7 +73,7 @@ class Jumps {
     const auto places =
         changes.size() * static_cast<std::size_t>(step) / static_cast<std::size_t>(2 * width);
     const double sigma = places < rules::kMinPlaces ? 0 : sigma_by_median(std::move(changes));
-    return sigma > 0 ? sigma : HUGE_VAL;  // nothing stands out
+    return sigma > 0 ? sigma : HUGE_VAL;  // nothing is significant
   }
 
   std::optional<Eigen::Index> highest(const Levels& levels, Eigen::Index begin,
@@ -100,7 +101,7 @@ class Jumps {
 
 }  // namespace
 
-std::vector<Eigen::VectorXd> parted_at_jumps(const std::vector<Eigen::VectorXd>& stretches) {
+std::vector<Eigen::VectorXd> split_at_jumps(const std::vector<Eigen::VectorXd>& stretches) {
   const Jumps jumps(stretches);
   std::vector<Eigen::VectorXd> parts;
   for (std::size_t i = 0; i < stretches.size(); ++i) {

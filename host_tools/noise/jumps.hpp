@@ -5,9 +5,9 @@
 
 namespace fogcomp::noise {
 
-/// Parts stretches of noise where their level jumps: an event is no noise, and one alone would pass
-/// for a great deal of slow noise. A jump stands out of what means of the same 8 to 64 rows differ
-/// by elsewhere, and is as high within half as many rows. Parts are of 32 rows or more.
-std::vector<Eigen::VectorXd> parted_at_jumps(const std::vector<Eigen::VectorXd>& stretches);
+/// Divides stretches of noise where their level jumps: a single jump is an event, and would count
+/// as much slow noise. A jump exceeds the usual differences of means of 8 to 64 rows, and is as
+/// high within half as many rows. Parts have at least 32 rows.
+std::vector<Eigen::VectorXd> split_at_jumps(const std::vector<Eigen::VectorXd>& stretches);
 
 }  // namespace fogcomp::noise

@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 struct Points {
   VectorXd variance;            // sigma^2, (deg/h)^2
-  VectorXd degrees_of_freedom;  // degrees of freedom of each, the model's error included
+  VectorXd degrees_of_freedom;  // of each, the model's error included
 };
 
 Points points_of(const std::vector<AllanPoint>& allan) {
@@ -38,11 +38,11 @@ Points points_of(const std::vector<AllanPoint>& allan) {
 struct Fit {
   VectorXd squares;         // of the coefficients, all terms
   VectorXd standard_error;  // of the squares
-  double score = 0;         // -2 ln likelihood + 2 * effective number of terms; less is better
-  double inflation = 1;     // of score differences, because the points are not independent
+  double score = 0;         // -2 ln likelihood + 2 * effective number of terms; lower is better
+  double inflation = 1;     // of score differences, because the points are correlated
 };
 
-// A weighted least-squares solution of the points' variances.
+// Weighted least-squares solution for the points' variances.
 struct Solution {
   VectorXd squares;  // of the coefficients
   VectorXd modelled;
@@ -50,8 +50,8 @@ struct Solution {
   MatrixXd inverse;  // of the normal matrix
 };
 
-// Each point taken for independent and chi-square distributed about the model, which gives the
-// weights of the next round.
+// Treats the points as independent and chi-square distributed about the model, which gives the
+// weights of the next iteration.
 std::optional<Solution> solve(const MatrixXd& design, const Points& points) {
   constexpr int kRounds = 30;
   Solution s;
@@ -61,19 +61,19 @@ std::optional<Solution> solve(const MatrixXd& design, const Points& points) {
     s.inverse = inverse_of_definite(gram(s.weight.cwiseSqrt().asDiagonal() * design));
     s.squares = s.inverse * (design.transpose() * s.weight.cwiseProduct(points.variance));
     if (!s.squares.allFinite()) return std::nullopt;
-    // Kept positive on the way, as the weights of the next round must be.
+    // Kept positive, because they are weights of the next iteration.
     s.modelled = design * s.squares.cwiseMax(1e-3 * s.inverse.diagonal().cwiseSqrt());
   }
   if ((s.squares.array() <= 0).any()) return std::nullopt;
   return s;
 }
 
-/// The most likely non-negative coefficients of the terms `set`, each point taken for independent
-/// and chi-square distributed about the model. Errors and the charge for terms then come from the
-/// covariance that the points really have (composite likelihood: the "sandwich" of Godambe, the
-/// criterion of Varin and Vidoni). Weighting by that covariance would be sharper on paper, but
-/// follows its smallest eigenvalues where the spectrum is not quite the model's.
-/// Nothing where the terms cannot all be positive.
+/// Most probable non-negative coefficients of the terms `set`, with points treated as independent
+/// and chi-square distributed about the model. Errors and the penalty for terms then use the true
+/// covariance of the points (composite likelihood: Godambe's "sandwich", criterion of Varin and
+/// Vidoni). Weights from that covariance would be optimal in theory, but follow its smallest
+/// eigenvalues where the spectrum differs from the model. Nothing if the terms cannot all be
+/// positive.
 std::optional<Fit> fit_terms(const AllanModel& model, const Points& points,
                              const std::vector<Index>& set) {
   const auto count = static_cast<Index>(set.size());
@@ -106,7 +106,7 @@ std::optional<Fit> fit_terms(const AllanModel& model, const Points& points,
   return fit;
 }
 
-/// Fits that the data do not rule out, best first.
+/// Fits that the data do not exclude, best first.
 std::vector<Fit> plausible_fits(const AllanModel& model, const Points& points) {
   constexpr unsigned kSets = 1U << AllanModel::kTerms;
   std::vector<Fit> fits;
@@ -126,14 +126,14 @@ std::vector<Fit> plausible_fits(const AllanModel& model, const Points& points) {
   return fits;
 }
 
-/// The value of the best fit, with an interval that covers those of all.
-std::optional<NoiseCoefficient> agreed(const std::vector<Fit>& fits, AllanModel::Term term) {
+/// The value of the best fit, with an interval that covers those of all fits.
+std::optional<NoiseCoefficient> consensus(const std::vector<Fit>& fits, AllanModel::Term term) {
   if (fits.empty()) return std::nullopt;
   NoiseCoefficient result{std::sqrt(fits.front().squares[term]), 0};
   for (const Fit& fit : fits) {
     if (!(fit.squares[term] > 0)) return std::nullopt;
     const double value = std::sqrt(fit.squares[term]);
-    // Two standard errors, and d sqrt(c) = dc / (2 sqrt(c)).
+    // two standard errors; d sqrt(c) = dc / (2 sqrt(c))
     const double half_width = fit.standard_error[term] / value;
     result.half_width_95 =
         std::max(result.half_width_95, std::fabs(value - result.value) + half_width);
@@ -148,9 +148,9 @@ NoiseCoefficients fit_noise_coefficients(const std::vector<AllanPoint>& allan) {
                                         [](const AllanPoint& point) { return point.sigma > 0; });
   if (allan.empty() || !all_positive) return {};
   const std::vector<Fit> fits = plausible_fits(AllanModel(allan), points_of(allan));
-  return {agreed(fits, AllanModel::kQuantization), agreed(fits, AllanModel::kAngleWalk),
-          agreed(fits, AllanModel::kInstability), agreed(fits, AllanModel::kRateWalk),
-          agreed(fits, AllanModel::kRamp)};
+  return {consensus(fits, AllanModel::kQuantization), consensus(fits, AllanModel::kAngleWalk),
+          consensus(fits, AllanModel::kInstability), consensus(fits, AllanModel::kRateWalk),
+          consensus(fits, AllanModel::kRamp)};
 }
 
 }  // namespace fogcomp::noise

@@ -15,7 +15,7 @@ struct NoiseCoefficient {
 
 /// Coefficients of
 ///   sigma^2(tau) = 3 Q^2/tau^2 + N^2/tau + B^2 (2/pi) ln 2 + K^2 tau/3 + R^2 tau^2/2,
-/// tau in hours. One that the data cannot show is absent.
+/// tau in hours. A coefficient that the data cannot show is absent.
 struct NoiseCoefficients {
   std::optional<NoiseCoefficient> quantization_deg;        ///< Q
   std::optional<NoiseCoefficient> angle_random_walk_dprh;  ///< N, deg/sqrt(h)
@@ -26,9 +26,9 @@ struct NoiseCoefficients {
 
 /// Fits the coefficients to an Allan deviation in deg/h.
 ///
-/// Every combination of terms is fitted. A coefficient is reported only if all combinations that
-/// are plausible (likelihood ratio against the best, 95 %) have it, and its interval covers theirs:
-/// two terms that could stand for each other are both absent rather than wrong.
+/// Fits every combination of terms. A coefficient is reported only if all plausible combinations
+/// (likelihood ratio against the best, 95 %) contain it, and its interval covers theirs: of two
+/// terms that can replace each other neither is reported.
 NoiseCoefficients fit_noise_coefficients(const std::vector<AllanPoint>& allan);
 
 }  // namespace fogcomp::noise

@@ -28,7 +28,7 @@ std::size_t count_differences(const std::vector<recording::RowRange>& stretches,
   return count;
 }
 
-// Second differences of means over so many samples, scaled to the noise of one mean.
+// Second differences of means over `samples` samples, scaled to the noise of one mean.
 std::vector<double> scaled_differences(const std::vector<double>& bias,
                                        const std::vector<recording::RowRange>& stretches,
                                        std::size_t samples) {
@@ -59,7 +59,8 @@ double robust_deviation(const std::vector<double>& values) {
   constexpr double kVarianceWithin = 0.99389;  // of a normal variable within the cut
   constexpr int kRounds = 10;
   double sigma = sigma_by_median(values);
-  // A zero median means steps coarser than the noise, so that most differences vanish: keep all.
+  // A zero median means that the resolution is coarser than the noise, so that most differences
+  // vanish: keep all.
   double cut = sigma > 0 ? rules::kFloorCut * sigma : HUGE_VAL;
   for (int round = 0; round < kRounds; ++round) {
     double sum = 0;
@@ -81,10 +82,11 @@ Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
-// Takes out of the differences what differences of the columns explain. Those beyond the cut (the
-// flanks of steps, spikes) are not asked.
-void take_out(const Eigen::MatrixXd& columns, const std::vector<recording::RowRange>& stretches,
-              std::size_t samples, std::vector<double>& differences) {
+// Removes from the differences the part explained by differences of the columns. Differences beyond
+// the cut (flanks of steps, spikes) are not used for the fit.
+void project_out_columns(const Eigen::MatrixXd& columns,
+                         const std::vector<recording::RowRange>& stretches, std::size_t samples,
+                         std::vector<double>& differences) {
   constexpr int kRounds = 4;
   const auto rows = static_cast<Eigen::Index>(differences.size());
   Eigen::MatrixXd basis(rows, columns.cols());
@@ -122,7 +124,7 @@ std::optional<double> noise_floor_dph(const recording::Recording& recording, dou
                                                      as_vector(recording.temperature_degc));
   const auto count = static_cast<std::size_t>(columns.cols());
   if (count > 0 && recording.rows() > rules::kMeansPerColumn * samples * count) {
-    take_out(columns, stretches, samples, differences);
+    project_out_columns(columns, stretches, samples, differences);
   }
   return white * robust_deviation(differences);
 }

@@ -18,9 +18,9 @@ namespace {
 
 constexpr double kLadderStep = 4;  // between neighbouring time constants
 constexpr int kUpdates = 300;
-constexpr double kMinVariance = 1e-30;  // rows without any noise can still be weighted
+constexpr double kMinVariance = 1e-30;  // so that rows without noise have finite weights
 constexpr double kLateStart =
-    1e-3;  // of the mean power: single components grow where flicker fails
+    1e-3;  // fraction of the mean power: single components grow where flicker is not enough
 
 struct Spectrum {
   std::vector<double> angle;  // per row, 0..pi
@@ -35,11 +35,10 @@ void remove_line(Eigen::VectorXd& values) {
   values -= slope * t;
 }
 
-// Outliers are no part of the noise that the rows are weighted with; a row of 60 sigma would be all
-// of it.
+// Outliers must not determine the noise: a row of 60 sigma would dominate it.
 void clip_outliers(Eigen::VectorXd& values) {
   const double max = rules::kMaxSpectrumSigmas * sigma_by_median({values.begin(), values.end()});
-  if (max == 0) return;  // most rows are rounded to one value: what is not is no outlier
+  if (max == 0) return;  // most rows are rounded to one value: the others are no outliers
   values = values.cwiseMax(-max).cwiseMin(max);
 }
 
@@ -59,7 +58,7 @@ double density(double phi, double angle) {
   return (1 - phi * phi) / (1 - 2 * phi * std::cos(angle) + phi * phi);
 }
 
-// Expected power over variances: columns white, flicker, then a Gauss-Markov component each.
+// Expected power for unit variances: columns white, flicker, then one per Gauss-Markov component.
 Eigen::ArrayXXd basis_of(const std::vector<double>& angles, double row_s,
                          const std::vector<double>& taus_s, std::size_t own) {
   const auto points = static_cast<Eigen::Index>(angles.size());
@@ -76,12 +75,12 @@ Eigen::ArrayXXd basis_of(const std::vector<double>& angles, double row_s,
   return basis;
 }
 
-// How well the power at a low frequency is known, as if it were a variance from so many values:
-// from the curvature of Whittle's likelihood, in the levels of white noise and of the slow part.
-// The slow part is taken as flicker, of which little may be seen, and as all that was found, which
-// may be mostly one component and come from few periods; the less certain counts. With the levels
-// of both unknown it would be what the power really scatters by, some five times less; but then
-// effects that leave 1.6 times the noise went unseen.
+// Degrees of freedom of the power at a low frequency, as of a variance of so many values: from the
+// curvature of Whittle's likelihood in the levels of white noise and of the slow part. The slow
+// part is taken as flicker, of which little may be visible, and as the fitted components, which may
+// be mostly one and come from few periods; the less certain counts. With both levels unknown this
+// would give the true scatter, some five times less; but then effects of 1.6 times the noise were
+// missed.
 double degrees_of_freedom_of(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd& variance,
                              const Eigen::ArrayXd& low) {
   const Eigen::ArrayXd model = (basis.matrix() * variance.matrix()).array();
@@ -98,7 +97,7 @@ double degrees_of_freedom_of(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd&
     const Eigen::Matrix2d information = scaled.transpose() * scaled;
     const Eigen::Vector2d towards(low[0], (low * slow).sum());
     const double spread = towards.dot(information.inverse() * towards);
-    const bool has_shape = spread > 0;  // all that was found may be nothing
+    const bool has_shape = spread > 0;  // the fitted components may all be 0
     if (has_shape) degrees_of_freedom = std::min(degrees_of_freedom, 2 * power * power / spread);
   }
   return std::max(degrees_of_freedom, rules::kMinFreedom);
@@ -126,7 +125,7 @@ QuietSpectrum in_bands(const Spectrum& spectrum, double white_variance) {
   return quiet;
 }
 
-// Coefficients of a random walk that drifts by 1/16 to 8 times the white noise of a row in a run.
+// Coefficients of random walks that drift by 1/16 to 8 times the white noise of a row in a run.
 std::vector<NoiseModel::Walk> possible_walks(double white_dph, double run_s) {
   std::vector<NoiseModel::Walk> walks;
   for (double ratio = 1.0 / 16; ratio <= 8; ratio *= 2) {
@@ -135,8 +134,8 @@ std::vector<NoiseModel::Walk> possible_walks(double white_dph, double run_s) {
   return walks;
 }
 
-// Whittle's likelihood of each walk, beside as much or as little of the slow noise that was found
-// as suits it: what is a walk was taken for that.
+// Whittle's likelihood of each walk, with the fitted slow noise scaled as is most probable beside
+// it, because that noise may be the walk.
 void weigh_walks(const Spectrum& spectrum, const Eigen::ArrayXd& white, const Eigen::ArrayXd& slow,
                  double row_s, std::vector<NoiseModel::Walk>& walks) {
   const Eigen::Map<const Eigen::ArrayXd> power(spectrum.power.data(), white.size());
@@ -154,11 +153,12 @@ void weigh_walks(const Spectrum& spectrum, const Eigen::ArrayXd& white, const Ei
   for (NoiseModel::Walk& one : walks) one.log_odds = log_likelihood(one.coefficient) - none;
 }
 
-// Of the components that may be there: of flicker all, by themselves those that a sample can show.
+// Time constants of the possible components: for flicker all, as single components those that a
+// sample can show.
 struct TimeConstants {
   std::vector<double> all_s;
   std::size_t own = 0;
-  double longest_s = 0;  // of what the noise is wanted for
+  double longest_s = 0;  // of the run for which the noise is needed
 };
 
 TimeConstants time_constants(const std::vector<NoiseSample>& samples, double row_s, double run_s) {
@@ -176,7 +176,7 @@ TimeConstants time_constants(const std::vector<NoiseSample>& samples, double row
   return taus;
 }
 
-// By multiplicative updates, which stay positive.
+// By multiplicative updates, which keep variances positive.
 Eigen::ArrayXd likeliest_variances(const Eigen::ArrayXXd& basis, const Eigen::ArrayXd& power) {
   Eigen::ArrayXd variance = Eigen::ArrayXd::Constant(basis.cols(), kLateStart * power.mean());
   variance[0] = power.mean() / 2;
@@ -213,7 +213,7 @@ double NoiseModel::slow_density(double angle) const {
 
 std::vector<NoiseSample> noise_samples(const std::vector<Eigen::VectorXd>& stretches) {
   std::vector<NoiseSample> samples;
-  for (Eigen::VectorXd& part : parted_at_jumps(stretches)) samples.push_back({std::move(part)});
+  for (Eigen::VectorXd& part : split_at_jumps(stretches)) samples.push_back({std::move(part)});
   return samples;
 }
 
@@ -228,7 +228,7 @@ NoiseModel fit_noise(const std::vector<NoiseSample>& samples, double row_s, doub
   noise.from_quiet_parts = true;
   noise.degrees_of_freedom = 1;
   noise.white_variance = kMinVariance;
-  if (!(power.mean() > 0)) return noise;  // the same value in every row
+  if (!(power.mean() > 0)) return noise;  // equal values in all rows
   const Eigen::ArrayXd variance = likeliest_variances(basis, power);
   noise.white_variance = variance[0];
   noise.quiet_spectrum = in_bands(spectrum, noise.white_variance);

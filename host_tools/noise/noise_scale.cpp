@@ -10,12 +10,12 @@
 namespace fogcomp::noise {
 namespace {
 
-// By simulation: variance of ln of the median distance in a window of n rows, times n, of normal
-// noise and of Student's t with three degrees.
+// From simulation: variance of ln of the median distance in a window of n rows, times n, for normal
+// noise and Student's t with three degrees of freedom.
 constexpr double kSamplingVariance = 2.2;
 
-// Distance of each row from the middle between its neighbours, in the noise of a full row; 0 at
-// ends and gaps. A slope, however steep, does not enter.
+// Distance of each row from the mean of its neighbours, in units of a full row's noise; 0 at ends
+// and gaps. Independent of slopes.
 Eigen::VectorXd distances(const series::Rows& rows, const Eigen::VectorXd& residual,
                           const Eigen::VectorXd& counted) {
   Eigen::VectorXd distance = Eigen::VectorXd::Zero(residual.size());
@@ -31,7 +31,7 @@ Eigen::VectorXd distances(const series::Rows& rows, const Eigen::VectorXd& resid
   return distance;
 }
 
-// Natural logarithm of each window's noise; windows lie in one recording each.
+// Natural logarithm of each window's noise; each window lies in one recording.
 struct Windows {
   std::vector<recording::RowRange> ranges;
   std::vector<double> log_sigma;
@@ -54,9 +54,9 @@ Windows windows_of(const series::Rows& rows, const Eigen::VectorXd& distance) {
   return windows;
 }
 
-// How much of a window's difference from the typical one is its own and not chance: empirical
-// Bayes, 0 where the windows scatter no more than they would with equal noise.
-double share_beyond_chance(const Windows& windows, double typical) {
+// Fraction of a window's difference from the typical one that is real, by empirical Bayes; 0 if the
+// windows scatter no more than with equal noise.
+double shrinkage_factor(const Windows& windows, double typical) {
   double square = 0;
   double count = 0;
   double sampling = 0;
@@ -86,7 +86,7 @@ Eigen::VectorXd noise_scale(const series::Rows& rows, const Eigen::VectorXd& res
   Eigen::VectorXd scale = Eigen::VectorXd::Ones(rows.size());
   if (known.empty()) return scale;
   const double typical = median(known);
-  const double share = share_beyond_chance(windows, typical);
+  const double share = shrinkage_factor(windows, typical);
   for (std::size_t i = 0; i < windows.ranges.size(); ++i) {
     if (!std::isfinite(windows.log_sigma[i])) continue;
     const recording::RowRange& range = windows.ranges[i];

@@ -7,10 +7,10 @@
 namespace fogcomp::noise {
 
 /// Standard deviation of each row's noise relative to the typical row's (1): a chamber's compressor
-/// or a hot detector makes more of it in parts of a run. From how far each row lies from the middle
-/// between its neighbours, so that what drifts beneath does not enter; in windows of 128 rows. As
-/// far as these differ by no more than chance, all are
-/// 1. `residual`: per row, deg/h. `counted`: 1 per row, 0 for rows that are left out.
+/// or a hot detector increases it in parts of a run. Estimated from the distance of each row to the
+/// mean of its neighbours, so that drift does not matter, in windows of 128 rows. All 1 if the
+/// windows differ by no more than chance. `residual`: per row, deg/h. `counted`: 1 per row, 0 for
+/// excluded rows.
 Eigen::VectorXd noise_scale(const series::Rows& rows, const Eigen::VectorXd& residual,
                             const Eigen::VectorXd& counted);
 

@@ -13,7 +13,7 @@
 namespace fogcomp::noise {
 namespace {
 
-// The value that a part of `sizes` lies below, 0..1.
+// Quantile of `sizes`; `part`: 0..1.
 double quantile(std::vector<double>& sizes, double part) {
   const auto at =
       sizes.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(sizes.size() - 1));
@@ -21,9 +21,9 @@ double quantile(std::vector<double>& sizes, double part) {
   return *at;
 }
 
-// The sigma of a row's white noise, from second differences; few outliers do not move it. By two
-// quantiles, of which the larger counts: of an oscillation every second one may vanish, or most may
-// be nearly as large as the largest.
+// Standard deviation of a row's white noise, from second differences; robust against few outliers.
+// The larger estimate of two quantiles: in an oscillation every second difference may vanish, or
+// most may be nearly as large as the largest.
 double sigma_of_bends(std::vector<double> bends) {
   constexpr double kNormalHalf = 0.67448975019608171;  // quantiles of |normal|
   constexpr double kNormalThreeQuarters = 1.1503493803760079;
@@ -33,13 +33,13 @@ double sigma_of_bends(std::vector<double> bends) {
   const double sigma =
       std::max(quantile(bends, 0.5) / kNormalHalf, quantile(bends, 0.75) / kNormalThreeQuarters);
   if (sigma > 0) return sigma / root;
-  // Steps of the rate coarser than its noise: most rows are equal, the others tell its size.
+  // The resolution is coarser than the noise: most rows are equal, the others give its size.
   bends.erase(std::remove(bends.begin(), bends.end(), 0.0), bends.end());
   return sigma_by_median(std::move(bends)) / root;
 }
 
-// Chauvenet's criterion: noise alone exceeds it in half a row of so many.
-double sigmas_allowed(std::size_t rows) {
+// Chauvenet's criterion: noise alone is expected to exceed it in half a row.
+double max_sigmas(std::size_t rows) {
   double low = rules::kMinOutlierSigmas;
   double high = rules::kMaxOutlierSigmas;
   while (high - low > 1e-3) {
@@ -53,7 +53,7 @@ double sigmas_allowed(std::size_t rows) {
 // The nearest values on one side of a row.
 class Side {
  public:
-  // Kept in order of size.
+  // Sorted.
   void add(double value) {
     std::size_t at = size_++;
     for (; at > 0 && values_[at - 1] > value; --at) values_[at] = values_[at - 1];
@@ -61,7 +61,7 @@ class Side {
   }
   std::size_t size() const { return size_; }
   double median() const { return (values_[(size_ - 1) / 2] + values_[size_ / 2]) / 2; }
-  // Sigma by the median of the three distances from the median, of which one is 0.
+  // Standard deviation from the median of the three distances from the median, of which one is 0.
   double scatter() const {
     constexpr double kSigmaPerMedian = 1.4826022185056018;
     if (size_ < rules::kNeighbours) return 0;
@@ -87,10 +87,10 @@ class OutlierSearch {
       for (std::size_t i = stretch.first + 1; i + 1 < stretch.end; ++i) bends.push_back(bend(i));
     }
     sigma_ = sigma_of_bends(std::move(bends));
-    sigmas_ = sigmas_allowed(rows.values.size());
+    sigmas_ = max_sigmas(rows.values.size());
   }
 
-  // Rows of one event are found one after the other: each hides the next.
+  // Rows of one event are found one after the other, because each hides the next.
   std::vector<bool> run() {
     if (sigma_ == 0) return outlier_;
     for (std::size_t round = 0; round <= rules::kNeighbours; ++round) {
@@ -148,7 +148,7 @@ class OutlierSearch {
       off = std::min(std::abs(value - before.median()), std::abs(value - after.median()));
       scatter = std::max(before.scatter(), after.scatter());
     } else {
-      // At an end of a stretch nothing tells a drift that grows from an outlier but its size.
+      // At the end of a stretch only its size distinguishes an outlier from a growing drift.
       const Side& side = before.size() > 0 ? before : after;
       if (side.size() < rules::kNeighbours) return false;
       off = std::abs(value - side.median());
@@ -158,7 +158,7 @@ class OutlierSearch {
            off > allowed * sigma_around(row, stretch);
   }
 
-  // Without the row itself; 0 where too few rows are there.
+  // Without the row itself; 0 for too few rows.
   double sigma_around(std::size_t row, const recording::RowRange& stretch) const {
     std::vector<double> bends;
     const std::size_t first = std::max(stretch.first + 1, row - std::min(row, rules::kRowsAround));

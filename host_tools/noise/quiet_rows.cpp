@@ -19,7 +19,7 @@ double rate_limit(const series::Rows& rows) {
   return std::max(rules::kMaxQuietRate, rules::kQuietShareOfRamps * *at);
 }
 
-// An axis that is turned, a field that is switched on: no noise either.
+// Finds changes such as a rotation of the axis or a field that is switched, which are not noise.
 class InputJumps {
  public:
   explicit InputJumps(const series::Rows& rows) : rows_(rows) {

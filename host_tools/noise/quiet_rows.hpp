@@ -8,12 +8,12 @@
 
 namespace fogcomp::noise {
 
-/// The rows in which the temperature stands still and has settled, so that what a model leaves
-/// there is noise: |dT/dt| at most 5 % of what the ramps have (or 0.02 degC/min), without gaps, at
-/// least 32 rows. Where another input jumps, a new stretch begins.
+/// The rows with a constant, settled temperature, in which a model's residual is noise: |dT/dt| at
+/// most 5 % of that of the ramps (or 0.02 degC/min), without gaps, at least 32 rows. A jump of
+/// another input starts a new range.
 std::vector<recording::RowRange> quiet_ranges(const series::Rows& rows);
 
-/// The parts of a value per row.
+/// The parts of a vector with one value per row.
 std::vector<Eigen::VectorXd> parts_of(const Eigen::VectorXd& values,
                                       const std::vector<recording::RowRange>& ranges);
 
@@ -21,8 +21,8 @@ std::vector<Eigen::VectorXd> parts_of(const Eigen::VectorXd& values,
 std::vector<Eigen::VectorXd> quiet_stretches(const series::Rows& rows,
                                              const Eigen::VectorXd& residual);
 
-/// The noise of a residual: from its quiet parts, or where there are none white, from neighbouring
-/// rows. Outliers are to be bridged before.
+/// Noise of a residual: from its quiet parts or, without any, white noise from neighbouring rows.
+/// Outliers have to be bridged before.
 NoiseModel noise_of(const series::Rows& rows, const Eigen::VectorXd& residual);
 
 }  // namespace fogcomp::noise

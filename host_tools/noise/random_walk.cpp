@@ -8,7 +8,7 @@
 namespace fogcomp::noise {
 
 Eigen::MatrixXd random_walk_modes(const series::Rows& rows) {
-  // The 24th mode of a run has 1/47 of the first one's size: white noise has long covered it.
+  // The 24th mode of a run has 1/47 of the first one's size: far below white noise.
   constexpr Eigen::Index kStrongest = 24;
   constexpr Eigen::Index kOfAllRuns = 96;
   constexpr Eigen::Index kMinCount = 8;

@@ -6,10 +6,10 @@
 
 namespace fogcomp::noise {
 
-/// What a random walk of the bias can look like over each recording: rows x modes (Karhunen-Loeve,
-/// the strongest of each recording), deg/h. A walk of coefficient K, in deg/h/sqrt(h), is the sum
-/// of all modes, each times K and an independent normal variable of variance 1; but for its start,
-/// which is the recording's own bias, and what is faster than the modes.
+/// Modes of a random walk of the bias over each recording: rows x modes (Karhunen-Loeve, the
+/// strongest of each recording), deg/h. A walk of coefficient K, in deg/h/sqrt(h), is the sum of
+/// all modes, each times K and an independent normal variable of variance 1, except for its start,
+/// which is the recording's own bias, and for variations faster than the modes.
 Eigen::MatrixXd random_walk_modes(const series::Rows& rows);
 
 }  // namespace fogcomp::noise

@@ -25,12 +25,12 @@ Whitening::Whitening(const NoiseModel& noise, const series::Rows& rows,
   Eigen::MatrixXd covariance = variances.asDiagonal();
   Eigen::VectorXd decay(components);
   Eigen::VectorXd to_sum(components);
-  double decay_s = -1;  // what `decay` is over
+  double decay_s = -1;  // duration for which `decay` was computed
   std::size_t next_run = 0;
   for (Eigen::Index i = 0; i < size; ++i) {
     const auto row = static_cast<std::size_t>(i);
     if (next_run < rows.run_starts.size() && rows.run_starts[next_run] == row) {
-      covariance = variances.asDiagonal();  // decay stays 0: nothing is known yet
+      covariance = variances.asDiagonal();  // decay stays 0: no prior knowledge
       ++next_run;
     } else {
       const double elapsed_s = rows.time_s[row] - rows.time_s[row - 1];
@@ -63,8 +63,8 @@ Eigen::MatrixXd Whitening::apply(const Eigen::MatrixXd& matrix) const {
   return white;
 }
 
-// Several columns side by side, and the states summed in two halves: within a column every row
-// waits for the innovation of the row before.
+// Several columns side by side, and the states summed in two halves, because within a column every
+// row depends on the innovation of the row before.
 template <int kColumns>
 void Whitening::filter(const Eigen::MatrixXd& matrix, Eigen::Index first,
                        Eigen::MatrixXd& white) const {
@@ -92,7 +92,7 @@ void Whitening::filter(const Eigen::MatrixXd& matrix, Eigen::Index first,
   }
 }
 
-// From the last row backwards: what a row's value does to all later results by way of the states.
+// Backwards from the last row: effect of a row's value on all later results through the states.
 Eigen::MatrixXd Whitening::apply_transposed(const Eigen::MatrixXd& matrix) const {
   Eigen::MatrixXd result(matrix.rows(), matrix.cols());
   Eigen::MatrixXd later = Eigen::MatrixXd::Zero(decay_.rows(), matrix.cols());
@@ -104,10 +104,10 @@ Eigen::MatrixXd Whitening::apply_transposed(const Eigen::MatrixXd& matrix) const
   return result;
 }
 
-// From the last row backwards. With z = (state before the row, 1) a row's innovation is h z, and
-// the next row's z is F z; so all that follows contributes z' M z to the sum of squares and L z to
-// the products, where M = F' M F + scale^2 h h' and L = L F + scale w h from one row to the one
-// before. A step that begins at a row has z = (0, 1) there.
+// Backwards from the last row. With z = (state before the row, 1) a row's innovation is h z, and
+// the next row's z is F z. So all later rows contribute z' M z to the sum of squares and L z to the
+// products, with the recursion M = F' M F + scale^2 h h' and L = L F + scale w h. A step that
+// begins at a row has z = (0, 1) there.
 StepProducts Whitening::steps(const series::Rows& rows, const Eigen::MatrixXd& whitened) const {
   const Eigen::Index states = decay_.rows();
   StepProducts products{Eigen::VectorXd(decay_.cols()),

@@ -8,32 +8,32 @@
 
 namespace fogcomp::noise {
 
-/// What whitening makes of a column that is 0 before a row and 1 from it to the end of its
-/// recording, for every row at once.
+/// Statistics of the whitened step (0 before a row, 1 from it to the end of its recording) for
+/// every row at once.
 struct StepProducts {
   Eigen::VectorXd square;  ///< per row: its sum of squares
-  Eigen::MatrixXd with;    ///< rows x columns: its product with each of some whitened columns
+  Eigen::MatrixXd with;    ///< rows x columns: its product with each given whitened column
 };
 
 /// Turns rows with coloured noise into rows with white noise of variance 1: the scaled innovations
-/// of the Kalman filter that belongs to a noise model. Linear, so the same filter serves
-/// measurements and regressors; O(rows), gaps and rows of different weight allowed; each recording
-/// begins anew. A row of weight 0 is left out: it becomes 0 and tells nothing about its neighbours.
+/// of the Kalman filter of a noise model. Linear, so the same filter serves measurements and
+/// regressors; O(rows). Handles gaps and rows of different weight; each recording starts anew. A
+/// row of weight 0 is skipped: its result is 0, and it does not affect its neighbours.
 class Whitening {
  public:
   Whitening(const NoiseModel& noise, const series::Rows& rows, const Eigen::VectorXd& weights);
 
-  /// Every column of `matrix` (rows x any).
+  /// Whitens every column of `matrix` (rows x any number).
   Eigen::MatrixXd apply(const Eigen::MatrixXd& matrix) const;
 
-  /// With apply() the product of a matrix from the left: the product of its transpose.
+  /// Product with the transpose of the linear operation of apply().
   Eigen::MatrixXd apply_transposed(const Eigen::MatrixXd& matrix) const;
 
-  /// `rows` are those of the constructor; `whitened` is rows x any. O(rows).
+  /// `rows`: those of the constructor; `whitened`: rows x any number. O(rows).
   StepProducts steps(const series::Rows& rows, const Eigen::MatrixXd& whitened) const;
 
  private:
-  /// Columns `first` to `first + kColumns` of `matrix` into those of `white`.
+  /// Whitens columns `first` to `first + kColumns` of `matrix` into those of `white`.
   template <int kColumns>
   void filter(const Eigen::MatrixXd& matrix, Eigen::Index first, Eigen::MatrixXd& white) const;
 

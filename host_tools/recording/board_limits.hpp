@@ -13,13 +13,13 @@ namespace fogcomp::recording {
 /// The largest full scale that a board's rate format holds, deg/s.
 constexpr double kMaxRangeDps = 582;
 
-/// What a gyro measures and what it is built into can do: a part of its calibration.
+/// Limits of the gyro and of the vehicle: a part of the calibration.
 struct GyroLimits {
   double range_dps = 570;                 ///< full scale
   double max_acceleration_dps2 = 20'000;  ///< ten times what agile vehicles and rate tables do
 };
 
-/// Those of them that were given, in place of others.
+/// Limits that were given; the others keep their values.
 struct GivenLimits {
   std::optional<double> range_dps{};
   std::optional<double> max_acceleration_dps2{};
@@ -30,7 +30,8 @@ struct GivenLimits {
   }
 };
 
-/// In the board's numbers, for samples of this period. A step beyond its format is any step.
+/// The limits in the board's formats, for samples of this period. A step beyond its format is
+/// unlimited.
 inline fog::RateLimits board_limits(const GyroLimits& limits, double period_s) {
   const auto raw = [](double dph, int fraction) {
     return static_cast<std::int32_t>(
@@ -43,11 +44,11 @@ inline fog::RateLimits board_limits(const GyroLimits& limits, double period_s) {
               raw(step_dps * kDphPerDegreePerSecond, fog::RateStep::fractional_bits))};
 }
 
-/// What a board takes for a temperature.
+/// Lowest temperature that a board accepts, degC.
 constexpr double kColdestDegc = -70;
 constexpr double kWarmestDegc = 130;
 
-/// What to ask about temperatures of `min` to `max` that lie outside of that.
+/// Question for a recording with temperatures from `min` to `max` outside the board's range.
 inline const char* temperature_question(double min, double max) {
   constexpr double kZeroDegcInKelvin = 273.15;
   const bool kelvin =

@@ -28,7 +28,7 @@ std::size_t slot_of_key(const std::string& key) {
                                 join(map_keys(), ", "));
 }
 
-// Those whose `key` is that of a name; more than one of them cannot be told apart.
+// Finds the name with this `key`; several cannot be told apart.
 template <class Key>
 std::optional<std::size_t> only_one(const std::vector<ColumnName>& names, const std::string& wanted,
                                     Key key) {

@@ -18,8 +18,8 @@ bool is_lower(char c) {
   return std::islower(static_cast<unsigned char>(c)) != 0;
 }
 
-// "TimeUS", "coilTemp": parted where a capital follows a small letter.
-std::string parted(const std::string& text) {
+// Splits at a capital after a small letter: "TimeUS", "coilTemp".
+std::string split_camel_case(const std::string& text) {
   std::string result;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (i > 0 && is_upper(text[i]) && is_lower(text[i - 1])) result += '_';
@@ -41,9 +41,9 @@ std::vector<std::string> words_of(std::string_view text) {
   return words;
 }
 
-// "ms", "seconds", "deg/s"; but "T", "d" or "h" is a name.
+// "ms", "seconds", "deg/s" are units; "T", "d" and "h" are names.
 bool is_unit_alone(const std::string& key) {
-  return is_telling(key) || key == "s" || key == "ms" || key == "us" || key == "ns";
+  return is_unambiguous(key) || key == "s" || key == "ms" || key == "us" || key == "ns";
 }
 
 bool begins_with(const std::string& word, std::string_view beginning) {
@@ -88,12 +88,12 @@ ColumnName::ColumnName(std::string_view name, std::string_view from_units_row)
     unit_text = text;
   } else {
     take_bracket();
-    // "coil_degC" before "TimeUS".
+    // "coil_degC" before "TimeUS"
     if (!unit && unknown_unit.empty()) take_tail(text);
-    if (!unit && unknown_unit.empty()) take_tail(parted(text));
+    if (!unit && unknown_unit.empty()) take_tail(split_camel_case(text));
   }
   if (stem_key.empty()) stem_key = key;
-  if (words.empty() && !unit_alone) words = words_of(parted(text));
+  if (words.empty() && !unit_alone) words = words_of(split_camel_case(text));
   std::string row(without_quotes(from_units_row));
   if (row.size() > 2 && (row.front() == '[' || row.front() == '(')) {
     row = row.substr(1, row.size() - 2);
@@ -122,10 +122,10 @@ void ColumnName::take_bracket() {
   unit = find_unit(inside);
   (unit ? unit_text : unknown_unit) = inside;
   stem_key = key_of_name(stem);
-  words = words_of(parted(stem));
+  words = words_of(split_camel_case(stem));
 }
 
-// The longest end of the name that is a unit: of "gyro_deg_s" the "deg_s".
+// Takes the longest suffix that is a unit: "deg_s" of "gyro_deg_s".
 void ColumnName::take_tail(const std::string& name) {
   constexpr std::string_view kSeparators = "_ ,:;.-/";
   for (std::size_t at = name.find_first_of(kSeparators); at != std::string::npos;
@@ -158,10 +158,10 @@ bool ColumnName::is_time() const {
 
 bool ColumnName::is_temperature() const {
   if (unit && unit->quantity != Quantity::temperature) return false;
-  if (unit_alone) return is_telling(unit_text);
+  if (unit_alone) return is_unambiguous(unit_text);
   if (has_word({"rate", "gyro", "grad", "deriv", "set", "dt"})) return false;
   if (words == std::vector<std::string>{"t"}) return unit || text[0] == 'T';
-  return has_word({"temp"}) || (unit && is_telling(unit_text));
+  return has_word({"temp"}) || (unit && is_unambiguous(unit_text));
 }
 
 bool ColumnName::is_rate() const {
@@ -176,7 +176,7 @@ bool ColumnName::is_rate() const {
          (!words.empty() && (words[0] == "wx" || words[0] == "wy" || words[0] == "wz"));
 }
 
-// Those beside time, temperature and rate go by their own names alone, and want a unit.
+// Columns other than time, temperature and rate need their own names and a unit.
 std::optional<std::size_t> ColumnName::optional_slot() const {
   if (!unit || unit_alone) return std::nullopt;
   if (unit->quantity == Quantity::rate && has_word({"input"}))

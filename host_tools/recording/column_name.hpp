@@ -10,29 +10,29 @@
 
 namespace fogcomp::recording {
 
-/// What a column of a CSV can be, by its name: as CsvHeader::slots, or counts of a rate.
+/// Meaning of a CSV column, from its name: a slot as in CsvHeader::slots, or counts of a rate.
 struct ColumnMeaning {
   std::size_t slot = 0;
-  std::optional<Unit> unit{};  ///< nothing where the name has none
+  std::optional<Unit> unit{};  ///< nothing if the name has none
 };
 
-/// A column's name taken apart: "Gyro_X [deg/s]" is "gyro x" in deg/s.
+/// A column's name in parts: "Gyro_X [deg/s]" is "gyro x" in deg/s.
 struct ColumnName {
-  /// `from_units_row`: what a row of units says of it; "" where there is none.
+  /// `from_units_row`: its text in a row of units, if any.
   explicit ColumnName(std::string_view text, std::string_view from_units_row = "");
 
   std::string text;                ///< as in the file, without quotes
-  std::string key;                 ///< folded, without blanks: what two spellings have in common
+  std::string key;                 ///< folded, without blanks, to compare spellings
   std::string stem_key;            ///< the same without the unit
   std::vector<std::string> words;  ///< folded, without the unit
   std::optional<Unit> unit{};
   std::string unit_text{};      ///< of the unit
   bool unit_alone = false;      ///< "seconds": the unit is all the name
-  std::string unknown_unit{};   ///< in brackets, and no unit that is known
-  std::string contradiction{};  ///< between name and row of units; "" where there is none
+  std::string unknown_unit{};   ///< unit in brackets that is unknown
+  std::string contradiction{};  ///< between name and row of units, if any
 
-  /// What it means, if it means anything. A time, temperature or rate may come without a unit; any
-  /// other column may not.
+  /// Meaning of the name, if it has one. A time, temperature or rate may lack a unit; any other
+  /// column must have one.
   std::optional<ColumnMeaning> meaning() const;
 
  private:
@@ -48,10 +48,10 @@ struct ColumnName {
 /// Folded, without blanks: "Gyro X [°/s]" is "gyrox[deg/s]".
 std::string key_of_name(std::string_view name);
 
-/// A field without blanks and quotes around it.
+/// A field without enclosing blanks and quotes.
 std::string without_quotes(std::string_view field);
 
-/// Of the unit that a recording has a column in.
+/// Quantity of the unit of a recording's column.
 Quantity quantity_of(std::size_t slot);
 
 }  // namespace fogcomp::recording

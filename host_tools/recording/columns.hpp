@@ -12,14 +12,14 @@ namespace fogcomp::recording {
 struct ColumnInfo {
   Column column;
   std::string_view name;
-  int decimals;  ///< as InputDescription has them
+  int decimals;  ///< as in InputDescription
   double min;
   double max;
 
   constexpr bool can_be(double value) const { return value >= min && value <= max; }
 };
 
-/// The column of a recording that holds an input of the drift model.
+/// The column of a recording for an input of the drift model.
 constexpr Column column_of(fog::Input input) {
   if (input == fog::Input::elapsed) return Column::time_s;
   if (input == fog::Input::temperature) return Column::temperature_degc;

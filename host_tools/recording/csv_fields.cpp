@@ -15,7 +15,8 @@ namespace fogcomp::recording {
 namespace {
 
 constexpr std::size_t kLongestNumber = 60;
-// Of a time, so that the difference of two does not overflow: nanoseconds since 1970 until 2096.
+// Largest whole part of a time, so that differences do not overflow: nanoseconds since 1970 until
+// 2096.
 constexpr std::int64_t kMaxWhole = 4'000'000'000'000'000'000;
 
 bool is_blank(char c) {
@@ -26,7 +27,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// Where the field that begins at `at` ends: at the next separator that is not in quotes.
+// End of the field that begins at `at`: the next separator outside quotes.
 std::size_t end_of_field(std::string_view line, std::size_t at, char separator) {
   bool quoted = false;
   for (; at < line.size(); ++at) {
@@ -45,7 +46,7 @@ std::string_view bare(std::string_view field) {
   return field;
 }
 
-bool stands_for_nothing(std::string_view field) {
+bool is_missing_mark(std::string_view field) {
   constexpr std::array<std::string_view, 8> kWords{"",     "nan",  "na", "n/a",
                                                    "null", "none", "-",  "--"};
   std::string word;
@@ -53,13 +54,13 @@ bool stands_for_nothing(std::string_view field) {
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
-/// Reads what a date consists of, from left to right.
+/// Reads the parts of a date from left to right.
 class DateScanner {
  public:
   explicit DateScanner(std::string_view text) : rest_(text) {}
 
   bool at_end() const { return rest_.empty(); }
-  /// A number of exactly so many digits, at most `max`.
+  /// Reads a number of exactly `count` digits, at most `max`.
   bool digits(std::size_t count, int max, int& value) {
     if (rest_.size() < count) return false;
     value = 0;
@@ -70,13 +71,13 @@ class DateScanner {
     rest_.remove_prefix(count);
     return value <= max;
   }
-  /// One of the characters.
+  /// Reads one of the characters.
   bool one_of(std::string_view characters) {
     if (rest_.empty() || characters.find(rest_.front()) == std::string_view::npos) return false;
     rest_.remove_prefix(1);
     return true;
   }
-  /// Digits behind the point.
+  /// Reads digits after the point.
   double fraction() {
     double value = 0;
     std::string digits = "0.";
@@ -147,7 +148,7 @@ void split_fields(std::string_view line, char separator, std::vector<std::string
 
 FieldKind read_number(std::string_view field, bool decimal_comma, double& value) {
   if (field.size() > kLongestNumber) return FieldKind::text;
-  // With the byte behind it that scan_decimal() wants.
+  // With the byte after it that scan_decimal() needs.
   std::array<char, kLongestNumber + 1> text{};
   std::copy(field.begin(), field.end(), text.begin());
   char* const end = text.data() + field.size();
@@ -156,7 +157,7 @@ FieldKind read_number(std::string_view field, bool decimal_comma, double& value)
     std::replace(text.data(), end, ',', '.');
   }
   if (!field.empty() && scan_decimal(text.data(), end, value) == end) return FieldKind::number;
-  return stands_for_nothing(field) ? FieldKind::missing : FieldKind::text;
+  return is_missing_mark(field) ? FieldKind::missing : FieldKind::text;
 }
 
 std::optional<TimeReading> read_long_number(std::string_view field, bool decimal_comma) {

@@ -7,14 +7,14 @@
 
 namespace fogcomp::recording {
 
-/// How the fields of a CSV are written.
+/// Notation of the fields of a CSV.
 struct CsvDialect {
   char separator = ',';  ///< ' ': any number of blanks and tabs
   bool decimal_comma = false;
 };
 
-/// The fields of a line, trimmed and without quotes; what separates within quotes does not.
-/// `fields` is overwritten.
+/// Splits a line into fields, trimmed and without quotes; separators within quotes do not split.
+/// Overwrites `fields`.
 void split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields);
 
 enum class FieldKind : std::uint8_t {
@@ -26,19 +26,19 @@ enum class FieldKind : std::uint8_t {
 /// Reads a field as a finite number.
 FieldKind read_number(std::string_view field, bool decimal_comma, double& value);
 
-/// A time as it stands in a file, in two parts: seconds since 1970 need more digits than a double
-/// has.
+/// A time as written in a file, in two parts, because seconds since 1970 need more digits than a
+/// double has.
 struct TimeReading {
   std::int64_t whole = 0;
   double fraction = 0;
 
-  /// This less `other`.
+  /// This time less `other`.
   double since(const TimeReading& other) const {
     return static_cast<double>(whole - other.whole) + (fraction - other.fraction);
   }
 };
 
-/// A number of any unit; nothing where there is none.
+/// A number in any unit; nothing if the field is not a number.
 std::optional<TimeReading> read_long_number(std::string_view field, bool decimal_comma);
 
 /// ISO 8601, date and time of day: "2024-03-05T12:30:15.25+01:00", with a blank for the T, without

@@ -47,13 +47,14 @@ std::string quoted(const ColumnName& column) {
   return "'" + printable(column.text) + "'";
 }
 
-/// Gives the fields of one header their meanings.
+/// Determines the meaning of each field of one header.
 class HeaderReader {
  public:
   HeaderReader(const HeaderLines& lines, const ReadOptions& options)
       : lines_(lines), options_(options) {
     for (std::size_t i = 0; i < lines.names.size(); ++i) {
-      // Beyond, only a recording's own names count: looking closer would take seconds.
+      // Further columns are recognised only by a recording's own names: comparing all would take
+      // seconds.
       const bool close = i < rules::kMaxColumnsUnderstood ||
                          slot_named(without_quotes(lines.names[i])) != CsvHeader::kIgnored;
       columns_.emplace_back(close ? lines.names[i] : "",
@@ -73,7 +74,7 @@ class HeaderReader {
     for (const std::size_t slot : kRequiredSlots) require(slot);
     name_ignored_columns();
     if (header_.has(kInputRateSlot) && options_.default_input_rate_dph != 0) {
-      say("its input_rate_dph is used; --latitude changes nothing");
+      say("its input_rate_dph is used; --latitude has no effect");
     }
     return std::move(header_);
   }
@@ -88,7 +89,7 @@ class HeaderReader {
     return "column " + std::to_string(field + 1) + " " + quoted(columns_[field]);
   }
 
-  /// What --columns says, or, where the file has all of its names, what the model remembers.
+  /// Applies --columns or, if the file has all of its names, the columns that the model remembers.
   void take_chosen() {
     if (!options_.columns.empty()) {
       for (const ColumnChoice& choice : parse_column_map(options_.columns)) {
@@ -110,7 +111,7 @@ class HeaderReader {
     for (const auto& [choice, chosen] : remembered) take(chosen.field, choice.slot, chosen.unit);
   }
 
-  /// The names of a recording's columns, as they are or in capitals.
+  /// Takes a recording's own names, in small letters or capitals.
   void take_own_names() {
     const auto take_names = [&](auto name_of) {
       std::vector<std::size_t> found(kColumns.size(), header_.names.size());
@@ -132,7 +133,7 @@ class HeaderReader {
     take_names([&](std::size_t i) { return columns_[i].key; });
   }
 
-  /// `counts` take the place of the rate where there is a scale factor, or nothing else.
+  /// Uses `counts` as rate if there is a scale factor, or no other rate.
   void take_counts() {
     const auto counts = std::find_if(columns_.begin(), columns_.end(), [](const ColumnName& each) {
       return each.key == kCountsName;
@@ -158,7 +159,7 @@ class HeaderReader {
     return {Quantity::rate, "counts", kDphPerDegreePerSecond / *scale_factor};
   }
 
-  /// The one column whose name means it. Where several do, nobody but the user can tell.
+  /// Takes the only column whose name fits. If several fit, the user has to choose.
   void take_likely(std::size_t slot) {
     Fields fields = likely(slot);
     if (slot == kTimeSlot && fields.size() > 1) {
@@ -198,7 +199,7 @@ class HeaderReader {
     fail(what);
   }
 
-  // The column as --columns takes it.
+  // The column in the syntax of --columns.
   std::string proposal(std::size_t field, std::size_t slot) const {
     const ColumnName& column = columns_[field];
     const bool number = column.text.find(',') != std::string::npos || column.text.empty();
@@ -230,12 +231,12 @@ class HeaderReader {
     }
     if (!unit && !column.unknown_unit.empty()) {
       fail(place(field) + ": unit '" + printable(column.unknown_unit) +
-           "' is not known; say it: --columns '" + map_key(slot) + "=" + std::to_string(field + 1) +
-           unit_proposal(slot) + "'");
+           "' is not known; give it: --columns '" + map_key(slot) + "=" +
+           std::to_string(field + 1) + unit_proposal(slot) + "'");
     }
     const bool own = column.key == kColumns[slot].name;
     if (!unit && slot == kRateSlot && !own) {
-      fail(place(field) + " has no unit; say it: --columns 'rate=" + proposal(field, slot) +
+      fail(place(field) + " has no unit; give it: --columns 'rate=" + proposal(field, slot) +
            "' (or deg/h, rad/s, ...)");
     }
     if (slot == kTimeSlot) header_.time_has_unit = unit.has_value() || own;
@@ -270,7 +271,7 @@ class HeaderReader {
   void require(std::size_t slot) const {
     if (header_.has(slot)) return;
     const std::string name(kColumns[slot].name);
-    std::vector<std::string> free;  // what a wrong name alone can be the matter with
+    std::vector<std::string> free;  // fields whose only fault may be the name
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const bool other_unit = columns_[i].unit && columns_[i].unit->quantity != Quantity::other;
       if (header_.slots[i] == CsvHeader::kIgnored && !other_unit) free.push_back(header_.names[i]);
@@ -282,7 +283,7 @@ class HeaderReader {
 
   void name_ignored_columns() const {
     if (options_.scale_factor && !uses_scale_factor_) {
-      say("no column 'counts': --scale-factor changes nothing");
+      say("no column 'counts': --scale-factor has no effect");
     }
     std::vector<std::string> ignored;
     for (std::size_t i = 0; i < header_.names.size(); ++i) {

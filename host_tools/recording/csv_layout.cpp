@@ -29,7 +29,8 @@ std::vector<std::string_view> lines_of(const FileHead& head) {
   constexpr std::size_t kMax = rules::kMaxLinesBeforeHeader + rules::kMaxRowsLookedAt;
   while (!rest.empty() && lines.size() < kMax) {
     const std::size_t end = rest.find('\n');
-    if (end == std::string_view::npos && !head.whole) break;  // the rest of it is not at hand
+    if (end == std::string_view::npos && !head.whole)
+      break;  // the rest of the line has not been read
     std::string_view line = rest.substr(0, end);
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
@@ -38,7 +39,7 @@ std::vector<std::string_view> lines_of(const FileHead& head) {
   return lines;
 }
 
-// A comment without its mark: numpy and others write the names so.
+// A comment line without its mark: numpy and others write the names there.
 std::string_view uncommented(std::string_view line) {
   line = trim(line);
   while (!line.empty() && (line.front() == '#' || line.front() == '%')) line.remove_prefix(1);
@@ -50,7 +51,7 @@ std::vector<std::string> names_in(std::string_view line, char separator) {
   split_fields(line, separator, fields);
   std::vector<std::string> names;
   for (const std::string_view field : fields) {
-    // "time [s]" parted at its blank.
+    // "time [s]" is split at its blank.
     const bool unit = separator == ' ' && !field.empty() && (field[0] == '[' || field[0] == '(');
     if (unit && !names.empty()) {
       names.back() += " " + std::string(field);
@@ -81,13 +82,13 @@ bool is_all_numbers(const std::vector<std::string>& names) {
   });
 }
 
-/// A way to read a file, and how well its first rows go with it.
+/// A possible interpretation of a file, and how well its first rows fit it.
 struct Reading {
   CsvLayout layout;
   HeaderLines lines;
   std::size_t rows = 0;
   std::size_t good_rows = 0;
-  std::vector<double> values{};  ///< of the good rows, to see whether two readings differ
+  std::vector<double> values{};  ///< of the good rows, to compare two interpretations
   bool has_values() const { return rows > 0 && good_rows == rows; }
 };
 
@@ -138,11 +139,11 @@ class LayoutFinder {
       fail(1, "a model, where a recording should be; name a recording");
     }
     if (lines_[0].find('\r') != std::string_view::npos) {
-      fail(1, "lines end in CR alone; save the file with LF or CRLF");
+      fail(1, "lines end with CR only; save the file with LF or CRLF");
     }
   }
 
-  // Readings of every line that may be the header, with this separator.
+  // Interpretations with each line that may be the header, for this separator.
   void look_for_header(char separator, bool in_comments) {
     const std::size_t end = std::min(lines_.size(), rules::kMaxLinesBeforeHeader);
     for (std::size_t i = 0; i < end; ++i) {
@@ -151,16 +152,17 @@ class LayoutFinder {
       if (text.find(separator) == std::string_view::npos) continue;
       std::vector<std::string> names = names_in(text, separator);
       const std::size_t found = is_all_numbers(names) ? 0 : required_columns_among(names, options_);
-      note_guess(i, names, found);
+      remember_candidate(i, names, found);
       note_likeliest(i, separator, names, found);
       if (found < kRequired) continue;
-      i = consider(i, separator, std::move(names));
+      i = try_header(i, separator, std::move(names));
       if (!readings_.empty() && readings_.back().has_values()) return;
     }
   }
 
-  // Of lines that lack a column the one that has most.
-  void note_guess(std::size_t line, const std::vector<std::string>& names, std::size_t found) {
+  // Remembers the best line that lacks a column, for the message.
+  void remember_candidate(std::size_t line, const std::vector<std::string>& names,
+                          std::size_t found) {
     if (found > guess_found_ || (found == guess_found_ && guess_.names.empty()) ||
         (found == guess_found_ && found == 0 && guess_is_numbers_)) {
       guess_found_ = found;
@@ -177,8 +179,8 @@ class LayoutFinder {
     if (one.rank() > likeliest_.rank()) likeliest_ = one;
   }
 
-  // Returns the last line that the header takes: a row of units is no header.
-  std::size_t consider(std::size_t line, char separator, std::vector<std::string> names) {
+  // Returns the last line of the header: a row of units belongs to it.
+  std::size_t try_header(std::size_t line, char separator, std::vector<std::string> names) {
     HeaderLines header{
         std::move(names), {}, head_.path, head_.path + ":" + std::to_string(line + 1)};
     std::size_t last = line;
@@ -190,11 +192,11 @@ class LayoutFinder {
         last = below;
       }
     }
-    consider(header, separator, last + 1);
+    try_header(header, separator, last + 1);
     return last;
   }
 
-  void consider(const HeaderLines& header, char separator, std::size_t lines_before_rows) {
+  void try_header(const HeaderLines& header, char separator, std::size_t lines_before_rows) {
     CsvLayout layout;
     layout.lines_before_rows = lines_before_rows;
     layout.dialect.separator = separator;
@@ -208,7 +210,7 @@ class LayoutFinder {
       layout.dialect.decimal_comma = decimal_comma;
       Reading reading{layout, header};
       try_rows(reading);
-      // Whole numbers read the same either way.
+      // Whole numbers are the same with either decimal mark.
       if (decimal_comma && reading.has_values() && readings_.back().has_values()) continue;
       readings_.push_back(std::move(reading));
     }
@@ -243,7 +245,7 @@ class LayoutFinder {
     return true;
   }
 
-  // The plain format: nothing else has to be tried.
+  // The plain format: no other has to be tried.
   bool is_plain() const {
     if (readings_.empty()) return false;
     const Reading& reading = readings_.front();
@@ -264,7 +266,7 @@ class LayoutFinder {
     }
     if (readings_.empty()) read_without_header();
     if (readings_.empty()) explain();
-    // Bad rows are named when they are read.
+    // Bad rows are reported when they are read.
     return *std::max_element(readings_.begin(), readings_.end(), [](const auto& a, const auto& b) {
       return a.good_rows < b.good_rows;
     });
@@ -321,7 +323,7 @@ class LayoutFinder {
     return is_name ? name : std::to_string(field + 1);
   }
 
-  // A file that begins with its rows, whose columns --columns gives by their numbers.
+  // A file without header, whose columns --columns gives by their numbers.
   void read_without_header() {
     const std::size_t first = next_line(0);
     if (options_.columns.empty() || first == lines_.size()) return;
@@ -330,14 +332,14 @@ class LayoutFinder {
       if (fields.size() < 2) continue;
       const std::vector<std::string> nameless(fields.size());
       if (required_columns_among(nameless, options_) < kRequired) continue;
-      consider({nameless, {}, head_.path, head_.path}, separator, first);
+      try_header({nameless, {}, head_.path, head_.path}, separator, first);
     }
     readings_.erase(std::remove_if(readings_.begin(), readings_.end(),
                                    [](const Reading& each) { return !each.has_values(); }),
                     readings_.end());
   }
 
-  // Why no line can be the header.
+  // Says why no line can be the header.
   [[noreturn]] void explain() const {
     if (refusal_) throw InputError(*refusal_);
     const std::size_t first = next_line(0);
@@ -361,7 +363,7 @@ class LayoutFinder {
 
   CsvLayout finish(const Reading& chosen) {
     CsvLayout layout = chosen.layout;
-    understand_header(chosen.lines, options_);  // for what it says
+    understand_header(chosen.lines, options_);  // to report its interpretation
     find_time_format(layout);
     std::vector<std::string> understood = layout.header.understood;
     if (layout.dialect.separator != ',' || layout.dialect.decimal_comma) {
@@ -378,7 +380,7 @@ class LayoutFinder {
     return layout;
   }
 
-  // By the first row that has a time.
+  // Decided by the first row with a time.
   void find_time_format(CsvLayout& layout) {
     std::vector<std::string_view> fields;
     const std::size_t time_field = layout.header.field_of(kTimeSlot);
@@ -401,7 +403,7 @@ class LayoutFinder {
     }
   }
 
-  // A time without a unit, far beyond what seconds can be, is one of the calendar in finer units.
+  // A time without unit, much larger than seconds can be, is a calendar time in finer units.
   void judge_number(CsvLayout& layout, double first) const {
     CsvHeader& header = layout.header;
     auto unit = std::find_if(header.conversions.begin(), header.conversions.end(),
@@ -429,7 +431,7 @@ class LayoutFinder {
   ReadOptions silent_ = options_;
   std::vector<std::string_view> lines_;
   std::vector<Reading> readings_;
-  std::optional<InputError> refusal_;  // of the first header that has all columns
+  std::optional<InputError> refusal_;  // for the first header with all columns
   HeaderLines guess_;
   std::size_t guess_found_ = 0;
   bool guess_is_numbers_ = false;

@@ -17,25 +17,25 @@ enum class TimeFormat : std::uint8_t {
   calendar,    ///< ISO 8601
 };
 
-/// How a CSV is laid out: everything that is known of it before its rows are read.
+/// Layout of a CSV: everything that is known before its rows are read.
 struct CsvLayout {
   CsvDialect dialect;
   CsvHeader header;
   TimeFormat time = TimeFormat::number;
-  std::size_t lines_before_rows = 0;  ///< header, units, and what stands before them
+  std::size_t lines_before_rows = 0;  ///< header, units, and lines before them
 };
 
 struct FileHead {
-  std::string_view text;  ///< of the file's first bytes
-  bool whole = false;     ///< all of it
+  std::string_view text;  ///< first bytes of the file
+  bool whole = false;     ///< `text` is the whole file
   bool utf16 = false;
   std::string path{};
 };
 
 /// Finds separator, decimal mark and header: those with which the header has a time, a temperature
-/// and a rate, and the rows below as many fields as the header and numbers in them. Throws
-/// InputError where there are none or more than one, and what understand_header() throws. What was
-/// understood is told to options.watch in one line, where it is not the plain format.
+/// and a rate, and the rows have as many fields, with numbers. Throws InputError if none or several
+/// fit, and like understand_header(). Reports the interpretation to options.watch in one line,
+/// unless it is the plain format.
 CsvLayout find_csv_layout(const FileHead& head, const ReadOptions& options);
 
 /// The columns of a CSV for somebody who is to say what they are: as they are understood or, where

@@ -32,7 +32,7 @@ std::string fault_of_time(double previous_s, double time_s, bool of_calendar) {
   return format("time_s goes back from %.15g to %.15g", previous_s, time_s);
 }
 
-/// Collects good rows into a Recording and bad ones into a count.
+/// Collects the good rows of a Recording and counts the bad ones.
 class RowCollector {
  public:
   RowCollector(const CsvLayout& layout, const InputFile& file, const ReadOptions& options,
@@ -49,8 +49,8 @@ class RowCollector {
     }
   }
 
-  /// Room for all rows of a file of `bytes`, judged by the length of one of them: growing as it
-  /// goes would copy every column several times.
+  /// Reserves memory for all rows of a file of `bytes`, estimated from the length of one row:
+  /// growing would copy every column several times.
   void reserve(std::size_t bytes, std::size_t bytes_of_line) {
     const std::size_t rows = std::min(bytes / (bytes_of_line + 1) + 1, long_recording_.part_rows());
     for (const auto& [slot, values] : columns_) values->reserve(rows);
@@ -123,7 +123,7 @@ class RowCollector {
     for (const auto& [slot, values] : columns_) values->reserve(long_recording_.part_rows());
   }
 
-  // A row without its time or rate says nothing; without anything else it is completed later.
+  // A row needs time and rate; other values are completed later.
   bool lacks_needed(const CsvRow& row) {
     if (!std::isnan(row.values[kTimeSlot]) && !std::isnan(row.values[kRateSlot])) return false;
     if (recording_.empty_rows++ == 0) first_empty_ = file_.line_number();
@@ -159,7 +159,8 @@ class RowCollector {
   std::string last_label_;
 };
 
-// By the length of its first lines; later ones, with longer times, are not twice as long.
+// Estimated from the length of the first lines; later ones, with longer times, are less than twice
+// as long.
 std::size_t min_rows_of(const InputFile& file, std::string_view head) {
   const auto lines = static_cast<std::size_t>(std::count(head.begin(), head.end(), '\n'));
   if (head.empty() || file.is_utf16()) return 0;
@@ -170,7 +171,7 @@ std::size_t min_rows_of(const InputFile& file, std::string_view head) {
 }  // namespace
 
 Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lines) {
-  // Once for a line that is longer than what can be looked at.
+  // once, for a line that is longer than the buffer
   const std::string_view head = file.peek();
   std::string_view line;
   if (head.find('\n') == std::string_view::npos && !file.at_end()) file.next_line(line);

@@ -6,9 +6,9 @@
 
 namespace fogcomp::recording {
 
-/// The columns and labels of a CSV as contract "Recordings" describes it; period and stretches are
-/// left to read_recording. `lines` gets the line of each row. Throws InputError
-/// `FILE:LINE: what is wrong; what to do`.
+/// Reads the columns and labels of a CSV (csv_layout.hpp); read_recording sets
+/// period and stretches. `lines` gets the line of each row. Throws InputError `FILE:LINE: what is
+/// wrong; what to do`.
 Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lines);
 
 }  // namespace fogcomp::recording

@@ -19,7 +19,7 @@ CsvRowReader::CsvRowReader(const CsvLayout& layout)
       plain_(layout.dialect.separator != ' ' && !layout.dialect.decimal_comma &&
              layout.time == TimeFormat::number) {}
 
-// Most rows are this: one pass over the line.
+// Fast path for most rows: one pass over the line.
 bool CsvRowReader::read_plain(std::string_view line, CsvRow& row) const {
   const char* p = line.data();
   const char* const end = p + line.size();
@@ -68,7 +68,7 @@ bool CsvRowReader::read_any(std::string_view line, CsvRow& row) {
   return true;
 }
 
-// Counted from the first row's, before it is rounded to a double.
+// Relative to the first row, before rounding to double.
 FieldKind CsvRowReader::read_time(std::string_view field, double& value) {
   const auto reading = layout_.time == TimeFormat::calendar
                            ? read_calendar_time(field)

@@ -11,11 +11,11 @@
 
 namespace fogcomp::recording {
 
-/// The fields of one line, by their columns, in a recording's units.
+/// The fields of one line by columns, in a recording's units.
 struct CsvRow {
-  std::array<double, kColumns.size()> values{};  ///< NaN where the file has none
+  std::array<double, kColumns.size()> values{};  ///< NaN for missing columns
   std::string_view label{};
-  bool lacks_values = false;  ///< some of them are NaN
+  bool lacks_values = false;  ///< some are NaN
 };
 
 /// Reads the rows of a CSV one after another.
@@ -24,7 +24,7 @@ class CsvRowReader {
   /// `layout` must outlive this.
   explicit CsvRowReader(const CsvLayout& layout);
 
-  /// False where a field is missing, surplus, or no number; fault_of() then says why.
+  /// Returns false if a field is missing, surplus or not a number; fault_of() gives the reason.
   bool read(std::string_view line, CsvRow& row) {
     if (!plain_ || !read_plain(line, row)) {
       if (!read_any(line, row)) return false;
@@ -44,7 +44,7 @@ class CsvRowReader {
 
   const CsvLayout& layout_;
   const std::vector<CsvHeader::Conversion>& conversions_;
-  bool plain_;  ///< may be read without taking the line apart first
+  bool plain_;  ///< the fast path may be used
   std::vector<std::string_view> fields_;
   std::optional<TimeReading> first_time_;
 };

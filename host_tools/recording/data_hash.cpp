@@ -18,7 +18,7 @@ std::uint32_t data_hash(const Recording& recording, std::uint32_t crc) {
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     const std::vector<double>& column = recording.extension[i];
     if (column.empty()) continue;
-    // Its number, so that the same values in another column make another hash.
+    // Includes the column's number, so that the same values in another column give another hash.
     const auto number = static_cast<std::uint8_t>(i);
     crc = fog::crc32(&number, 1, crc);
     add(column);
@@ -28,7 +28,7 @@ std::uint32_t data_hash(const Recording& recording, std::uint32_t crc) {
 
 std::uint64_t rows_hash(const Recording& recording) {
   std::uint64_t hash = recording.rows();
-  // A multiplication and a rotation per number: a recording may have millions.
+  // One multiplication and rotation per number, because a recording may have millions.
   const auto mix = [&hash](double value) {
     const double without_sign_of_zero = value + 0.0;
     std::uint64_t bits = 0;

@@ -9,22 +9,21 @@
 
 namespace fogcomp::recording {
 
-/// All that a fit can depend on, as one number for the model's history: CRC-32 of the columns of a
+/// Hash of everything that a fit depends on, for the model's history: CRC-32 of the columns of a
 /// recording, continued from `crc` (fog::kCrc32Initial for the first recording).
 std::uint32_t data_hash(const Recording& recording, std::uint32_t crc);
 
-/// What was measured, whatever the file is called and however its numbers are written: a hash of
-/// the times and rates of all rows.
+/// Hash of the times and rates of all rows, independent of the file's name and number format.
 std::uint64_t rows_hash(const Recording& recording);
 
-/// Recordings by their rows, so that none counts twice.
+/// Known recordings by their rows, so that none is counted twice.
 class KnownRows {
  public:
   void add(std::uint64_t rows_hash, const std::string& file) { files_[rows_hash] = file; }
   void add(const std::vector<std::uint64_t>& rows_hashes, const std::vector<std::string>& files) {
     for (std::size_t i = 0; i < files.size(); ++i) add(rows_hashes[i], files[i]);
   }
-  /// The file that had these rows; "" where none had.
+  /// The file that had these rows; "" if none.
   std::string file_with(std::uint64_t rows_hash) const {
     const auto found = files_.find(rows_hash);
     return found == files_.end() ? "" : found->second;

@@ -7,7 +7,7 @@
 namespace fogcomp::recording {
 
 char* print_fixed(double value, int decimals, char* out) {
-  constexpr double kMaxFixed = 1e18;  // that and nine decimals take 29 characters
+  constexpr double kMaxFixed = 1e18;  // with nine decimals it takes 29 characters
   char* const max = out + kLongestDecimal;
   if (!(std::fabs(value) < kMaxFixed)) return std::to_chars(out, max, value).ptr;
   char* end = std::to_chars(out, max, value, std::chars_format::fixed, decimals).ptr;

@@ -7,8 +7,8 @@ namespace fogcomp::recording {
 constexpr std::size_t kLongestDecimal = 32;
 
 /// Prints `value` rounded to `decimals` places (0 to 10), without trailing zeros, at `out`, which
-/// has kLongestDecimal bytes of room; returns the end. Values from 2^53 units of the last place on
-/// are printed in shortest exact form.
+/// must have kLongestDecimal bytes; returns the end. Values above 2^53 units of the last place are
+/// printed in shortest exact form.
 char* print_fixed(double value, int decimals, char* out);
 
 }  // namespace fogcomp::recording

@@ -29,9 +29,9 @@ InputFile::InputFile(std::string path, std::function<void(const std::string&, do
   if (::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode)) {
     size_ = static_cast<std::size_t>(status.st_size);
   }
-  // Of a file no larger than it needs; with room to see its end.
+  // No larger than the file, plus a byte to detect its end.
   if (size_ > 0) buffer_bytes_ = std::clamp(size_ + 1, kFewestBufferBytes, kMaxBufferBytes);
-  // One more for the line end that a last line may lack; not zeroed, as most is not needed.
+  // One more byte for the line end that a last line may lack; not zeroed, because most is not used.
   buffer_.reset(new char[buffer_bytes_ + 1]);
 }
 
@@ -57,7 +57,7 @@ void InputFile::append_decoded(std::string_view bytes) {
   end_ = static_cast<std::size_t>(end - buffer_.get());
 }
 
-// What has been read so far is UTF-16: from here on the buffer holds UTF-8.
+// The text read so far is UTF-16: from now on the buffer holds UTF-8.
 void InputFile::begin_decoding(ByteOrder order) {
   const std::string raw(buffer_.get(), end_);
   buffer_bytes_ = 2 * kMaxBufferBytes;
@@ -74,7 +74,7 @@ void InputFile::fill() {
   begin_ = 0;
   while (!utf16_ && !at_end_ && end_ < buffer_bytes_) {
     end_ += read_into(buffer_.get() + end_, buffer_bytes_ - end_);
-    // A pipe may give a byte at a time: what it is shows in more of them.
+    // A pipe may deliver single bytes: the content is judged by more of them.
     if (begun_ || (!at_end_ && end_ < kPieceBytes)) continue;
     begun_ = true;
     if (const auto order = utf16_order({buffer_.get(), end_})) begin_decoding(*order);

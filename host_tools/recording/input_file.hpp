@@ -11,13 +11,13 @@
 
 namespace fogcomp::recording {
 
-/// A file or pipe read once from start to end through one buffer, by lines or by blocks;
-/// one whose size is known tells how far it is. UTF-16 text comes out as UTF-8. Errors are
-/// InputError with the file's name.
+/// A file or pipe read once from start to end through one buffer, by lines or by blocks. Reports
+/// progress if the size is known. UTF-16 text is converted to UTF-8. Errors are InputError with the
+/// file's name.
 class InputFile {
  public:
-  /// "-" is standard input. Throws for a missing file, a directory, or one that may not be read.
-  /// `progress` is told how much is read, 0..1; or empty.
+  /// "-" is standard input. Throws for a missing or unreadable file and for a directory. `progress`
+  /// is called with the fraction read, 0..1; may be empty.
   explicit InputFile(std::string path,
                      std::function<void(const std::string& stage, double done)> progress = {});
   ~InputFile();
@@ -25,19 +25,19 @@ class InputFile {
   InputFile& operator=(const InputFile&) = delete;
 
   const std::string& path() const { return path_; }
-  /// Size in bytes, 0 where it is not known beforehand (a pipe).
+  /// Size in bytes, 0 if unknown (a pipe).
   std::size_t size() const { return size_; }
   bool is_utf16() const { return utf16_.has_value(); }
-  /// Whether peek() shows all that is left.
+  /// Whether peek() shows the whole rest.
   bool at_end() const { return at_end_; }
 
-  /// The unread bytes at hand, without taking them: 1 MiB, or all that is left of the file.
+  /// The unread bytes in the buffer, without taking them: 1 MiB, or the rest of the file.
   std::string_view peek();
-  /// Takes what peek() shows; empty at the end of the file.
+  /// Takes the bytes that peek() shows; empty at the end of the file.
   std::string_view next_block();
 
   /// Takes the next line, without its LF or CRLF; false at the end. The byte after the view is
-  /// readable and is a CR or LF. Throws for a line longer than 1 MiB.
+  /// readable and is CR or LF. Throws for a line longer than 1 MiB.
   bool next_line(std::string_view& line);
   /// Of the line taken last, from 1.
   std::size_t line_number() const { return line_number_; }

@@ -6,7 +6,7 @@
 
 namespace fogcomp::recording {
 
-/// The line of its file that each row of a recording comes from; empty for a captured stream.
+/// Line in its file of each row of a recording; empty for a captured stream.
 class LineNumbers {
  public:
   /// Rows come in order, from 0.
@@ -18,7 +18,7 @@ class LineNumbers {
 
   bool empty() const { return marks_.empty(); }
 
-  /// Of the rows from this one on, counted from 0.
+  /// Line numbers of the rows from `row` on, counted from 0.
   LineNumbers from(std::size_t row) const {
     LineNumbers rest;
     if (empty()) return rest;
@@ -41,7 +41,7 @@ class LineNumbers {
     std::size_t row;
     std::size_t line;
   };
-  std::vector<Mark> marks_;  // where a line does not follow that of the row before
+  std::vector<Mark> marks_;  // where lines are not consecutive
 };
 
 }  // namespace fogcomp::recording

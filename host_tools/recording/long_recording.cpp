@@ -25,7 +25,7 @@ bool starts_label(const Recording& recording, std::size_t row) {
                      [&](const Recording::Label& label) { return label.first_row == row; });
 }
 
-// Where what is averaged must not go on: at gaps and at the names of segments.
+// Rows that start a new mean: after gaps and at the names of segments.
 std::vector<std::size_t> breaks_of(const Recording& part) {
   std::vector<std::size_t> breaks = part.stretch_starts;
   for (const Recording::Label& label : part.labels) breaks.push_back(label.first_row);
@@ -35,7 +35,7 @@ std::vector<std::size_t> breaks_of(const Recording& part) {
   return breaks;
 }
 
-// Some rows as they would have come by themselves: the name of their segment with the first.
+// Some rows as a recording; the first one has the name of their segment.
 Recording rows_of(const Recording& whole, const RowRange& rows) {
   Recording part;
   part.file = whole.file;
@@ -103,7 +103,7 @@ void LongRecording::take_part(Recording& part, const LineNumbers& lines) {
   means_.power_on_unknown = part.power_on_unknown;
 }
 
-// Counted for the whole file; false where nothing is left of this part.
+// Counts for the whole file; false if no row of this part is left.
 bool LongRecording::leave_out_refused(Recording& part, const LineNumbers& lines) {
   ReadWatch watch;
   watch.remark = [&](const std::string& line) {
@@ -113,7 +113,7 @@ bool LongRecording::leave_out_refused(Recording& part, const LineNumbers& lines)
   try {
     find_stretches(part);
     leave_out_refused_rows(part, lines, options_->limits.over(options_->model_limits), watch);
-  } catch (const InputError& error) {  // none of its rows is one for a board
+  } catch (const InputError& error) {  // none of its rows is acceptable for a board
     if (first_refusal_.empty()) first_refusal_ = error.what();
     means_.refused_rows += rows;
     return false;
@@ -122,8 +122,8 @@ bool LongRecording::leave_out_refused(Recording& part, const LineNumbers& lines)
   return part.rows() > 0;
 }
 
-// A column that comes later held its first value before, as an extension record does; one that ends
-// is none of the whole recording's.
+// A column that begins later had its first value before, like an extension record; a column that
+// ends is removed from the whole recording.
 void LongRecording::match_columns(const Recording& part) {
   for (const ColumnInfo& info : kColumns) {
     std::vector<double>& column = means_[info.column];
@@ -149,7 +149,7 @@ void LongRecording::add_means(const Recording& part, std::size_t first, std::siz
   }
 }
 
-// From here on means of twice as many rows, and of those that there are each two neighbours.
+// From now on means have twice as many rows; two neighbours of the present ones are joined.
 void LongRecording::halve() {
   const double spacing_s = period_s_ * static_cast<double>(rows_per_mean_);
   std::vector<std::size_t> starts;

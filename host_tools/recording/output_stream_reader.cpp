@@ -14,7 +14,7 @@
 namespace fogcomp::recording {
 namespace {
 
-// Places of a KVH frame (firmware/SPEC.md).
+// Byte positions in a KVH frame (firmware/SPEC.md).
 constexpr std::uint32_t kKvhHeader = 0xFE81FF55U;
 constexpr std::size_t kKvhRotationZ = 12;
 constexpr std::size_t kKvhStatus = 28;
@@ -72,8 +72,7 @@ class KvhSamples {
   std::uint16_t number_ = 0;
 };
 
-// What was measured, as the board had it. Whether it could say how much of that is drift does not
-// matter.
+// The measured rate of the board. Whether its drift was valid does not matter.
 CapturedSample measured(const fog::OutputSample& sample) {
   constexpr fog::Status kNotMeasured = fog::Status::gyro_invalid | fog::Status::rate_out_of_range |
                                        fog::Status::gyro_stuck | fog::Status::rate_jump |
@@ -85,7 +84,7 @@ CapturedSample measured(const fog::OutputSample& sample) {
           !has_any(sample.status, fog::Status::temperature_invalid)};
 }
 
-/// Finds the frames of one kind and hands their samples on.
+/// Finds the frames of one kind and passes their samples on.
 class FrameFinder {
  public:
   FrameFinder(OutputFrames frames, SampleCollector& collector)
@@ -97,7 +96,7 @@ class FrameFinder {
     while (bytes_.size() - at >= fog::kKvhFrameBytes) at += frame_at(at);
     bytes_.erase(0, at);
   }
-  /// Returns the bytes that were part of no good frame.
+  /// Returns the number of bytes that belong to no good frame.
   std::size_t finish() {
     std::size_t at = 0;
     while (at < bytes_.size()) at += frame_at(at);
@@ -105,7 +104,7 @@ class FrameFinder {
   }
 
  private:
-  // Bytes of the frame there, or the one byte that begins none.
+  // Length of the frame at `at`, or 1 if none starts there.
   std::size_t frame_at(std::size_t at) {
     const std::string_view rest = std::string_view(bytes_).substr(at);
     fog::OutputSample sample;
@@ -161,14 +160,14 @@ Recording read_output_stream(InputFile& file, OutputFrames frames, const ReadOpt
   Recording recording = collector.finish(finder.finish(), "what a board sends");
   options.watch.say(
       file.path(),
-      compact ? "what a board sent (compact frames): the rate is the measured one, its drift put "
+      compact ? "output of a board (compact frames): the rate is the measured one, its drift put "
                 "back"
-              : "what a board sent (KVH frames): the rate is compensated already, denoised and "
+              : "output of a board (KVH frames): the rate is compensated already, denoised and "
                 "late, the temperature in whole degC: a model of all the drift, fast noise and "
                 "effects of the temperature rate cannot be seen in it; compact frames can show "
                 "them");
   if (options.scale_factor) {
-    options.watch.say(file.path(), "its rates are no counts; --scale-factor changes nothing");
+    options.watch.say(file.path(), "has rates, not counts; --scale-factor has no effect");
   }
   return recording;
 }

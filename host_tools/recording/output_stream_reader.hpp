@@ -9,19 +9,19 @@
 
 namespace fogcomp::recording {
 
-/// What a board sends (firmware/SPEC.md, "Output streams").
+/// Output stream of a board (firmware/SPEC.md, "Output streams").
 enum class OutputFrames : std::uint8_t {
   kvh,
-  compact,  ///< alone, or beside KVH's, which say less
+  compact,  ///< alone, or with KVH frames, which contain less
 };
 
-/// Whether a file that begins so holds what a board has sent.
+/// The kind of output stream that `head` begins, if any.
 std::optional<OutputFrames> find_output_frames(std::string_view head);
 
-/// Reads it as a recording. Compact frames give back the measured rate, which is the compensated
-/// one and the drift that was taken off. KVH's have the compensated, denoised rate alone, late by
-/// the denoiser's delay, and whole degrees: what that cannot show is told to options.watch. Throws
-/// InputError for a stream without a valid sample.
+/// Reads it as a recording. Compact frames give the measured rate: compensated rate plus drift. KVH
+/// frames contain only the compensated, denoised rate, delayed by the denoiser, and whole degrees;
+/// the limitations are reported to options.watch. Throws InputError for a stream without a valid
+/// sample.
 Recording read_output_stream(InputFile& file, OutputFrames frames, const ReadOptions& options);
 
 }  // namespace fogcomp::recording

@@ -14,8 +14,7 @@ namespace {
 
 constexpr double kRootHourPerRootSecond = 60;
 
-/// The fastest change of temperature between rows that lie at least so far apart, and no gap
-/// between them.
+/// Fastest change of temperature between rows at least `min_s` apart, without a gap between them.
 struct TemperatureChange {
   double degc = 0;
   double length_s = 0;

@@ -22,7 +22,7 @@ struct Point {
   std::size_t first_row;
 };
 
-std::vector<Point> thin_out(const Recording& recording, RowRange rows) {
+std::vector<Point> decimate(const Recording& recording, RowRange rows) {
   const std::size_t step = (rows.size() + kMaxPoints - 1) / kMaxPoints;
   std::vector<Point> points;
   for (std::size_t first = rows.first; first < rows.end; first += step) {
@@ -35,7 +35,7 @@ std::vector<Point> thin_out(const Recording& recording, RowRange rows) {
   return points;
 }
 
-// Of the points, from second differences, which a ramp leaves alone.
+// Noise of the points, from second differences, which do not contain a ramp.
 double noise_degc(const std::vector<Point>& points) {
   const double kWhiteGain = std::sqrt(6.0);
   std::vector<double> bends;
@@ -46,7 +46,7 @@ double noise_degc(const std::vector<Point>& points) {
   return sigma_by_median(std::move(bends)) / kWhiteGain;
 }
 
-// Smallest step of the sensor: 0.0625 degC for many digital ones, next to nothing for others.
+// Smallest step of the sensor: 0.0625 degC for many digital ones, nearly 0 for others.
 double resolution_degc(const Recording& recording, RowRange rows) {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t row = rows.first + 1; row < rows.end; ++row) {
@@ -57,13 +57,13 @@ double resolution_degc(const Recording& recording, RowRange rows) {
   return std::isfinite(smallest) ? smallest : 0;
 }
 
-// How far the temperature may leave a straight line without a corner being seen in it.
+// Largest deviation of the temperature from a straight line that does not count as a corner.
 double tolerance_degc(const Recording& recording, RowRange rows, const std::vector<Point>& points) {
   return std::max({rules::kMinToleranceDegc, rules::kToleranceSigmas * noise_degc(points),
                    rules::kToleranceSteps * resolution_degc(recording, rows)});
 }
 
-// Corners of the polygon that stays within the tolerance of all points (Ramer, Douglas, Peucker).
+// Corners of a polygon within the tolerance of all points (Ramer, Douglas, Peucker).
 std::vector<std::size_t> find_corners(const std::vector<Point>& points, double tolerance) {
   std::vector<std::size_t> corners{0, points.size() - 1};
   std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
@@ -121,15 +121,15 @@ void join_equal_neighbours(std::vector<Piece>& pieces) {
   pieces = std::move(joined);
 }
 
-// A small move is the chamber's control or an overshoot, not a ramp.
-void calm_small_ramps(std::vector<Piece>& pieces, double min_ramp_degc) {
+// A small move is control action or overshoot of the chamber, not a ramp.
+void flatten_small_ramps(std::vector<Piece>& pieces, double min_ramp_degc) {
   for (Piece& piece : pieces) {
     if (std::fabs(piece.change_degc()) < min_ramp_degc) piece.kind = SegmentKind::soak;
   }
   join_equal_neighbours(pieces);
 }
 
-// A short rest is a bend of the ramp before it (or, at the start, after it), not a soak.
+// A short rest is a bend of the preceding ramp (at the start: of the following one), not a soak.
 void drop_short_soaks(std::vector<Piece>& pieces) {
   if (pieces.size() < 2) return;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -142,7 +142,7 @@ void drop_short_soaks(std::vector<Piece>& pieces) {
 }  // namespace
 
 std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowRange rows) {
-  const std::vector<Point> points = thin_out(recording, rows);
+  const std::vector<Point> points = decimate(recording, rows);
   if (points.size() < 2) return {{SegmentKind::soak, rows}};
   const double tolerance = tolerance_degc(recording, rows, points);
 
@@ -154,7 +154,7 @@ std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowR
     pieces.push_back({from, to, kind_by_slope(from, to)});
   }
   join_equal_neighbours(pieces);
-  calm_small_ramps(pieces, std::max(rules::kMinRampDegc, rules::kMinRampTolerances * tolerance));
+  flatten_small_ramps(pieces, std::max(rules::kMinRampDegc, rules::kMinRampTolerances * tolerance));
   drop_short_soaks(pieces);
 
   std::vector<ProgrammePart> parts;

@@ -15,7 +15,7 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-bool RateResolution::moves() const {
+bool RateResolution::varies() const {
   return range_dph > rules::kRoundings * kEpsilon * std::max(size_dph, 1.0);
 }
 
@@ -40,8 +40,8 @@ RateResolution rate_resolution(const Recording& recording) {
   return resolution;
 }
 
-void require_moving_rate(const Recording& recording) {
-  if (recording.rows() < 2 || rate_resolution(recording).moves()) return;
+void require_varying_rate(const Recording& recording) {
+  if (recording.rows() < 2 || rate_resolution(recording).varies()) return;
   throw InputError(recording.file, format("the rate does not move: %.10g deg/h in all %zu rows; is "
                                           "the gyro on and connected?",
                                           recording.rate_dph[0], recording.rows()));

@@ -4,23 +4,23 @@
 
 namespace fogcomp::recording {
 
-/// How finely a recording's rate is written, and whether it moves at all.
+/// Resolution of a recording's rate, and whether the rate changes at all.
 struct RateResolution {
-  double step_dph = 0;   ///< smallest step from one row to the next that is not 0; 0: none
+  double step_dph = 0;   ///< smallest non-zero step between rows; 0: none
   double range_dph = 0;  ///< max - min
   double size_dph = 0;   ///< largest magnitude
 
-  /// Whether there is more than the rounding of numbers as large as the rate, or 1 deg/h. A gyro's
-  /// rate always does: its noise is 10^9 times that.
-  bool moves() const;
-  /// Standard deviation of a row's rounding: uniform within a step, or what a sum of products of
-  /// such numbers is off by where they have more digits.
+  /// Whether the rate changes by more than the rounding of numbers of its size (at least 1 deg/h).
+  /// A gyro's rate does: its noise is 10^9 times larger.
+  bool varies() const;
+  /// Standard deviation of a row's rounding: uniform within a step, or the rounding of a sum of
+  /// products if such numbers have more digits.
   double rounding_dph() const;
 };
 RateResolution rate_resolution(const Recording& recording);
 
-/// Throws InputError where a recording has two rows or more and its rate does not move: a gyro that
-/// is off or not connected, about which no question can be answered.
-void require_moving_rate(const Recording& recording);
+/// Throws InputError if a recording of two or more rows has a constant rate: the gyro is off or not
+/// connected.
+void require_varying_rate(const Recording& recording);
 
 }  // namespace fogcomp::recording

@@ -17,7 +17,7 @@
 namespace fogcomp::recording {
 namespace {
 
-// What people give that is no text and no capture, by its first bytes.
+// Refuses common formats that are neither text nor capture, recognised by their first bytes.
 void refuse_other_formats(std::string_view head, const std::string& path) {
   struct Format {
     std::string_view start;
@@ -38,10 +38,11 @@ void refuse_other_formats(std::string_view head, const std::string& path) {
   }
 }
 
-// Real UTF-16 has been decoded before it comes here.
+// Real UTF-16 has already been decoded.
 void refuse_false_utf16(std::string_view head, const std::string& path) {
   if (head.substr(0, 2) != "\xFF\xFE" && head.substr(0, 2) != "\xFE\xFF") return;
-  throw InputError(path, "begins with the mark of UTF-16 text, which it is not; save it as UTF-8");
+  throw InputError(path,
+                   "begins with a UTF-16 byte order mark, but is not UTF-16; save it as UTF-8");
 }
 
 }  // namespace
@@ -93,7 +94,7 @@ Recording read_recording(InputFile& file, const ReadOptions& options) {
     refuse_false_utf16(head, path);
     recording = read_csv(file, options, lines);
     if (options.stream_rate_hz) {
-      options.watch.say(path, "a CSV has its own time; --rate changes nothing");
+      options.watch.say(path, "a CSV has its own time; --rate has no effect");
     }
   }
   if (recording.input_rate_dph.empty() && options.default_input_rate_dph != 0) {

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double kTemperatureLsbPerDegc = 65536;
 
-// Rounds to the raw integer of a frame. What does not fit is clamped and not valid, as from a
-// demodulator at the end of its range.
+// Rounds to the raw integer of a frame. Values beyond it are clamped and invalid, as from a
+// demodulator at full scale.
 std::int32_t to_raw(double value, bool& valid) {
   constexpr double kMin = std::numeric_limits<std::int32_t>::min();
   constexpr double kMax = std::numeric_limits<std::int32_t>::max();
@@ -99,7 +99,7 @@ void RecordingWriter::append_stream(const std::vector<const double*>& values, st
     }
     fog::SensorSample sample;
     // The number follows from the time, so that a gap in time is a gap in the sequence. The frame
-    // keeps the low 16 bits: a gap of 65536 samples or more shows only its remainder.
+    // keeps the low 16 bits: gaps of 65536 samples or more are shortened accordingly.
     sample.sequence = static_cast<std::uint16_t>(std::llround(time_s[row] * rate_hz_));
     sample.rate_counts = to_raw(rate_dph[row] * counts_per_dph, sample.gyro_valid);
     sample.temperature_q16 =

@@ -14,29 +14,28 @@ namespace fogcomp::recording {
 
 enum class RecordingFormat : std::uint8_t {
   csv,
-  sensor_stream,  ///< what the demodulator sends to the board
+  sensor_stream,  ///< from the demodulator to the board
 };
 
-/// The extension record of a value; none for one that the format does not hold, as a demodulator
-/// sends none beyond the end of its range.
+/// Extension record of a value; none if the format cannot hold it, like a demodulator beyond its
+/// range.
 std::optional<fog::ExtensionFrame> extension_frame(fog::Input input, double value);
 
-/// Writes a recording in chunks, so that its length is not bounded by memory.
+/// Writes a recording in chunks, so that memory does not limit its length.
 class RecordingWriter {
  public:
-  /// `columns` are written in the order given; a sensor stream needs time, rate and temperature,
-  /// has extension records for the inputs among the others, and leaves out the input rate.
-  /// `scale_factor` is counts per deg/s and `rate_hz` numbers the samples by their time; both
-  /// concern the stream only.
+  /// `columns` are written in the given order. A sensor stream needs time, rate and temperature,
+  /// has extension records for other inputs, and no input rate. `scale_factor` (counts per deg/s)
+  /// and `rate_hz` (numbers the samples by their time) are for streams only.
   RecordingWriter(const std::string& path, RecordingFormat format, std::vector<Column> columns,
                   double scale_factor, double rate_hz);
 
   /// `values[c][row]` belongs to column c; every column has `rows` values.
   void append(const std::vector<const double*>& values, std::size_t rows);
 
-  /// As OutputFile's: of two outputs, each is flushed before one is committed.
+  /// As for OutputFile: of two outputs, flush both before committing one.
   void flush() { file_.flush(); }
-  /// Gives the file its name; without it nothing appears.
+  /// Gives the file its name; without commit no file appears.
   void commit();
 
  private:

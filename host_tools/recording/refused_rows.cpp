@@ -16,7 +16,7 @@
 namespace fogcomp::recording {
 namespace {
 
-/// What the messages say, while the rows are still there.
+/// Texts of the messages; made while the rows still exist.
 class Words {
  public:
   Words(const Recording& recording, const LineNumbers& lines, const GyroLimits& limits,
@@ -38,7 +38,7 @@ class Words {
                   place(ranges.front().first).c_str()) +
            (ranges.size() > 1 ? format(" (the first of %zu times)", ranges.size()) : "") +
            format(
-               ", %.4g s in all, as no live sensor does; the board would not believe it; "
+               ", %.4g s in all, as no working sensor does; the board would reject it; "
                "the rows are kept",
                stood_s);
   }
@@ -75,7 +75,7 @@ class Words {
                               [](RefusedRow a, RefusedRow b) { return a.row < b.row; });
   }
 
-  // From the row before it that is kept, or else the one after it.
+  // Relative to the last kept row, or else to the next one.
   double jump_degc(std::size_t row) const {
     std::size_t kept = row;
     while (kept > 0 && is_refused(kept)) --kept;
@@ -94,7 +94,7 @@ class Words {
       case Refusal::rate_beyond_range:
         return format("is beyond the full scale of %g deg/s", limits_.range_dps);
       case Refusal::rate_jump:
-        return "leaps faster than anything turns";
+        return "jumps faster than the gyro can turn";
     }
     return "";
   }

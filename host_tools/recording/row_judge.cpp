@@ -15,10 +15,10 @@ namespace {
 
 using fog::Status;
 
-// Times of rows are no multiples of a period: the temperature's monitor counts microseconds instead
+// Times of rows are not multiples of a period: the temperature monitor counts microseconds instead
 // of samples.
 constexpr std::uint32_t kMonitorPeriodUs = 1;
-constexpr double kLongestElapsedS = 3600;  // as far as the monitors count
+constexpr double kLongestElapsedS = 3600;  // limit of the monitors' count
 
 std::uint32_t elapsed_us(double passed_s) {
   return static_cast<std::uint32_t>(std::llround(std::min(passed_s, kLongestElapsedS) * 1e6));
@@ -42,16 +42,16 @@ bool is_power_on_reading(double degc) {
   return board_temperature(degc) == fog::kPowerOnReading;
 }
 
-/// The core's monitor, led along rows of any length, forwards or backwards in time.
-class TemperatureWalk {
+/// The core's monitor, applied to rows of any length, forwards or backwards in time.
+class TemperatureTracker {
  public:
-  /// What speaks against a reading: nothing, temperature_invalid, or temperature_jump with it.
-  /// (frozen_temperatures() looks for frozen ones.)
+  /// Faults of a reading: none, temperature_invalid, or with it temperature_jump.
+  /// (frozen_temperatures() finds frozen ones.)
   Status judge(double time_s, double degc) {
     const fog::Temperature reading = board_temperature(degc);
     if (!fog::is_possible(reading)) return Status::temperature_invalid;
     const double passed_s = any_ ? std::fabs(time_s - judged_s_) : 0;
-    believed_ = believes(reading, time_s, degc, passed_s);
+    believed_ = accepts(reading, time_s, degc, passed_s);
     any_ = true;
     judged_s_ = time_s;
     if (!believed_) return Status::temperature_invalid | Status::temperature_jump;
@@ -62,31 +62,31 @@ class TemperatureWalk {
   }
 
  private:
-  // Leads the monitor to the reading: at once, or, if it takes that for a jump, in a straight line.
-  bool believes(fog::Temperature reading, double time_s, double degc, double passed_s) {
+  // Passes the reading to the monitor: directly or, if that is a jump, along a straight line.
+  bool accepts(fog::Temperature reading, double time_s, double degc, double passed_s) {
     const fog::TemperatureMonitor before = monitor_;
     const Status at_once = monitor_.judge(reading, true, elapsed_us(passed_s));
     if (!has_any(at_once, Status::temperature_jump)) return true;
-    if (!may_have_come_straight(degc)) return false;
+    if (!can_be_on_line(degc)) return false;
     fog::TemperatureMonitor straight = before;
-    const Status seen = lead_straight(straight, time_s, degc, passed_s);
+    const Status seen = follow_line(straight, time_s, degc, passed_s);
     if (has_any(seen, Status::temperature_jump)) return false;
     monitor_ = straight;
     return true;
   }
 
-  // A sensor that says 85 degC again and again is in its first state, however long it lasts.
-  bool may_have_come_straight(double degc) const {
+  // A sensor that repeats 85 degC is in its power-on state, however long.
+  bool can_be_on_line(double degc) const {
     return has_good_ && (believed_ || !is_power_on_reading(degc));
   }
 
-  // Shows the monitor what it would have seen since the last row if the temperature had come from
-  // its last good value in a straight line. It takes 2 degC from one reading to the next, and
-  // 1 degC to 85 degC exactly: steps of 2 s make the first 1 degC/s, its own limit over time, and
-  // steps of 5 s make the second 12 degC/min, as fast as chambers bring a coil to a soak. In 200
-  // steps any temperature can be reached: after a long gap nothing is a jump.
-  Status lead_straight(fog::TemperatureMonitor& monitor, double time_s, double degc,
-                       double passed_s) const {
+  // Simulates the readings since the last row, with the temperature on a straight line from its
+  // last good value. The monitor accepts 2 degC per reading, and 1 degC to exactly 85 degC. Steps
+  // of 2 s make the former 1 degC/s, the monitor's limit over time; steps of 5 s make the latter 12
+  // degC/min, the fastest approach of a chamber to a soak. 200 steps reach any temperature: after a
+  // long gap nothing is a jump.
+  Status follow_line(fog::TemperatureMonitor& monitor, double time_s, double degc,
+                     double passed_s) const {
     const double step_s = is_power_on_reading(degc) ? 5 : 2;
     const int steps = static_cast<int>(std::clamp(std::ceil(passed_s / step_s), 1.0, 200.0));
     const double step_degc = (degc - good_degc_) / std::fabs(time_s - good_s_) * passed_s / steps;
@@ -100,15 +100,15 @@ class TemperatureWalk {
 
   fog::TemperatureMonitor monitor_{kMonitorPeriodUs};
   bool any_ = false;
-  double judged_s_ = 0;    // of the possible reading judged last
-  bool believed_ = false;  // that one
+  double judged_s_ = 0;    // time of the last possible reading
+  bool believed_ = false;  // whether it was accepted
   bool has_good_ = false;
-  double good_s_ = 0;  // of the one believed last
+  double good_s_ = 0;  // time of the last accepted reading
   double good_degc_ = 0;
 };
 
 class RowJudge {
-  static constexpr double kAnyRateS = 1;  // from one end of the range to the other takes 0.06 s
+  static constexpr double kAnyRateS = 1;  // crosses the whole range in 0.06 s
 
  public:
   RowJudge(const Recording& recording, const GyroLimits& limits)
@@ -128,7 +128,7 @@ class RowJudge {
   }
 
  private:
-  Status judge_in(TemperatureWalk& walk, std::size_t row) const {
+  Status judge_in(TemperatureTracker& walk, std::size_t row) const {
     return walk.judge(time_s_[row], temperature_degc_[row]);
   }
   bool is_possible(std::size_t row) const {
@@ -136,13 +136,13 @@ class RowJudge {
   }
 
   // Whether one coil can have had these two temperatures.
-  bool agree(std::size_t row, std::size_t later) const {
-    TemperatureWalk walk;
+  bool are_compatible(std::size_t row, std::size_t later) const {
+    TemperatureTracker walk;
     return judge_in(walk, row) == Status::none && judge_in(walk, later) == Status::none;
   }
 
-  // The first row whose temperature the next one confirms; where none does, the first that the
-  // board would believe; rows() where every reading is impossible or 85 degC.
+  // First row whose temperature the next row confirms; without one, the first that the board would
+  // accept; rows() if every reading is impossible or 85 degC.
   std::size_t first_confirmed() const {
     const std::size_t rows = time_s_.size();
     std::size_t first = rows;
@@ -152,14 +152,14 @@ class RowJudge {
       std::size_t next = row + 1;
       while (next < rows && !is_possible(next)) ++next;
       if (next == rows) break;
-      if (agree(row, next)) return row;
+      if (are_compatible(row, next)) return row;
     }
     return first;
   }
 
   std::vector<Status> judge_backwards_from(std::size_t first) const {
     std::vector<Status> status(first, Status::none);
-    TemperatureWalk walk;
+    TemperatureTracker walk;
     const bool known = first < time_s_.size();
     if (known) judge_in(walk, first);
     for (std::size_t row = first; row-- > 0;) {
@@ -169,13 +169,13 @@ class RowJudge {
     return status;
   }
 
-  // Forwards from the first confirmed row. A new temperature is believed as the board would believe
-  // it; but where the coil cannot have come back from it either, it was none.
+  // Forwards from the first confirmed row. A new temperature is accepted like on the board, unless
+  // the coil cannot have come back from it either.
   Status judge_temperature(std::size_t row) {
     const Status status = judge_in(walk_, row);
     if (has_any(status, Status::temperature_jump)) {
       if (jumping_) return status;
-      if (came_back(row)) {
+      if (has_returned(row)) {
         refuse_excursion(row);
         return Status::none;
       }
@@ -183,20 +183,20 @@ class RowJudge {
       left_ = good_;
       jump_ = row;
     } else if (status == Status::none) {
-      if (jumping_) excursion_ = agree(row - 1, row);
+      if (jumping_) excursion_ = are_compatible(row - 1, row);
       jumping_ = false;
       good_ = row;
     }
     return status;
   }
 
-  // One that lasts longer may be a soak of a recording that was joined from several.
-  bool came_back(std::size_t row) const {
+  // A longer one may be a soak in a recording joined from several.
+  bool has_returned(std::size_t row) const {
     if (!excursion_ || time_s_[row] - time_s_[jump_] > rules::kMaxExcursionS) return false;
     const double left_degc = temperature_degc_[left_];
     const double still_away_degc = std::fabs(temperature_degc_[row] - left_degc);
     return still_away_degc < std::fabs(temperature_degc_[jump_] - left_degc) / 2 &&
-           agree(left_, row);
+           are_compatible(left_, row);
   }
 
   void refuse_excursion(std::size_t end) {
@@ -204,7 +204,7 @@ class RowJudge {
     for (std::size_t row = jump_; row < end; ++row) {
       note(row, is_possible(row) ? Status::temperature_jump : Status::temperature_invalid);
     }
-    walk_ = TemperatureWalk();
+    walk_ = TemperatureTracker();
     judge_in(walk_, left_);
     judge_in(walk_, end);
     excursion_ = false;
@@ -234,10 +234,10 @@ class RowJudge {
   const std::vector<double>& time_s_;
   const std::vector<double>& temperature_degc_;
   const std::vector<double>& rate_dph_;
-  TemperatureWalk walk_;
-  std::size_t good_ = 0;    // row whose temperature was believed last
+  TemperatureTracker walk_;
+  std::size_t good_ = 0;    // row whose temperature was accepted last
   bool jumping_ = false;    // the rows since jump_ are refused
-  bool excursion_ = false;  // ... and were believed in the end
+  bool excursion_ = false;  // ... although the board would have accepted them in the end
   std::size_t jump_ = 0;
   std::size_t left_ = 0;  // good row before jump_
   std::uint32_t rate_period_us_;

@@ -13,8 +13,7 @@ struct RowRange {
   std::size_t size() const { return end - first; }
 };
 
-/// Whether something is missing between two rows that lie `spacing_s` apart, where a row is `row_s`
-/// long.
+/// Whether rows of length `row_s` are missing between two that are `spacing_s` apart.
 inline bool is_gap(double spacing_s, double row_s) {
   return spacing_s > rules::kMaxSpacing * row_s;
 }

@@ -7,8 +7,8 @@
 
 namespace fogcomp::recording {
 
-/// Takes rows out of every column. `rows`: in rising order. A label whose rows are all gone goes
-/// with them.
+/// Removes rows from every column. `rows`: in rising order. A label without remaining rows is
+/// removed.
 void remove_rows(Recording& recording, const std::vector<std::size_t>& rows);
 
 }  // namespace fogcomp::recording

@@ -18,7 +18,7 @@ SampleCollector::SampleCollector(const InputFile& file, const ReadOptions& optio
                                  std::size_t frame_bytes)
     : rate_hz_(options.stream_rate_hz.value_or(kDefaultStreamRateHz)),
       watch_(options.watch),
-      // With an extension record of every input before each sample.
+      // Assumes an extension record of every input before each sample.
       long_recording_(options, file.size() / (frame_bytes +
                                               fog::kExtensionInputs * fog::kExtensionFrameBytes)) {
   recording_.file = file.path();
@@ -62,7 +62,7 @@ void SampleCollector::add(const CapturedSample& sample) {
   recording_.rate_dph.push_back(sample.rate_dph);
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     if (!extension_[i]) continue;
-    // Rows before the first value have that one too.
+    // Rows before the first value get that value.
     recording_.extension[i].resize(recording_.rows() - 1, *extension_[i]);
     recording_.extension[i].push_back(*extension_[i]);
   }
@@ -88,7 +88,7 @@ Recording SampleCollector::finish(std::size_t discarded_bytes, const char* what)
   return means;
 }
 
-// A board without a temperature has a drift no longer than this, and then no valid rate.
+// Without a temperature a board holds its drift no longer than this, and then has no valid rate.
 bool SampleCollector::holds_temperature() const {
   return temperature_number_ &&
          static_cast<double>(number_ - *temperature_number_) <= kHoldSeconds * rate_hz_;

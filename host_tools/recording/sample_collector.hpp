@@ -12,7 +12,7 @@
 
 namespace fogcomp::recording {
 
-/// A sample of a captured stream, sent to a board or by one.
+/// A sample of a captured stream, to or from a board.
 struct CapturedSample {
   std::uint16_t sequence = 0;
   double rate_dph = 0;
@@ -21,18 +21,17 @@ struct CapturedSample {
   bool temperature_valid = false;
 };
 
-/// Turns the samples of a capture into rows of a Recording, whose time is their number.
+/// Converts the samples of a capture to rows of a Recording, with times from their numbers.
 class SampleCollector {
  public:
-  /// `frame_bytes`: of a sample, to make room for those of a file. Those given must outlive this.
+  /// `frame_bytes`: per sample, to reserve memory. The arguments must outlive this object.
   SampleCollector(const InputFile& file, const ReadOptions& options, std::size_t frame_bytes);
 
-  /// A value that belongs to the next sample and holds until another one comes.
+  /// Takes a value that is valid from the next sample until another one comes.
   void add(const fog::ExtensionRecord& record);
   void add(const CapturedSample& sample);
 
-  /// Throws InputError where there was no sample, or none that is valid. `what`: the kind of
-  /// stream, for messages.
+  /// Throws InputError if there was no valid sample. `what`: the kind of stream, for messages.
   Recording finish(std::size_t discarded_bytes, const char* what);
 
  private:
@@ -45,10 +44,9 @@ class SampleCollector {
   CaptureCounts counts_;
   fog::SequenceMonitor sequence_;
   bool any_ = false;
-  // Of the sample. The first has its sequence number; from there on it counts the time of the
-  // board.
+  // Number of the sample: starts with its sequence number, then counts the time of the board.
   std::uint64_t number_ = 0;
-  std::optional<std::uint64_t> temperature_number_;  // of the sample whose temperature stands
+  std::optional<std::uint64_t> temperature_number_;  // of the sample with the present temperature
   double temperature_degc_ = 0;
   std::array<std::optional<double>, fog::kExtensionInputs> extension_;
 };

@@ -9,7 +9,7 @@ namespace fogcomp::recording {
 const char* scan_decimal(const char* first, const char* last, double& value) {
   const bool negative = *first == '-';
   if (negative || *first == '+') ++first;
-  // A second sign, "inf" and "nan" would be numbers to from_chars.
+  // from_chars would accept a second sign, "inf" and "nan".
   if (*first != '.' && (*first < '0' || *first > '9')) return nullptr;
   double magnitude = 0;
   const auto result = std::from_chars(first, last, magnitude);

@@ -16,7 +16,7 @@ double gap_before(const Recording& recording, std::size_t row) {
   return recording.time_s[row] - recording.time_s[row - 1];
 }
 
-// Cuts [0, rows) before each stretch whose gap is longer than `shortest_s`.
+// Divides [0, rows) before each stretch whose gap is longer than `shortest_s`.
 std::vector<RowRange> cut_at_gaps(const Recording& recording, RowRange rows, double shortest_s) {
   std::vector<RowRange> parts;
   for (const RowRange& stretch : stretches_of(recording, rows)) {
@@ -39,8 +39,8 @@ double median_temperature_degc(const Recording& recording, RowRange rows) {
   return median(std::move(values));
 }
 
-// A ramp leads from the level of the soak before it to that of the soak after it; where there is no
-// soak, from its first to its last temperature.
+// A ramp is named by the temperatures of the neighbouring soaks; without a soak, by its first or
+// last temperature.
 std::string name_of(const Recording& recording, const std::vector<ProgrammePart>& parts,
                     std::size_t i) {
   const auto level = [&](std::size_t part) {
@@ -76,7 +76,7 @@ std::vector<Segment> segments_by_temperature(const Recording& recording) {
   return segments;
 }
 
-// What the longest part of a labelled segment does.
+// Kind of the longest part of a labelled segment.
 SegmentKind kind_of(const Recording& recording, RowRange rows) {
   const std::vector<ProgrammePart> parts = find_programme_parts(recording, rows);
   return std::max_element(parts.begin(), parts.end(),

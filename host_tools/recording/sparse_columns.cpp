@@ -31,7 +31,7 @@ void join_readings(const std::vector<double>& time_s, std::vector<double>& colum
 
 void complete(const std::vector<double>& time_s, std::vector<double>& column) {
   const std::size_t rows = column.size();
-  std::size_t last = rows;  // the reading before; none yet
+  std::size_t last = rows;  // the last reading; none yet
   for (std::size_t row = 0; row < rows; ++row) {
     if (std::isnan(column[row])) continue;
     if (last < rows) join_readings(time_s, column, last, row);
@@ -42,7 +42,7 @@ void complete(const std::vector<double>& time_s, std::vector<double>& column) {
   }
 }
 
-// A row cannot do without these.
+// A row is useless without these.
 bool is_needed(Column column) {
   return column == Column::temperature_degc || column == Column::input_rate_dph;
 }

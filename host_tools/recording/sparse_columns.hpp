@@ -5,11 +5,11 @@
 
 namespace fogcomp::recording {
 
-/// Gives every row a value of the columns that have one now and then (NaN elsewhere): between
-/// readings of at most a minute, for as long as a board holds a temperature, on a straight line;
-/// behind the last one, as long, that one. Rows that then still lack their temperature or input
-/// rate are left out, and so is another column that is nowhere near complete. What was done is
-/// told to `watch`. Throws InputError where no row has a temperature.
+/// Completes columns with values in some rows only (NaN elsewhere). Between readings at most a
+/// minute apart, the time for which a board holds a temperature, it interpolates linearly; after
+/// the last reading it repeats that for as long. Then removes rows without temperature or input
+/// rate, and other columns that are far from complete. Reports to `watch`. Throws InputError if no
+/// row has a temperature.
 void complete_sparse_columns(Recording& recording, LineNumbers& lines, const ReadWatch& watch);
 
 }  // namespace fogcomp::recording

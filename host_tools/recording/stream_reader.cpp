@@ -73,7 +73,7 @@ Recording read_sensor_stream(InputFile& file, const ReadOptions& options) {
           break;
       }
     }
-    // A pipe may never end.
+    // A pipe may be endless.
     blocks_without_frame = good_bytes > good_before ? 0 : blocks_without_frame + 1;
     if (blocks_without_frame > rules::kMaxBlocksWithoutFrame) {
       throw InputError(file.path(), format("no good frame in %zu MiB; is it the right file?",

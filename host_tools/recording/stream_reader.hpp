@@ -8,21 +8,20 @@
 
 namespace fogcomp::recording {
 
-/// Whether a file that begins with `head` is a captured sensor stream rather than text: it holds a
-/// good frame somewhere (damage at the start does not matter), or too many control characters for a
-/// CSV.
+/// Whether a file that begins with `head` is a captured sensor stream and not text: it contains a
+/// good frame (damage at the start does not matter), or too many control characters for a CSV.
 bool is_sensor_stream(std::string_view head);
 
-/// "damaged bytes 5, late or repeated samples 1"; empty for a capture in good order.
+/// "damaged bytes 5, late or repeated samples 1"; empty for a capture without faults.
 std::string describe(const CaptureCounts& counts);
 
-/// Rows from the frames of a capture, by the board's own parser and its own judge of the sequence
+/// Rows from the frames of a capture, by the board's own parser and its checks of the sequence
 /// numbers (SPEC.md, "Judging a sample"). The first sample's time is its sequence number over the
-/// sample rate; from there on time passes as on the board: by one sample and those lost before it,
-/// and not at all for a late or repeated one, which makes no row. Samples that never came or are
-/// not valid become gaps. Inputs of extension records become columns, each value holding until the
-/// next one comes; rows before the first have the first. Period and stretches are left to
-/// read_recording. Throws InputError where no good frame is found.
+/// sample rate. From there time advances as on the board: by one sample and those lost before it,
+/// and not for a late or repeated one, which makes no row. Lost and invalid samples become gaps.
+/// Extension inputs become columns, each value valid until the next one; rows before the first get
+/// the first. read_recording sets period and stretches. Throws InputError if there is no good
+/// frame.
 Recording read_sensor_stream(InputFile& file, const ReadOptions& options);
 
 }  // namespace fogcomp::recording

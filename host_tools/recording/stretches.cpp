@@ -13,7 +13,7 @@
 namespace fogcomp::recording {
 namespace {
 
-// Of at most 65537 spacings spread over the recording: a typical value needs no more.
+// Median of at most 65537 spacings spread over the recording, which suffices.
 double median_spacing_s(const std::vector<double>& time_s) {
   constexpr std::size_t kMaxSpacings = 65536;
   const std::size_t step = time_s.size() / kMaxSpacings + 1;
@@ -24,9 +24,8 @@ double median_spacing_s(const std::vector<double>& time_s) {
   return median(std::move(spacings));
 }
 
-// Times are printed in decimals, and so is what lies between them: without this, rounding of the
-// differences turns 0.005 into 0.00499999999738.
-double without_rounding_dust(double period_s) {
+// Removes rounding errors of differences of printed times: 0.00499999999738 becomes 0.005.
+double without_rounding_error(double period_s) {
   constexpr double kDigits = 9;
   const double units_per_s = std::pow(10, kDigits - std::floor(std::log10(period_s)));
   return std::round(period_s * units_per_s) / units_per_s;
@@ -58,7 +57,7 @@ void find_stretches(Recording& recording) {
         format("rows are %g s apart; is the time in s? if not, give --columns time=NAME[us]",
                period_s));
   }
-  recording.period_s = without_rounding_dust(period_s);
+  recording.period_s = without_rounding_error(period_s);
 }
 
 }  // namespace fogcomp::recording

@@ -4,8 +4,8 @@
 
 namespace fogcomp::recording {
 
-/// Fills in period and stretch_starts from the times. Throws InputError for a period that no
-/// recording in seconds has.
+/// Sets period and stretch_starts from the times. Throws InputError for a period that is impossible
+/// in seconds.
 void find_stretches(Recording& recording);
 
 }  // namespace fogcomp::recording

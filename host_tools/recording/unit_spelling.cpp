@@ -15,10 +15,10 @@ constexpr double kDphPerTurnPerMinute = kDphPerDegreePerSecond * 6;
 
 struct Spellings {
   Unit unit;
-  const char* all;  // as key_of() has them, separated by blanks
+  const char* all;  // as made by key_of(), separated by blanks
 };
 
-// "rps" is in none: turns or radians.
+// "rps" is excluded: revolutions or radians.
 const Spellings kSpellings[] = {
     {{Quantity::rate, "deg/h"},
      "dph deg/h deg/hr deg/hour degph degs/h degree/hour degrees/hour degrees/h degree/h"},
@@ -87,7 +87,7 @@ std::string replaced(std::string text, const Replacement& each) {
   return text;
 }
 
-// "deg s^-1", "degrees per second", "deg_s": one spelling for what differs in signs alone.
+// Normalises spellings: "deg s^-1", "degrees per second", "deg_s" become equal.
 std::string key_of(std::string_view spelling) {
   std::string key;
   for (const char c : folded(spelling)) {
@@ -119,7 +119,7 @@ std::string folded(std::string_view text) {
                                     {"\xC2\xB9", "1"},
                                     {"\xC2\xB2", "2"},
                                     {"\"", ""},
-                                    // The same in Latin-1, as bytes of their own.
+                                    // The same in Latin-1, as single bytes.
                                     {"\xB0", "deg"},
                                     {"\xB5", "u"}};
   std::string result(trim(text));
@@ -152,7 +152,7 @@ std::vector<std::string> units_of(Quantity quantity) {
   return units;
 }
 
-bool is_telling(std::string_view spelling) {
+bool is_unambiguous(std::string_view spelling) {
   constexpr std::size_t kFewestLetters = 3;
   return key_of(spelling).size() >= kFewestLetters;
 }

@@ -16,37 +16,37 @@ enum class Quantity : std::uint8_t {
   power,
   voltage,
   vibration,
-  counts,  ///< of a converter: a rate, once there is a scale factor
-  other,   ///< nothing that a recording has
+  counts,  ///< of a converter: a rate, with a scale factor
+  other,   ///< not in a recording
 };
 
-/// A unit as people write it, and how a recording's own is made of it:
-/// ours = (theirs - offset) * factor / divisor.
+/// A unit as written by users, and its conversion to a recording's unit: ours = (theirs - offset) *
+/// factor / divisor.
 struct Unit {
   Quantity quantity{};
-  std::string words{};  ///< as messages have it: "deg/s"
+  std::string words{};  ///< for messages: "deg/s"
   double factor = 1;
-  double divisor = 1;  ///< so that 5 ms are 0.005 s to the last bit
+  double divisor = 1;  ///< so that 5 ms are 0.005 s exactly
   double offset = 0;
 
   bool is_ours() const { return factor == 1 && divisor == 1 && offset == 0; }
   double convert(double theirs) const { return (theirs - offset) * factor / divisor; }
-  /// " x 3600", " / 1000", " - 273.15": behind the name of what is converted.
+  /// " x 3600", " / 1000", " - 273.15": appended to the name of a converted column.
   std::string conversion_words() const;
 };
 
-/// The unit that `spelling` means, without regard to case: "deg/s", "°/s", "dps", "deg s^-1",
-/// "degrees per second". Nothing where it means none.
+/// The unit that `spelling` denotes, ignoring case: "deg/s", "°/s", "dps", "deg s^-1", "degrees per
+/// second". Nothing if unknown.
 std::optional<Unit> find_unit(std::string_view spelling);
 
 /// The units of that quantity, as messages have them.
 std::vector<std::string> units_of(Quantity quantity);
 
-/// Whether it means that unit even behind a name without brackets ("coil_degc", "gyro_dps"): a
-/// single letter does not.
-bool is_telling(std::string_view spelling);
+/// Whether it denotes that unit even at the end of a name without brackets ("coil_degc",
+/// "gyro_dps"); a single letter does not.
+bool is_unambiguous(std::string_view spelling);
 
-/// `text` as names and units are compared: lower case, ° as "deg", µ as "u", without quotes.
+/// `text` normalised for comparison: lower case, ° as "deg", µ as "u", without quotes.
 std::string folded(std::string_view text);
 
 }  // namespace fogcomp::recording

@@ -9,20 +9,20 @@ namespace fogcomp::recording {
 
 enum class ByteOrder : std::uint8_t { little, big };
 
-/// Whether a file that begins so is UTF-16 text ("Unicode text" of a spreadsheet), with a byte
-/// order mark or without: nearly all of its first characters are Latin.
+/// Byte order, if a file that begins with `head` is UTF-16 text ("Unicode text" of a spreadsheet),
+/// with or without a byte order mark: nearly all of its first characters are Latin.
 std::optional<ByteOrder> utf16_order(std::string_view head);
 
-/// UTF-16 in, UTF-8 out, in pieces. The byte order mark is left out; what is no character becomes
+/// Converts UTF-16 to UTF-8 piece by piece. The byte order mark is dropped; invalid units become
 /// U+FFFD.
 class Utf16Decoder {
  public:
   explicit Utf16Decoder(ByteOrder order) : order_(order) {}
 
-  /// Most bytes of UTF-8 that so many bytes make, with what was left of the piece before.
+  /// Largest number of UTF-8 bytes for `bytes` of input and the rest of the previous piece.
   static constexpr std::size_t max_output(std::size_t bytes) { return bytes / 2 * 3 + 8; }
-  /// Writes the characters of a piece to `out`, which has room for max_output(bytes.size()), and
-  /// returns its new end.
+  /// Writes the characters of a piece to `out`, at least max_output(bytes.size()) bytes, and
+  /// returns the new end.
   char* decode(std::string_view bytes, char* out);
 
  private:
@@ -30,7 +30,7 @@ class Utf16Decoder {
 
   ByteOrder order_;
   std::optional<unsigned char> first_byte_;  // of a unit that the next piece completes
-  std::uint32_t high_surrogate_ = 0;         // that waits for its other half; 0: none
+  std::uint32_t high_surrogate_ = 0;         // waits for its low surrogate; 0: none
 };
 
 }  // namespace fogcomp::recording

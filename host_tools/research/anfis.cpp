@@ -14,13 +14,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int kEpochs = 60;
-constexpr double kFirstStep = 0.02;  // length of a step, inputs mapped to +-1
-constexpr double kStepUp = 1.1;      // after four falls of the error in a row
-constexpr double kStepDown = 0.9;    // after two rises that alternate with falls
+constexpr double kFirstStep = 0.02;  // length of a step, with inputs scaled to +-1
+constexpr double kStepUp = 1.1;      // after four consecutive decreases of the error
+constexpr double kStepDown = 0.9;    // after two increases alternating with decreases
 constexpr double kMinWidth = 0.1;
-constexpr double kRidge = 1e-9;  // rules that no row belongs to have no line of their own
+constexpr double kRidge = 1e-9;  // for rules without rows
 
-// Jang's two rules for the length of the steps.
+// Jang's two rules for the step length.
 class StepLength {
  public:
   double next(double error) {
@@ -68,7 +68,7 @@ Anfis::Anfis(const MatrixXd& inputs, const VectorXd& target, int epochs)
       half_range_((inputs.colwise().maxCoeff() - inputs.colwise().minCoeff()) / 2) {
   half_range_ = half_range_.cwiseMax(1e-9);
   const MatrixXd x = normalised(inputs);
-  // Memberships that cross at one half.
+  // Memberships intersect at one half.
   const double spacing = 2.0 / (kMemberships - 1);
   widths_.setConstant(spacing / (2 * std::sqrt(2 * std::log(2.0))));
   for (Index m = 0; m < kMemberships; ++m) {
@@ -105,7 +105,7 @@ VectorXd Anfis::values(const MatrixXd& inputs) const {
   return design(x, shares(x)) * consequents_;
 }
 
-// Outside the range that was fitted the rules' lines would run away: clipped.
+// Clipped, because the rules' lines extrapolate badly.
 MatrixXd Anfis::normalised(const MatrixXd& inputs) const {
   const MatrixXd x = (inputs.rowwise() - centre_).array().rowwise() / half_range_.array();
   return x.cwiseMax(-1).cwiseMin(1);

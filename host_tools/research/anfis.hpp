@@ -8,8 +8,8 @@
 namespace fogcomp::research {
 
 /// Adaptive neuro-fuzzy inference (Jang, IEEE Trans. SMC 23(3), 1993): first-order Sugeno rules
-/// over a grid of Gaussian memberships, hybrid learning: in every epoch the rules' straight lines
-/// by least squares, then a step of the memberships' centres and widths down the gradient.
+/// over a grid of Gaussian memberships. Hybrid learning: in every epoch the rules' linear functions
+/// by least squares, then a gradient step of the memberships' centres and widths.
 class Anfis {
  public:
   static constexpr Eigen::Index kMemberships = 3;  ///< per input
@@ -26,11 +26,11 @@ class Anfis {
   using Memberships = Eigen::Matrix<double, kMemberships, kInputs>;
 
   Eigen::MatrixXd normalised(const Eigen::MatrixXd& inputs) const;
-  /// Rows x rules: each rule's share in a row.
+  /// Rows x rules: normalised firing strengths.
   Eigen::MatrixXd shares(const Eigen::MatrixXd& x) const;
-  /// Rows x (rules x (1 + inputs)): what the rules' lines are solved from.
+  /// Rows x (rules x (1 + inputs)): design matrix of the rules' linear functions.
   Eigen::MatrixXd design(const Eigen::MatrixXd& x, const Eigen::MatrixXd& share) const;
-  /// Each rule's line in a row.
+  /// Value of each rule's linear function in a row.
   Eigen::MatrixXd lines(const Eigen::MatrixXd& x) const;
   void move_memberships(const Eigen::MatrixXd& x, const Eigen::MatrixXd& share,
                         const Eigen::VectorXd& error, double step);

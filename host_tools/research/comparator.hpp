@@ -10,36 +10,36 @@
 
 namespace fogcomp::research {
 
-/// A way to predict drift, as the literature compares them. Fitted to the rows of one or more
-/// recordings, then asked about any.
+/// A drift predictor of the literature, for comparison: fitted to the rows of one or more
+/// recordings, then evaluated on any.
 class Comparator {
  public:
   virtual ~Comparator() = default;
-  /// `denoised_dph`: the drift of series.rows(), denoised. Those that weight by the noise take the
-  /// rows as measured instead.
+  /// `denoised_dph`: denoised drift of series.rows(). Predictors that weight by noise use the
+  /// measured rows instead.
   virtual void fit(const series::SignalSeries& series, const Eigen::VectorXd& denoised_dph) = 0;
-  /// deg/h per row.
+  /// Predicted drift per row, deg/h.
   virtual Eigen::VectorXd drift_dph(const series::SignalSeries& series) const = 0;
-  /// What the fit chose, in a few words: "order 5".
+  /// Choices made by the fit, in a few words: "order 5".
   virtual std::string chosen() const { return ""; }
 };
 
 struct ComparatorSettings {
   std::uint64_t seed = 1;
   int hidden = 10;          ///< neurons of the networks for the whole drift, as in the paper
-  int residual_hidden = 6;  ///< of the network on what effects leave, which is less
+  int residual_hidden = 6;  ///< neurons of the network for the residual of effects
   int epochs = 5000;        ///< of backpropagation
   int iterations = 300;     ///< of swarm and population
-  std::string effects;      ///< of the models that have some, as fit --effects takes them
+  std::string effects;      ///< of models with effects, in the syntax of fit --effects
 };
 
 struct ComparatorEntry {
   const char* name;
-  const char* inputs;  ///< what it predicts from
+  const char* inputs;  ///< its inputs
   std::unique_ptr<Comparator> (*make)(const ComparatorSettings&);
 };
 
-/// All of them, simplest first.
+/// All comparators, simplest first.
 const std::vector<ComparatorEntry>& comparators();
 const ComparatorEntry& find_comparator(const std::string& name);
 

@@ -16,7 +16,7 @@ class EffectsComparator : public Comparator {
     training_.training.seed = settings.seed;
   }
 
-  // Identification weights the rows by their noise, so that it wants them as measured.
+  // Identification weights the rows by their noise, so it needs the measured ones.
   void fit(const series::SignalSeries& series, const Eigen::VectorXd&) override {
     const fit::Identification identified = fit::identify(model_, series);
     if (training_.hidden == 0) return;

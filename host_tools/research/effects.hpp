@@ -7,7 +7,7 @@
 namespace fogcomp::research {
 
 /// Physical effects by `identify`, alone or with a network (temperature, temperature rate; lm) on
-/// what they leave: what `fogcomp fit` makes.
+/// their residual, like `fogcomp fit`.
 std::unique_ptr<Comparator> make_effects(const ComparatorSettings& settings);
 std::unique_ptr<Comparator> make_effects_and_network(const ComparatorSettings& settings);
 

@@ -4,11 +4,10 @@
 
 namespace fogcomp::research {
 
-/// What is left for noise alone to spoil: the rms error, deg/h, that is to be expected on the rows
-/// of `asked` of a fit to `fitted` which knew the exact course of every effect of the simulator and
-/// had but their sizes to find, its rows weighted with the noise that they really have (Cramer-Rao
-/// bound of those sizes). Whoever must find out more from `fitted` than that errs more. Both runs
-/// are of one gyro.
+/// Error due to noise alone: expected rms error, deg/h, on the rows of `asked` of a fit to `fitted`
+/// that knows the exact time course of every simulated effect and estimates only the sizes, with
+/// weights by the true noise (Cramer-Rao bound of the sizes). A method that has to estimate more
+/// has a larger error. Both runs are of one gyro.
 double estimate_floor_dph(const SimulatedRun& fitted, const SimulatedRun& asked);
 
 }  // namespace fogcomp::research

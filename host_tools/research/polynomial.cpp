@@ -1,5 +1,4 @@
-// The polynomial in temperature that most gyros ship with, and the same with the temperature rate
-// as a second variable.
+// The usual polynomial in temperature, and the same with the temperature rate as a second variable.
 #include "research/polynomial.hpp"
 
 #include <optional>
@@ -49,8 +48,8 @@ VectorXd Polynomial::values(const MatrixXd& inputs) const {
   return terms(inputs) * coefficients_;
 }
 
-// All products of powers whose exponents add up to the order at most: variable by variable, every
-// product so far times the powers that it has room for.
+// All products of powers up to the total order: variable by variable, every product so far times
+// the powers that the order allows.
 MatrixXd Polynomial::terms(const MatrixXd& inputs) const {
   MatrixXd columns = MatrixXd::Ones(inputs.rows(), 1);
   std::vector<int> degrees{0};

@@ -14,9 +14,9 @@ struct PrintedSegment {
 };
 
 /// Li, Hou, Du, Li: FOG temperature drift compensation method based on wavelet denoising and neural
-/// network, Opto-Electronic Engineering 46(9):180636 (2019), Tables 1 to 3: 10 s means, 5955 of
-/// them. It heads the stds "variance"; the denoised mean of 60~20 repeats the row above it and is
-/// probably a slip. "all" is Table 3.
+/// network, Opto-Electronic Engineering 46(9):180636 (2019), Tables 1 to 3: 5955 means of 10 s. Its
+/// columns "variance" are standard deviations; the denoised mean of 60~20 repeats the row above and
+/// is probably an error. "all" is Table 3.
 inline constexpr std::array<PrintedSegment, 7> kPrinted{{
     {"20", 0.719659, 0.028345, 0.7197154, 0.0183977, 0.0033827, 0.0274135, -0.0022721, 0.0242832},
     {"20~-40", 0.646126, 0.058365, 0.6461299, 0.0509969, -0.0063835, 0.0377248, -0.0012272,
@@ -30,11 +30,11 @@ inline constexpr std::array<PrintedSegment, 7> kPrinted{{
     {"all", 0.689201, 0.064910, 0.6891953, 0.0600332, 0.0004328, 0.0411212, 0.0002119, 0.0258433},
 }};
 
-/// What it prints for the whole run: by how much the std fell.
+/// Printed reduction of the std over the whole run.
 inline constexpr double kPrintedBpCut = 0.3665;
 inline constexpr double kPrintedPsoBpCut = 0.6019;
 
-/// White floor of a 10 s mean in the paper's own run: the raw std of its quietest soak, deg/h.
+/// White noise floor of a 10 s mean in the paper's run: raw std of its quietest soak, deg/h.
 inline constexpr double kPrintedFloorDph = 0.0236;
 
 }  // namespace fogcomp::research

@@ -10,17 +10,17 @@
 
 namespace fogcomp::research {
 
-/// One run of the simulated gyro `paper`, in rows of 10 s, with what really happened.
+/// One run of the simulated gyro `paper`, in rows of 10 s, with its true drift.
 struct SimulatedRun {
   series::SignalSeries series;
   Eigen::VectorXd truth_dph;          ///< per row: the drift without any noise
   Eigen::MatrixXd effects_dph;        ///< rows x effects of the simulator; their sum is the truth
   double noise_floor_dph = 0;         ///< of a row, from the recording alone
-  std::vector<std::string> segments;  ///< per row: the programme's name for it
+  std::vector<std::string> segments;  ///< per row: its segment in the programme
 };
 
-/// Simulates preset `paper` through a ready-made profile, sampled once a second as the board's
-/// blocks are. `settings` must outlive the result.
+/// Simulates preset `paper` through a built-in profile, sampled once a second like the board's
+/// blocks. `settings` must outlive the result.
 SimulatedRun simulate_run(const std::string& profile, std::uint64_t seed,
                           const model::Model& settings);
 

@@ -12,8 +12,8 @@ namespace fogcomp::research {
 namespace {
 
 constexpr double kRow = 10;  // s
-// Beside the lead that kStudyEffects finds: at 30 s, what `fit` has by default, more of the
-// sensor's steps comes through than is gained in speed.
+// Chosen with the lead that kStudyEffects finds: with 30 s, the default of `fit`, the sensor's
+// steps add more error than the shorter delay removes.
 constexpr double kDerivativeTau = 45;
 
 Eigen::VectorXd denoised(Eigen::VectorXd values, const denoise::DenoiseMethod& method) {
@@ -25,7 +25,7 @@ double rms(const Eigen::VectorXd& values) {
   return values.norm() / std::sqrt(static_cast<double>(values.size()));
 }
 
-// The paper's, its fixed thresholds, and what it names as others' ways.
+// The paper's denoisers, its fixed thresholds, and the alternatives that it cites.
 std::vector<DenoiserResult> judge_denoisers(const SimulatedRun& run) {
   struct Candidate {
     const char* name;

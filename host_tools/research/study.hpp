@@ -16,32 +16,32 @@ struct MeanStd {
 };
 MeanStd mean_and_std(const Eigen::VectorXd& values);
 
-/// A model on one run.
+/// Result of a model on one run.
 struct Score {
   MeanStd residual;          ///< measured - predicted
   double drift_dph = 0;      ///< sqrt(std^2 - floor^2)
   double truth_rms_dph = 0;  ///< predicted - noise-free truth
 };
 
-/// One model, fitted to the paper's run.
+/// A model fitted to the paper's run.
 struct ModelResult {
   std::string name;
-  std::string chosen;       ///< what the fit chose
-  Eigen::VectorXd own_dph;  ///< predicted for the rows of the paper's run
+  std::string chosen;       ///< choices made by the fit
+  Eigen::VectorXd own_dph;  ///< predictions for the rows of the paper's run
   Score own;
-  std::vector<Score> held_out;  ///< a score per held-out profile
+  std::vector<Score> held_out;  ///< one per held-out profile
 };
 
-/// One way to denoise, on the rows of the paper's run.
+/// Result of a denoiser on the rows of the paper's run.
 struct DenoiserResult {
   std::string name;
   double truth_rms_dph = 0;  ///< denoised - noise-free truth
 };
 
-/// What the study's models are held against that they never saw.
+/// Profiles on which the study's models are judged without training.
 inline const std::vector<std::string> kHeldOutProfiles{"reversed", "random_steps"};
 
-/// The whole pipeline on one simulated gyro.
+/// All results for one simulated gyro.
 struct Study {
   SimulatedRun run;              ///< the paper's
   Eigen::VectorXd denoised_dph;  ///< its rows, soft thresholds
@@ -50,14 +50,14 @@ struct Study {
   MeanStd raw;
   std::vector<double> held_out_raw_std_dph;
   std::vector<double> held_out_floor_dph;
-  double estimate_floor_dph = 0;  ///< of error, on its own run; see research/estimate_floor.hpp
+  double estimate_floor_dph = 0;  ///< of the error on its own run; see research/estimate_floor.hpp
   std::vector<double> held_out_estimate_floor_dph;
   std::vector<ModelResult> models;
 
   const ModelResult& model(const std::string& name) const;
-  /// What the best model could cut of the whole run's std: 1 - floor / raw std.
+  /// Largest possible reduction of the whole run's std: 1 - floor / raw std.
   double bound() const { return 1 - run.noise_floor_dph / raw.std_dph; }
-  /// Values of the rows of one of the programme's segments; of all rows for "all".
+  /// Values of the rows of one segment of the programme; of all rows for "all".
   Eigen::VectorXd of_segment(const std::string& name, const Eigen::VectorXd& values) const;
 };
 
@@ -68,10 +68,10 @@ struct StudySettings {
   std::vector<std::string> models;  ///< names of comparators()
 };
 
-/// What the effects of the study's models are; the simulator's physics, in the catalogue's terms.
+/// Effects of the study's models: the simulator's physics in terms of the catalogue.
 extern const char* const kStudyEffects;
 
-/// What all runs of a study have in common. Must outlive it.
+/// Settings common to all runs of a study. Must outlive them.
 const model::Model& study_model();
 
 Study run_study(const StudySettings& settings);

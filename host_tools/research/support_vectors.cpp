@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 constexpr double kWidths[] = {0.2, 0.4, 0.8};
 constexpr double kRegularisations[] = {1e-7, 1e-5, 1e-3};
-constexpr double kJitter = 1e-10;  // keeps the kernel of near neighbours invertible
+constexpr double kJitter = 1e-10;  // keeps the kernel matrix of close neighbours invertible
 
 class SupportVectorComparator : public Comparator {
  public:
@@ -65,7 +65,7 @@ SupportVectors::SupportVectors(const MatrixXd& inputs, const VectorXd& target, d
   vectors_.resize(size, inputs.cols());
   for (Index i = 0; i < size; ++i) vectors_.row(i) = all.row(i * rows / size);
 
-  // The bias is free of the price: it is projected out of both sides.
+  // The bias is not regularised: it is projected out of both sides.
   MatrixXd k = kernel(all);
   const Eigen::RowVectorXd kernel_mean = k.colwise().mean();
   const double target_mean = target.mean();

@@ -7,16 +7,16 @@
 
 namespace fogcomp::research {
 
-/// Least-squares support vector regression (Suykens & Vandewalle 1999) with a Gaussian kernel. Its
-/// full system has a row per sample; here at most kMaxVectors rows, evenly spread, carry the
-/// function, and all rows are fitted (subset of regressors, the Nystrom approximation of the same
+/// Least-squares support vector regression (Suykens & Vandewalle 1999) with a Gaussian kernel. The
+/// full system has one row per sample; here at most kMaxVectors rows, evenly distributed, define
+/// the function, and all rows are fitted (subset of regressors, a Nystrom approximation of the
 /// kernel: Williams & Seeger, NIPS 2000).
 class SupportVectors {
  public:
   static constexpr Eigen::Index kMaxVectors = 120;
 
-  /// `width` of the kernel, in units of the inputs mapped to +-1; `regularisation` is the price of
-  /// the function's norm against the mean square error (LS-SVM's 1/gamma, per row).
+  /// `width`: of the kernel, with inputs scaled to +-1. `regularisation`: weight of the function's
+  /// norm relative to the mean square error (LS-SVM's 1/gamma, per row).
   SupportVectors(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& target, double width,
                  double regularisation);
 

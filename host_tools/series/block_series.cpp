@@ -35,7 +35,7 @@ void divide(Means& sum, double samples) {
   for (double& value : sum.extension) value /= samples;
 }
 
-// A recording whose time begins before power-on has another time than that.
+// A recording whose time starts before power-on has no time since power-on.
 fog::InputMask inputs_of(const recording::Recording& recording) {
   fog::InputMask inputs = 0;
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
@@ -46,7 +46,7 @@ fog::InputMask inputs_of(const recording::Recording& recording) {
   return inputs;
 }
 
-// A gap may hide any change.
+// Changes across a gap are not used.
 model::InputRanges input_ranges_of(const recording::Recording& recording) {
   model::InputRanges ranges{};
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
@@ -102,7 +102,7 @@ BlockSeries make_blocks(const recording::Recording& recording) {
   series.inputs = inputs_of(recording);
   series.input_ranges = input_ranges_of(recording);
   series.rounding_dph = recording::rate_resolution(recording).rounding_dph();
-  // Blocks that had passed since power-on when the recording began.
+  // Blocks between power-on and the start of the recording.
   const double earlier = recording.time_s[0] / series.block_s;
   series.first = means_of_row(recording, 0);
   series.first.elapsed = earlier;
@@ -127,7 +127,7 @@ BlockSeries make_blocks(const recording::Recording& recording) {
     block.rate_dph /= samples;
     divide(block.means, samples);
     block.masked = std::any_of(recording.masks.begin(), recording.masks.end(),
-                               [&](const auto& mask) { return mask.hides(block.time_s); });
+                               [&](const auto& mask) { return mask.covers(block.time_s); });
     block.means.elapsed = earlier + static_cast<double>(block.number) + 1;
   }
   require_unmasked(series);

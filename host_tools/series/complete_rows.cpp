@@ -9,7 +9,7 @@
 namespace fogcomp::series {
 namespace {
 
-// Sum over the offset from the first value, so that a mean of equal values is that value.
+// Sums the differences from the first value, so that the mean of equal values is exact.
 double mean(const double* values, std::size_t size) {
   double sum = 0;
   for (std::size_t i = 0; i < size; ++i) sum += values[i] - values[0];

@@ -7,10 +7,10 @@
 
 namespace fogcomp::series {
 
-/// Throws InputError, naming file, column and effect, where a recording lacks what one of the terms
-/// needs. Whoever leads a model through a recording asks first: a missing column would be zeros.
+/// Throws InputError with file, column and effect if a recording lacks an input of a term. To be
+/// called before a model is run over a recording: missing columns would be zeros.
 void require_inputs(const std::vector<model::EffectTerm>& terms, const BlockSeries& series);
-/// What the network needs too.
+/// The same, including the network.
 void require_inputs(const model::Model& model, const BlockSeries& series);
 
 }  // namespace fogcomp::series

@@ -5,8 +5,7 @@
 namespace fogcomp::series {
 namespace {
 
-// Where rows are as far apart as the board's blocks this is fog::FirstOrderLag; but rows may lie
-// apart by any time.
+// Equals fog::FirstOrderLag for rows spaced like the board's blocks; handles any spacing.
 void step(const Rows& rows, double tau_s, Eigen::Index from, Eigen::Index to,
           Eigen::VectorXd& values) {
   const double elapsed_s = std::abs(rows.time_s[static_cast<std::size_t>(to)] -
@@ -16,7 +15,7 @@ void step(const Rows& rows, double tau_s, Eigen::Index from, Eigen::Index to,
 
 }  // namespace
 
-Eigen::VectorXd lag_of(const Rows& rows, const Eigen::VectorXd& values, double tau_s) {
+Eigen::VectorXd first_order_lag(const Rows& rows, const Eigen::VectorXd& values, double tau_s) {
   Eigen::VectorXd result = values;
   for (Eigen::Index i = 1; i < result.size(); ++i) {
     if (!rows.starts_run(static_cast<std::size_t>(i))) step(rows, tau_s, i - 1, i, result);
@@ -25,7 +24,7 @@ Eigen::VectorXd lag_of(const Rows& rows, const Eigen::VectorXd& values, double t
 }
 
 Eigen::VectorXd smoothed(const Rows& rows, const Eigen::VectorXd& values, double tau_s) {
-  Eigen::VectorXd result = lag_of(rows, values, tau_s);
+  Eigen::VectorXd result = first_order_lag(rows, values, tau_s);
   for (Eigen::Index i = result.size() - 1; i > 0; --i) {
     if (!rows.starts_run(static_cast<std::size_t>(i))) step(rows, tau_s, i, i - 1, result);
   }

@@ -12,53 +12,53 @@
 
 namespace fogcomp::series {
 
-/// What is fitted, compared and diagnosed: means over `average_s` of the blocks of one or more
-/// recordings, or over one block where blocks are longer.
+/// The rows that are fitted, compared and diagnosed: means over `average_s` of the blocks of one or
+/// more recordings, or single blocks if these are longer.
 struct Rows {
   Eigen::VectorXd drift_dph;  ///< measured rate - input rate
-  Eigen::VectorXd seconds;    ///< behind each row
-  Eigen::VectorXd weights;    ///< the same relative to a full row
-  double row_s = 0;           ///< of a full row; the longest where recordings differ
-  double rounding_dph = 0;    ///< standard deviation that the rate's rounding makes in a full row
+  Eigen::VectorXd seconds;    ///< duration of each row
+  Eigen::VectorXd weights;    ///< the same in full rows
+  double row_s = 0;           ///< of a full row; the longest of all recordings
+  double rounding_dph = 0;    ///< standard deviation of the rate's rounding in a full row
   std::vector<double> time_s;
-  std::vector<fog::Signals<model::RealNumbers>> signals;  ///< means, as late as the board has them
+  std::vector<fog::Signals<model::RealNumbers>> signals;  ///< means, with the board's delay
   std::vector<fog::BlockMeans<model::RealNumbers>>
-      inputs;                           ///< means of what was measured meanwhile
+      inputs;                           ///< means of the inputs in the row itself
   std::vector<std::size_t> run_starts;  ///< first row of each recording
   model::InputRanges input_ranges{};    ///< of all recordings together
 
   Eigen::Index size() const { return drift_dph.size(); }
   /// The rows of each recording.
   std::vector<recording::RowRange> runs() const;
-  /// Which of them a row is part of, and whether it is its first.
+  /// Recording of a row, and whether the row is its first.
   std::size_t run_at(std::size_t row) const;
   bool starts_run(std::size_t row) const;
-  /// Whether a row comes right after the one before it: of the same recording, without a gap.
+  /// Whether a row directly follows the one before it: same recording, no gap.
   bool follows(std::size_t row) const;
   /// Rows without a gap.
   std::vector<recording::RowRange> stretches() const;
-  /// From the first row to the last, of the longest recording.
+  /// From the first to the last row, of the longest recording.
   double longest_run_s() const;
 
-  std::vector<double> temperatures_degc() const;  ///< measured meanwhile
+  std::vector<double> temperatures_degc() const;  ///< measured in the row itself
   std::vector<double> temperature_rates_degc_per_min() const;
 };
 
-/// Averages the blocks of one recording to rows behind those that are there.
+/// Averages the blocks of one recording to rows, appended to `rows`.
 class RowAverager {
  public:
-  /// `further`: values per block whose means are wanted beside those of Rows.
+  /// `further`: number of additional values per block whose means are wanted.
   RowAverager(const BlockSeries& blocks, double average_s, Rows& rows, std::size_t further = 0);
 
   static constexpr std::int32_t kNoRow = -1;
-  /// Counts a block, in order of time, with the signals that the board has by then and `further`
-  /// values. Returns its row; a masked block has none.
+  /// Adds a block, in order of time, with the board's signals at that time and `further` values.
+  /// Returns its row; a masked block has none.
   std::int32_t take(const BlockSeries::Block& block,
                     const fog::Signals<model::RealNumbers>& signals,
                     const double* further = nullptr);
-  /// Ends the last row. To be called once.
+  /// Completes the last row. To be called once.
   void finish();
-  /// Means of the further values: a row of Rows each, of this recording alone.
+  /// Means of the additional values: one row per row of this recording.
   const Eigen::MatrixXd& further() const { return further_; }
 
  private:
@@ -81,7 +81,7 @@ class RowAverager {
   Eigen::MatrixXd further_;
 };
 
-/// The length of a row, seconds: a whole number of blocks, at least one.
+/// Length of a row, seconds: a whole number of blocks, at least one.
 double row_length_s(double average_s, double block_s);
 
 }  // namespace fogcomp::series

@@ -14,9 +14,9 @@
 namespace fogcomp::series {
 namespace {
 
-// As with a sensor of less noise. The temperatures alone are kept: the blocks are much more.
+// Smoothed temperatures. Only these are kept: the blocks need much more memory.
 template <class DriftModel>
-void walk_smoothed(const BlockSeries& series, double tau_s, DriftModel& model) {
+void run_smoothed(const BlockSeries& series, double tau_s, DriftModel& model) {
   const std::vector<double> temperatures = smooth_temperatures(series, tau_s);
   const auto means_with = [](fog::BlockMeans<model::RealNumbers> means, double temperature) {
     means.temperature = temperature;
@@ -25,8 +25,8 @@ void walk_smoothed(const BlockSeries& series, double tau_s, DriftModel& model) {
   const auto smooth = [&](std::size_t i) {
     return means_with(series.blocks[i].means, temperatures[i]);
   };
-  walk_blocks(series, means_with(series.first, temperatures.front()), smooth, model,
-              [](const BlockSeries::Block&) {});
+  run_blocks(series, means_with(series.first, temperatures.front()), smooth, model,
+             [](const BlockSeries::Block&) {});
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ double SignalSeries::Run::input_rate_dph(std::size_t block) const {
   return input_rate.empty() ? 0 : input_rate[block].dph;
 }
 
-// Not clamped, the temperature of the signals is that of their block.
+// The unclamped temperature of the signals is that of their block.
 SignalSeries::Signals SignalSeries::Run::signals(std::size_t block, Reading reading) const {
   const Block& kept = blocks[block];
   const bool smooth = reading == Reading::smoothed && !smoothed.empty();
@@ -58,8 +58,8 @@ SignalSeries::Signals SignalSeries::Run::signals(std::size_t block, Reading read
   return signals;
 }
 
-// Stands where walk_blocks expects a drift model, and keeps what one would see by calling
-// keep(signals, whether it starts anew).
+// Stands for the drift model in run_blocks and passes its inputs to keep(signals, whether the
+// model restarts).
 template <class Keep>
 class SignalSeries::Recorder {
  public:
@@ -101,10 +101,10 @@ void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows
   Recorder smooth_recorder(model_, series.block_s, [&](const Signals& signals, bool) {
     run.smoothed.push_back({signals.temperature, signals.temperature_rate});
   });
-  walk_smoothed(series, rules::kSmoothing * model_.derivative_tau_s, smooth_recorder);
+  run_smoothed(series, rules::kSmoothing * model_.derivative_tau_s, smooth_recorder);
   Recorder recorder(model_, series.block_s,
                     [&](const Signals& signals, bool restart) { run.keep(signals, restart); });
-  walk_blocks(series, recorder, [&](const BlockSeries::Block& block) {
+  run_blocks(series, recorder, [&](const BlockSeries::Block& block) {
     Block& current = run.blocks.back();
     if (!run.input_rate.empty()) run.input_rate.back().dph = block.means.input_rate;
     current.row = rows.take(block, run.signals(run.blocks.size() - 1, Reading::of_sensor));

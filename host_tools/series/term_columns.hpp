@@ -13,8 +13,8 @@ struct ColumnRange {
   Eigen::Index count = 0;
 };
 
-/// Where each term's regressors stand among those of all, which begin with the first one's.
-/// `block_s`: of the effects' steps; it does not change how many there are.
+/// Column range of each term's regressors in the matrix of all terms. `block_s`: block length of
+/// the effects; does not change the number of columns.
 std::vector<ColumnRange> columns_of(const std::vector<model::EffectTerm>& terms, double block_s);
 
 }  // namespace fogcomp::series

@@ -11,23 +11,23 @@
 namespace fogcomp::series {
 namespace {
 
-// After as many time constants nothing of how the filter was started is left.
+// After so many time constants the filter's initial state is negligible.
 constexpr double kRunInTaus = 10;
 
-// Temperatures of a stretch, one per block number, gaps bridged.
+// Temperatures of a stretch, one per block number, with gaps interpolated.
 std::vector<double> bridged(const BlockSeries& series, std::size_t first, std::size_t end) {
   fog::BlockBridge<model::RealNumbers> bridge(UINT32_MAX);
   bridge.start(series.blocks[first].means);
   std::vector<double> values{series.blocks[first].means.temperature};
   for (std::size_t i = first + 1; i < end; ++i) {
     const std::int64_t missing = series.blocks[i].number - series.blocks[i - 1].number - 1;
-    bridge.aim(series.blocks[i].means, static_cast<std::uint32_t>(missing));
-    while (bridge.left() > 0) values.push_back(bridge.next().temperature);
+    bridge.bridge_to(series.blocks[i].means, static_cast<std::uint32_t>(missing));
+    while (bridge.remaining() > 0) values.push_back(bridge.next().temperature);
   }
   return values;
 }
 
-// Point reflection of the stretch beyond its ends; a stretch shorter than that goes on as it ended.
+// Point reflection of the stretch beyond its ends; a shorter stretch continues with its end value.
 std::vector<double> extended(const std::vector<double>& values, std::size_t beyond) {
   const std::size_t last = values.size() - 1;
   std::vector<double> all;
@@ -47,7 +47,7 @@ void pass(Iterator first, Iterator end, fog::FirstOrderLag<model::RealNumbers> l
   std::transform(first, end, first, [&](double value) { return lag.step(value); });
 }
 
-// Temperatures of a stretch behind both lags, with so many more at either end.
+// Temperatures of a stretch after both lags, extended by `beyond` blocks at either end.
 std::vector<double> smoothed(const std::vector<double>& temperature_degc, std::size_t beyond,
                              double block_s, double tau_s) {
   std::vector<double> smooth = extended(temperature_degc, beyond);
@@ -74,7 +74,7 @@ std::vector<double> rates(const std::vector<double>& temperature_degc, double bl
   return result;
 }
 
-// Calls visit(first, end) for the blocks of every stretch that the board does not start anew in.
+// Calls visit(first, end) for the blocks of every stretch in which the board does not restart.
 template <class Visit>
 void each_stretch(const BlockSeries& series, const Visit& visit) {
   const auto max_held = static_cast<std::int64_t>(hold_blocks(series.block_s));

@@ -5,8 +5,8 @@
 
 namespace fogcomp::simulation {
 
-/// Field, light power, supply and vibration at the gyro. They change whether or not an effect
-/// listens to them, and may be recorded either way.
+/// Field, light power, supply and vibration at the gyro. They vary whether or not an effect depends
+/// on them, and may be recorded in any case.
 class AmbientModel {
  public:
   explicit AmbientModel(std::uint64_t seed);

@@ -6,14 +6,14 @@
 namespace fogcomp::simulation {
 namespace {
 
-// An ordinary 1 m3 chamber.
+// A common 1 m3 chamber.
 constexpr double kAirTimeConstant_s = 120;
 constexpr double kFastestAir_kps = 5.0 / 60;
 constexpr double kFlutter_degc = 0.05;
 constexpr double kFlutterTime_s = 60;
 constexpr double kFan_grms = 0.02;
 constexpr double kCompressor_grms = 0.05;
-// The compressor runs below this, and whenever the air must fall.
+// The compressor runs below this temperature, and whenever the air has to cool.
 constexpr double kCompressorBelow_degc = 15;
 constexpr double kHeaterField_ut_per_kps = 600;
 constexpr double kCompressorField_ut = 3;

@@ -7,17 +7,17 @@
 
 namespace fogcomp::simulation {
 
-/// The chamber at one instant: what it does to the gyro.
+/// State of the chamber at one time, as far as it affects the gyro.
 struct ChamberState {
   double time_s = 0;
   double air_degc = 20;
-  double vibration_grms = 0;  ///< fan, compressor and what the operator adds
-  double stray_field_ut = 0;  ///< of the heater's and compressor's currents
+  double vibration_grms = 0;  ///< of fan and compressor, plus the operator's
+  double stray_field_ut = 0;  ///< of the currents of heater and compressor
   const Leg* leg = nullptr;
 };
 
-/// Follows a programme in fixed steps: the air lags the set point, cannot change faster than the
-/// machine can heat or cool, and is never quite still.
+/// Follows a programme in fixed steps: the air lags the set point, is limited by the machine's
+/// heating and cooling rates, and fluctuates a little.
 class Chamber {
  public:
   Chamber(const Programme& programme, double step_s, std::uint64_t seed);

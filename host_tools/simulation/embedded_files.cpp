@@ -13,7 +13,7 @@ std::string find_text(const std::string& name, const std::vector<EmbeddedFile>& 
   const auto found = std::find_if(files.begin(), files.end(),
                                   [&](const EmbeddedFile& file) { return file.name == name; });
   if (found != files.end()) return found->text;
-  // A bare word is a name, anything with a dot or a slash a path.
+  // A plain word is a name; with a dot or a slash it is a path.
   if (name.find_first_of("./") != std::string::npos) return read_file(name);
   std::vector<std::string> names;
   std::string list;

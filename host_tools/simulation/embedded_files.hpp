@@ -12,13 +12,12 @@ const std::vector<EmbeddedFile>& ready_made_profiles();
 /// host_tools/simulation/presets/*.gyro
 const std::vector<EmbeddedFile>& ready_made_presets();
 
-/// The text of `name` among `files`, or of the file of that path. Throws InputError where neither
-/// is there, naming the nearest; `what` is "profile" or "preset".
+/// The text of `name` among `files`, or of the file with that path. Throws InputError with the
+/// nearest name if neither exists; `what` is "profile" or "preset".
 std::string find_text(const std::string& name, const std::vector<EmbeddedFile>& files,
                       const std::string& what);
 
-/// The comment at the head of an embedded file, up to its first full stop, colon, semicolon or
-/// bracket.
+/// The first comment of an embedded file, up to its first full stop, colon, semicolon or bracket.
 std::string first_sentence(const EmbeddedFile& file);
 
 }  // namespace fogcomp::simulation

@@ -10,7 +10,7 @@ namespace fogcomp::simulation {
 namespace {
 
 constexpr double kMarble_j_per_kgk = 880;
-// Parallel cylinders cannot fill more than pi/(2 sqrt 3); the coating takes some of that.
+// Parallel cylinders fill at most pi/(2 sqrt 3); the coating needs a part of that.
 constexpr double kDensestPack = 0.85;
 
 bool acts_before(const GyroDescription::ActiveEffect& a, const GyroDescription::ActiveEffect& b) {

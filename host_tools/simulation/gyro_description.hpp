@@ -11,7 +11,7 @@
 
 namespace fogcomp::simulation {
 
-/// A part of the gyro that is always there, as --list shows it.
+/// A part of every gyro, for --list.
 struct PartDescription {
   std::string name;
   std::string summary;
@@ -21,10 +21,10 @@ struct PartDescription {
 /// coil, housing, sensor, sensor2, noise.
 const std::vector<PartDescription>& gyro_parts();
 
-/// Which gyro to simulate: its parts, and the effects that are on, with all parameters.
+/// The gyro to simulate: its parts and enabled effects, with all parameters.
 class GyroDescription {
  public:
-  /// No effects and no noise; parts as they are by default.
+  /// No effects and no noise; parts with their defaults.
   GyroDescription();
 
   struct ActiveEffect {
@@ -32,14 +32,14 @@ class GyroDescription {
     Parameters parameters;
   };
 
-  /// Switches an effect on, or changes it or a part. `assignments` are name=value. Throws
-  /// InputError `where: …` for an unknown name (naming the nearest) or a bad value.
+  /// Enables or changes an effect, or changes a part. `assignments` are name=value. Throws
+  /// InputError `where: …` for an unknown name (with the nearest one) or a bad value.
   void set(const std::string& where, const std::string& name,
            const std::vector<std::string>& assignments);
-  /// Switches an effect off; throws InputError where it is not on.
+  /// Disables an effect; throws InputError if it is not enabled.
   void remove(const std::string& where, const std::string& name);
 
-  /// In catalogue order, which is the order in which they act.
+  /// In catalogue order, which is the order of evaluation.
   const std::vector<ActiveEffect>& effects() const { return effects_; }
   const Parameters& part(const std::string& name) const;
 
@@ -51,11 +51,11 @@ class GyroDescription {
   std::vector<Parameters> parts_;
 };
 
-/// Applies a preset to `gyro`: lines `NAME name=value …`, `#` starts a comment. Throws InputError
+/// Applies a preset to `gyro`: lines `NAME name=value …`; `#` starts a comment. Throws InputError
 /// `file:LINE: …`.
 void apply_preset(GyroDescription& gyro, const std::string& text, const std::string& file);
 
-/// Applies `NAME`, `NAME:k=v,k=v` as the command line has it.
+/// Applies a command-line option `NAME` or `NAME:k=v,k=v`.
 void apply_option(GyroDescription& gyro, const std::string& where, const std::string& option);
 
 }  // namespace fogcomp::simulation

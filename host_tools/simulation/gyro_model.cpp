@@ -98,7 +98,7 @@ void GyroModel::evaluate() {
 
 namespace {
 
-// Of each effect the scale that it was given, else 1, and the peak, else 0.
+// The given scale of each effect, else 1, and the given peak, else 0.
 struct Sizes {
   std::vector<double> scales;
   std::vector<double> peaks;

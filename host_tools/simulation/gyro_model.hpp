@@ -11,28 +11,27 @@
 
 namespace fogcomp::simulation {
 
-/// Heat, effects and sensors advance in steps of this; rows are interpolated or averaged.
+/// Step of heat flow, effects and sensors; rows are interpolated or averaged.
 constexpr double kThermalStep_s = 1.0;
 
-/// What the gyro's axis sees beside the rate table. Without a latitude the Earth rate counts as
-/// removed.
+/// Earth rate about the gyro's axis, beside the rate table. Without a latitude it is 0.
 struct EarthRate {
   std::optional<double> latitude_deg;
-  Axis axis = Axis::up;  ///< where the profile does not set one
+  Axis axis = Axis::up;  ///< unless the profile sets one
 };
 
-/// Input rate about the sensitive axis at that time, deg/h.
+/// Input rate about the sensitive axis at `time_s`, deg/h.
 double input_rate_dph(const Conditions& conditions, double time_s, const EarthRate& earth,
                       Axis axis);
 
-/// All that changes slowly: chamber, heat flow, effects, sensors; no noise.
+/// All slow processes: chamber, heat flow, effects, sensors; no noise.
 class GyroModel {
  public:
   /// At time 0. `programme` must outlive the object. `scales` multiply the effects, in the order of
-  /// gyro.effects(); empty means 1.
+  /// gyro.effects(); empty: 1.
   GyroModel(const GyroDescription& gyro, const Programme& programme, const EarthRate& earth,
             const ThermalGrid& grid, std::uint64_t seed, std::vector<double> scales = {});
-  GyroModel(const GyroModel&) = delete;  // the state points into the object
+  GyroModel(const GyroModel&) = delete;  // the state contains pointers into the object
   GyroModel& operator=(const GyroModel&) = delete;
 
   /// Advances by kThermalStep_s.
@@ -41,7 +40,7 @@ class GyroModel {
   const GyroState& state() const { return state_; }
   /// deg/h, in the order of gyro.effects().
   const std::vector<double>& contributions_dph() const { return contributions_dph_; }
-  /// Input rate and all contributions.
+  /// Input rate plus all contributions.
   double rate_dph() const { return state_.loop_rate_dph; }
   double sensor_degc() const { return sensor_degc_; }
 
@@ -62,9 +61,9 @@ class GyroModel {
   double sensor_degc_ = 0;
 };
 
-/// What multiplies each effect: its `scale`, or what gives it the largest magnitude `peak` over the
-/// programme, found by running that once. Throws InputError where an effect has both, or stays zero
-/// and cannot be given a peak.
+/// Factor of each effect: its `scale`, or the one that gives it the largest magnitude `peak` over
+/// the programme, found by one run. Throws InputError for an effect with both, and for one that is
+/// always zero and has a peak.
 std::vector<double> peak_scales(const GyroDescription& gyro, const Programme& programme,
                                 const EarthRate& earth, const ThermalGrid& grid,
                                 std::uint64_t seed);

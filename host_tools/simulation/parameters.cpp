@@ -28,7 +28,7 @@ std::string listed(const std::vector<std::string>& words) {
   return list;
 }
 
-// The number of the choice. `where`, `name`: for errors.
+// Index of the choice. `where`, `name`: for errors.
 double choice_of(const ParameterSpec& spec, const std::string& value, const std::string& where,
                  const std::string& name) {
   const auto choice = std::find(spec.choices.begin(), spec.choices.end(), value);

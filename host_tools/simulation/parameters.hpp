@@ -5,7 +5,7 @@
 
 namespace fogcomp::simulation {
 
-/// One parameter of an effect or of a part of the gyro: what --list shows and what is checked.
+/// One parameter of an effect or of a part of the gyro: for --list and range checks.
 struct ParameterSpec {
   std::string name;
   std::string unit;  ///< "" for a plain number
@@ -13,7 +13,7 @@ struct ParameterSpec {
   double min;
   double max;
   std::string help;
-  /// For a parameter that is a word: the words allowed; its value is the index.
+  /// For a parameter that is a word: the allowed words; its value is the index.
   std::vector<std::string> choices = {};
   bool whole = false;  ///< only whole numbers
 };
@@ -23,14 +23,14 @@ class Parameters {
  public:
   Parameters(std::string owner, const std::vector<ParameterSpec>& specs);
 
-  /// `name=value`. Throws InputError `where: …` for an unknown name (naming the nearest), a value
-  /// that is no number, or one out of range.
+  /// Parses `name=value`. Throws InputError `where: …` for an unknown name (with the nearest one),
+  /// a value that is not a number, or one out of range.
   void assign(const std::string& where, const std::string& assignment);
 
-  /// The value of a parameter that must exist.
+  /// Value of an existing parameter.
   double operator[](const std::string& name) const;
   bool was_set(const std::string& name) const;
-  /// "name=value" of every parameter, blanks between, numbers as short as they can be read back.
+  /// "name=value" of every parameter, separated by blanks, numbers in the shortest exact form.
   std::string text() const;
 
  private:
@@ -42,7 +42,7 @@ class Parameters {
   std::vector<bool> set_;
 };
 
-/// A value as `name=value` would give it: a word or a number.
+/// A value in the syntax of `name=value`: a word or a number.
 std::string value_text(const ParameterSpec& spec, double value);
 
 }  // namespace fogcomp::simulation

@@ -11,7 +11,7 @@ namespace {
 
 struct Unit {
   std::string name;
-  double factor;  ///< to the unit that the simulator computes with
+  double factor;  ///< to the simulator's unit
 };
 
 struct Kind {

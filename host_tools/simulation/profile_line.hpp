@@ -7,7 +7,7 @@
 
 namespace fogcomp::simulation {
 
-/// What a quantity measures; decides which units it may have.
+/// Dimension of a quantity, which decides its possible units.
 enum class Dimension : std::uint8_t {
   temperature,       ///< degC
   temperature_rate,  ///< degC/min; read into K/s, positive
@@ -19,20 +19,20 @@ enum class Dimension : std::uint8_t {
   angle,             ///< deg
 };
 
-/// One line of a profile, read word by word. Every failure names file and line.
+/// One line of a profile, read word by word. Errors contain file and line.
 class ProfileLine {
  public:
   ProfileLine(const std::string& file, std::size_t number, const std::string& text);
 
   bool at_end() const { return next_ == words_.size(); }
-  /// The next word; `what` says in the error what is missing.
+  /// The next word; `what` names a missing one in the error.
   std::string word(const std::string& what);
   void expect_word(const std::string& expected);
   void expect_end();
-  /// A number and its unit, as two words or one.
+  /// A number and its unit, as one or two words.
   double quantity(Dimension dimension);
   int whole_number(int min, int max);
-  /// Which of the allowed words comes next.
+  /// Index of the next word among the allowed ones.
   int choice(const std::vector<std::string>& allowed);
   [[noreturn]] void fail(const std::string& what) const;
 

@@ -14,8 +14,7 @@ namespace fogcomp::simulation {
 namespace {
 
 constexpr double kLongestProgramme_s = 10000.0 * 3600.0;
-// Nested repeats multiply; this many statements and passes are more than any test and still quick
-// to read.
+// Limit of statements times passes of nested repeats: above any test, and still fast to read.
 constexpr int kMaxStatements = 1000000;
 constexpr int kMaxNesting = 20;
 constexpr double kFastestSweep_s = 10;
@@ -45,7 +44,7 @@ class ProfileParser {
     line.fail("the programme has more than a million statements; repeat less often");
   }
 
-  // Statements [first, last), blocks between repeat and end as often as they say.
+  // Executes statements [first, last), with repeated blocks.
   void run_block(std::size_t first, std::size_t last, int nesting) {
     for (std::size_t i = first; i < last; ++i) {
       ProfileLine line = lines_[i];

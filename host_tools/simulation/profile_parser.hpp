@@ -25,10 +25,10 @@ namespace fogcomp::simulation {
 ///   azimuth 90 deg                      of the gyro about the vertical
 ///   repeat 3 ... end                    may be nested
 ///
-/// A number and its unit may be written together (2h). `seed` decides the random steps, and `name`
-/// is the file named in errors. Throws InputError `NAME:LINE: what is wrong; what to do` for
-/// anything else, for temperatures outside -100 .. 150 degC and for a programme of no length or of
-/// more than 10 000 h.
+/// A number and its unit may be written together (2h). `seed` determines the random steps; `name`
+/// is the file in errors. Throws InputError `NAME:LINE: what is wrong; what to do` for anything
+/// else, for temperatures outside -100 .. 150 degC, and for a programme of zero length or more than
+/// 10 000 h.
 Programme parse_profile(const std::string& text, const std::string& name, std::uint64_t seed);
 
 }  // namespace fogcomp::simulation

@@ -6,27 +6,27 @@
 
 namespace fogcomp::simulation {
 
-/// Where the gyro's sensitive axis points.
+/// Direction of the gyro's sensitive axis.
 enum class Axis : std::uint8_t { up, down, north, south, east, west };
 
-/// What the operator sets beside the temperature; holds until changed.
+/// Conditions set by the operator beside the temperature; constant until changed.
 struct Conditions {
   bool powered = true;
   double heater_w = 0;  ///< on the spool
   double table_rate_dph = 0;
-  double sweep_dph = 0;  ///< amplitude of a sinusoid on top of it, 0 at sweep_from_s
+  double sweep_dph = 0;  ///< amplitude of an additional sinusoid, 0 at sweep_from_s
   double sweep_period_s = 1;
   double sweep_from_s = 0;
-  double vibration_grms = 0;  ///< on top of the chamber's own
-  double field_ut = 0;        ///< a coil's field along the azimuth's zero, on top of the Earth's
+  double vibration_grms = 0;  ///< in addition to the chamber's own
+  double field_ut = 0;        ///< field of a coil along azimuth zero, in addition to the Earth's
   double azimuth_deg = 0;     ///< of the gyro about the vertical
   Axis axis = Axis::up;
 };
 
-/// The table's rate while these conditions hold.
+/// Rate of the table under these conditions.
 double table_rate_dph(const Conditions& conditions, double time_s);
 
-/// A stretch of time in which the chamber's set point moves in a straight line.
+/// An interval of time in which the chamber's set point changes linearly.
 struct Leg {
   double start_s = 0;
   double end_s = 0;
@@ -36,8 +36,7 @@ struct Leg {
   std::string segment;  ///< name of the segment it belongs to
 };
 
-/// A test programme: what the chamber and the operator do, second by second. Made by
-/// parse_profile().
+/// A test programme: actions of chamber and operator over time. Made by parse_profile().
 struct Programme {
   double start_degc = 20;  ///< of everything, at time 0
   std::vector<Leg> legs;   ///< without gaps, the first from time 0

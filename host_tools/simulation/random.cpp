@@ -33,7 +33,7 @@ std::uint64_t rotate_left(std::uint64_t word, int count) {
   return (word << count) | (word >> (64 - count));
 }
 
-// Spreads a seed over all bits of the state (Steele, Lea and Flood 2014).
+// Expands a seed over all bits of the state (Steele, Lea and Flood 2014).
 std::uint64_t split_mix(std::uint64_t& state) {
   state += 0x9E3779B97F4A7C15U;
   std::uint64_t word = state;

@@ -6,9 +6,8 @@
 
 namespace fogcomp::simulation {
 
-/// xoshiro256++ (Blackman and Vigna 2019), one generator per named source: the stream depends on
-/// the run's seed and the source's name only, so that switching one source on or off leaves every
-/// other one's bits alone.
+/// xoshiro256++ (Blackman and Vigna 2019), one generator per named source. The stream depends only
+/// on the run's seed and the source's name, so that enabling one source does not change the others.
 class Random {
  public:
   Random(std::uint64_t seed, std::string_view source);
@@ -17,7 +16,7 @@ class Random {
   /// In [0, 1), 53 bits.
   double uniform();
   /// Mean 0, variance 1, by a ziggurat of 256 layers (Marsaglia and Tsang 2000): about one table
-  /// look-up and one multiplication a number, and the same bits on every standard library.
+  /// look-up and one multiplication per number, and equal bits with every standard library.
   double gaussian();
 
  private:

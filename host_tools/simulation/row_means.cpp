@@ -5,7 +5,7 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Row and step ends that mean the same instant may differ in the last bits.
+// Ends of rows and steps at the same time may differ in the last bits.
 constexpr double kSameInstant = 1e-9;
 
 }  // namespace

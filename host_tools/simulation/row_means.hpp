@@ -5,21 +5,21 @@
 
 namespace fogcomp::simulation {
 
-/// Turns values at the ends of equal steps into means over rows of another length: a row shorter
-/// than a step takes its part of the straight line between two values, a longer one the mean over
-/// many. A held channel stands at its last value instead (a sensor between two conversions).
+/// Converts values at the ends of equal steps to means over rows of another length: a row shorter
+/// than a step uses linear interpolation, a longer one the mean over many. A held channel keeps its
+/// last value (a sensor between two conversions).
 class RowMeans {
  public:
   enum class Between { straight, held };
 
-  /// `first`: the values at time 0, one for each channel.
+  /// `first`: values at time 0, one per channel.
   RowMeans(double step_s, double row_s, std::vector<Between> channels, std::vector<double> first);
 
-  /// Whether the next row reaches beyond the steps known so far: push() first.
+  /// Whether the next row extends beyond the known steps: call push() first.
   bool needs_step() const;
-  /// Values at the end of the next step. Only when needs_step().
+  /// Adds the values at the end of the next step. Requires needs_step().
   void push(const std::vector<double>& values);
-  /// Writes the means over the next row, one for each channel. Only when not needs_step().
+  /// Writes the means over the next row, one per channel. Requires !needs_step().
   void next_row(double* means);
 
  private:
@@ -30,10 +30,10 @@ class RowMeans {
   std::vector<Between> channels_;
   std::vector<double> before_;  ///< values at the start of the current step
   std::vector<double> after_;   ///< and at its end
-  std::vector<double> sums_;    ///< integral over the current row so far
+  std::vector<double> sums_;    ///< integral over the present row so far
   std::size_t steps_ = 0;       ///< pushed so far
   std::size_t rows_ = 0;
-  double done_s_ = 0;  ///< integrated up to here
+  double done_s_ = 0;  ///< end of the integrated time
 };
 
 }  // namespace fogcomp::simulation

@@ -7,7 +7,7 @@
 
 namespace fogcomp::simulation {
 
-/// What a gyro on a chamber programme would have sent, and what made it so.
+/// A simulated recording with its true contributions.
 struct SimulatedRecording {
   recording::Recording recording;  ///< every column, one stretch
   /// One series per Simulation::effect_names(), deg/h, as long as the recording.

@@ -58,7 +58,7 @@ bool Simulation::next(RowChunk& chunk) {
   const std::size_t rows = std::min(kChunkRows, total_rows_ - row_);
   if (rows == 0) return false;
 
-  // Noise is drawn for every row, recorded or not: what one row gets depends on its time alone.
+  // Noise is drawn for every row, recorded or not: a row's noise depends on its time alone.
   std::vector<std::vector<double>> noises(noises_.size(), std::vector<double>(rows));
   std::vector<double> noise_sum(rows, 0);
   for (std::size_t n = 0; n < noises_.size(); ++n) {

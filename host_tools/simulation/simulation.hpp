@@ -19,7 +19,8 @@ struct SimulationOptions {
   ThermalGrid grid;
 };
 
-/// Rows of a run: all columns of a recording, and the truth. Times are those of the rows' starts.
+/// Rows of a run: all columns of a recording, and the true values. Times are those of the rows'
+/// starts.
 struct RowChunk : recording::Recording {
   /// True temperatures, then each effect and noise source by name; all as long as the columns.
   std::vector<double> coil_degc;
@@ -28,24 +29,24 @@ struct RowChunk : recording::Recording {
   std::vector<std::vector<double>> noises_dph;
 };
 
-/// Runs a gyro through a programme and hands its rows over in chunks, in bounded memory.
+/// Runs a gyro through a programme and returns its rows in chunks, in bounded memory.
 class Simulation {
  public:
-  /// The arguments must outlive the object. Throws InputError for a peak that cannot be reached.
+  /// The arguments must outlive the object. Throws InputError for an impossible peak.
   Simulation(const GyroDescription& gyro, const Programme& programme,
              const SimulationOptions& options);
 
   /// Names of RowChunk::effects_dph and noises_dph.
   const std::vector<std::string>& effect_names() const { return effect_names_; }
   const std::vector<std::string>& noise_names() const { return noise_names_; }
-  /// What `peak` or `scale` made of each effect's natural size; 1 without them.
+  /// Factor of each effect's natural size, from `peak` or `scale`; 1 without them.
   const std::vector<double>& effect_scales() const { return scales_; }
-  /// Rows of the whole programme, those without power included.
+  /// Rows of the whole programme, including those without power.
   std::size_t total_rows() const { return total_rows_; }
   std::size_t rows_done() const { return row_; }
 
-  /// Fills the next rows; false at the end. Rows during which the power is off, even for a part,
-  /// are left out, so that a chunk may be empty.
+  /// Fills the next rows; false at the end. Rows in which the power is off, even partly, are left
+  /// out, so a chunk may be empty.
   bool next(RowChunk& chunk);
 
  private:

@@ -5,12 +5,11 @@
 
 namespace fogcomp::simulation {
 
-/// A temperature sensor: follows the place where it is glued with a lag, and converts once a
-/// thermal step, with noise, to whole steps of its resolution. Between conversions its reading
-/// stands.
+/// A temperature sensor: follows the place where it is glued with a lag, and converts once per
+/// thermal step, with noise and limited resolution. Its reading is constant between conversions.
 class TemperatureSensor {
  public:
-  /// `name` is the part: sensor or sensor2.
+  /// `name` of the part: sensor or sensor2.
   TemperatureSensor(const Parameters& parameters, const std::string& name, std::uint64_t seed);
 
   /// Returns the new reading, degC.

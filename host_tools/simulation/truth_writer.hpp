@@ -8,11 +8,11 @@
 
 namespace fogcomp::simulation {
 
-/// Writes what really happened beside a recording: the effects and their parameters as comments,
-/// then for every row of the recording the true temperatures and each contribution in deg/h.
+/// Writes the true values of a recording: effects and parameters as comments, then for every row
+/// the true temperatures and each contribution in deg/h.
 class TruthWriter {
  public:
-  /// `origin` is said in the first comment: profile, preset, seed.
+  /// `origin`, for the first comment: profile, preset, seed.
   TruthWriter(const std::string& path, const std::string& origin, const GyroDescription& gyro,
               const Simulation& simulation);
 

@@ -5,7 +5,7 @@
 
 namespace fogcomp {
 
-/// Bytes as base64 (RFC 4648), in one line.
+/// Bytes in base64 (RFC 4648), one line.
 std::string base64(std::string_view bytes);
 
 }  // namespace fogcomp

@@ -17,7 +17,7 @@ MatrixXd gram(const MatrixXd& a) {
 
 namespace {
 
-// Eigen stops at the first pivot that is not positive and solves with what it has by then.
+// Eigen stops at the first pivot that is not positive and returns a result all the same.
 template <class Solution>
 Solution if_definite(const Eigen::LLT<MatrixXd>& factors, const Solution& solution) {
   if (factors.info() == Eigen::Success) return solution;

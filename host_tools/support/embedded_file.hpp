@@ -4,8 +4,8 @@
 
 namespace fogcomp {
 
-/// A text that was compiled in from a file of the source tree (FogEmbedFiles.cmake), so that the
-/// tool needs no installation.
+/// A text file of the source tree, compiled in (FogEmbedFiles.cmake), so that the tool needs no
+/// installation.
 struct EmbeddedFile {
   std::string name;  ///< without folder and extension
   std::string text;

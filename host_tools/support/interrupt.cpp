@@ -6,7 +6,7 @@ namespace fogcomp {
 namespace {
 
 volatile std::sig_atomic_t g_interrupted = 0;
-// What a second Ctrl-C does: whoever writes files removes half ones.
+// Handler restored for a second Ctrl-C: it removes unfinished files.
 void (*g_before)(int) = SIG_DFL;
 
 extern "C" void on_interrupt(int) {

@@ -2,8 +2,8 @@
 
 namespace fogcomp {
 
-/// While one lives, Ctrl-C asks long work to end early with what it has (a second Ctrl-C ends the
-/// program as ever). One at a time.
+/// While this object lives, Ctrl-C asks long work to end early with its present result; a second
+/// Ctrl-C ends the program. One object at a time.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -23,7 +23,7 @@ void print_string(const std::string& value, std::string& out) {
     if (character == "\"" || character == "\\") {
       out += '\\';
       out += character;
-    } else if (has_control_character(character)) {  // its last byte is its number, in both sets
+    } else if (has_control_character(character)) {  // U+0000 to U+001F, U+007F to U+009F
       out += format("\\u%04x", static_cast<unsigned>(static_cast<unsigned char>(character.back())));
     } else {
       out += character;

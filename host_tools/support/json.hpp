@@ -11,9 +11,8 @@
 
 namespace fogcomp {
 
-/// A JSON value to print. Objects keep the order in which their members were set.
-/// A number that is not finite prints as null, which is what contract readers expect of a figure
-/// that the data cannot show.
+/// A JSON value to print. Objects keep the order in which their members were set. A number that is
+/// not finite prints as null: a value that the data cannot show.
 class Json {
  public:
   Json() = default;  // null
@@ -52,7 +51,7 @@ class Json {
       nullptr};
 };
 
-/// What `json_of` makes of each element.
+/// Array of `json_of` for each element.
 template <class Elements, class JsonOf>
 Json json_array(const Elements& elements, const JsonOf& json_of) {
   Json array = Json::array();

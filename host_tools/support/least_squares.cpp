@@ -8,7 +8,7 @@
 namespace fogcomp {
 namespace {
 
-// Which of unit columns have a part in a column that depends on them; their numbers.
+// Indices of the unit columns that contribute to a dependent column.
 std::vector<Eigen::Index> parts_of(const Eigen::MatrixXd& basis, const Eigen::VectorXd& column,
                                    const std::vector<Eigen::Index>& numbers) {
   constexpr double kPart = 1e-3;  // of a unit column
@@ -24,7 +24,7 @@ std::vector<Eigen::Index> parts_of(const Eigen::MatrixXd& basis, const Eigen::Ve
 }  // namespace
 
 LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& values) {
-  // The pivot search is for numbers.
+  // the pivot search needs finite numbers
   if (!matrix.allFinite() || !values.allFinite()) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     return {Eigen::VectorXd::Constant(matrix.cols(), kUnknown),
@@ -32,7 +32,7 @@ LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& val
             Eigen::VectorXd::Constant(matrix.rows(), kUnknown),
             0};
   }
-  // Unit columns, so that rank and conditioning do not depend on units.
+  // Scaled to unit columns, so that rank and conditioning do not depend on units.
   Eigen::VectorXd norms = matrix.colwise().norm().transpose();
   norms = norms.unaryExpr([](double norm) { return norm > 0 ? norm : 1.0; });
   const Eigen::VectorXd scale = norms.cwiseInverse();
@@ -80,7 +80,7 @@ std::vector<DependentColumn> dependent_columns(const Eigen::MatrixXd& matrix) {
     const auto count = static_cast<Eigen::Index>(numbers.size());
     const auto before = orthonormal.leftCols(count);
     const Eigen::VectorXd unit = matrix.col(i) / size;
-    // Twice: the second pass removes what rounding left of the first.
+    // Twice: the second pass removes the rounding errors of the first.
     Eigen::VectorXd left = unit;
     for (int pass = 0; pass < 2; ++pass) left -= before * (before.transpose() * left).eval();
     const double norm = left.norm();
@@ -101,7 +101,7 @@ std::vector<DependentColumn> dependent_columns(const Eigen::MatrixXd& matrix) {
 }
 
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double rank_threshold) {
-  if (columns.cols() == 0) return columns;  // Eigen's decomposition wants one
+  if (columns.cols() == 0) return columns;  // Eigen's decomposition needs a column
   Eigen::VectorXd scale = columns.colwise().norm().transpose();
   scale = scale.unaryExpr([](double norm) { return norm > 0 ? 1 / norm : 1.0; });
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;

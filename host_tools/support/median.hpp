@@ -4,11 +4,11 @@
 
 namespace fogcomp {
 
-/// The lower middle value; 0 of nothing. O(n).
+/// Median, the lower one of two; 0 without values. O(n).
 double median(std::vector<double> values);
 
 /// Standard deviation about zero of normally distributed values, from the median of their
-/// magnitudes: what a few outliers cannot move.
+/// magnitudes: robust against a few outliers.
 double sigma_by_median(std::vector<double> values);
 
 }  // namespace fogcomp

@@ -24,8 +24,8 @@ constexpr std::size_t kBufferBytes = 1U << 20U;
 constexpr mode_t kNewFileMode = 0644;  // less the umask
 constexpr const char* kOwnDescriptors = "/proc/self/fd/";
 
-// Temporary files in being, for the signal handler: an interrupted command leaves no half file.
-// A fixed array, because a signal handler may neither lock nor allocate.
+// Temporary files in use, for the signal handler, which removes them after an interruption. A fixed
+// array, because a signal handler may neither lock nor allocate.
 constexpr std::size_t kMaxOpenFiles = 16;
 constexpr std::size_t kLongestPath = 4096;
 std::array<char[kLongestPath], kMaxOpenFiles> unfinished_paths;
@@ -39,8 +39,8 @@ void remove_unfinished_files(int signal_number) {
   ::raise(signal_number);
 }
 
-// Every signal that ends a program unless it is handled. One that somebody handles or ignores (a
-// sanitizer, nohup) stays as it is.
+// All signals that end a program by default. One that is handled or ignored already (sanitizer,
+// nohup) is left as it is.
 constexpr int kDeadlySignals[] = {SIGINT,  SIGTERM, SIGHUP,  SIGQUIT, SIGPIPE, SIGALRM, SIGXCPU,
                                   SIGUSR1, SIGUSR2, SIGABRT, SIGBUS,  SIGFPE,  SIGILL,  SIGSEGV};
 
@@ -63,7 +63,7 @@ void remember_unfinished(const std::string& path) {
   for (auto& slot : unfinished_paths) {
     if (slot[0] == '\0') {
       std::memcpy(slot + 1, path.c_str() + 1, path.size());
-      slot[0] = path[0];  // last, so that the handler never sees half a path
+      slot[0] = path[0];  // last, so that the handler never sees an incomplete path
       return;
     }
   }
@@ -76,7 +76,7 @@ void forget_unfinished(const std::string& path) {
   }
 }
 
-// A path that neither links nor spellings change.
+// Canonical path, independent of links and spelling.
 std::filesystem::path canonical_place(const std::string& path) {
   std::error_code error;
   const std::filesystem::path place =
@@ -84,7 +84,7 @@ std::filesystem::path canonical_place(const std::string& path) {
   return error ? std::filesystem::path(path) : place;
 }
 
-// While one lives, no signal comes between making a file and remembering that it is to be removed.
+// Blocks signals between creating a file and registering it for removal.
 class SignalsHeld {
  public:
   SignalsHeld() {
@@ -100,8 +100,8 @@ class SignalsHeld {
   sigset_t before_;
 };
 
-// N where the path is one of this process' own descriptors (/dev/stdout leads to
-// /proc/self/fd/1): opened anew, a file behind it would be written over from its start.
+// N, if the path is one of this process' own descriptors (/dev/stdout leads to /proc/self/fd/1):
+// opening it again would overwrite a file from its start.
 std::optional<int> own_descriptor(const std::string& path) {
   for (const std::string folder : {kOwnDescriptors, "/dev/fd/"}) {
     if (path.rfind(folder, 0) != 0) continue;
@@ -120,14 +120,14 @@ void require_printable_name(const std::string& path) {
 
 std::string resolve_links(const std::string& path) {
   namespace fs = std::filesystem;
-  constexpr int kMaxLinks = 40;  // as Linux follows
+  constexpr int kMaxLinks = 40;  // as in Linux
   fs::path target = path;
   for (int links = 0; links <= kMaxLinks; ++links) {
-    if (own_descriptor(target.string())) return target.string();  // its link is only a description
+    if (own_descriptor(target.string())) return target.string();  // its link is not a path
     std::error_code no_link;
     const fs::path next = fs::read_symlink(target, no_link);
     if (no_link) return target.string();
-    target = target.parent_path() / next;  // `next` alone where it is absolute
+    target = target.parent_path() / next;  // just `next` if it is absolute
   }
   throw InputError(path, "is a link that leads to itself; name a file");
 }
@@ -153,10 +153,10 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(resol
   if (own) {
     descriptor_ = ::fcntl(*own, F_DUPFD_CLOEXEC, 0);
   } else if (exists && !S_ISREG(status.st_mode)) {
-    // A pipe or a device (/dev/null) is written to, never replaced by a file.
+    // A pipe or a device (/dev/null) is written to, not replaced by a file.
     descriptor_ = ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
-    // By its mode too: to root every file is writable.
+    // Also by its mode, because for root every file is writable.
     constexpr mode_t kAnyoneWrites = S_IWUSR | S_IWGRP | S_IWOTH;
     if (exists && ((status.st_mode & kAnyoneWrites) == 0 || ::access(target_.c_str(), W_OK) != 0)) {
       throw InputError(path_, "is read-only; name another file, or allow writing (chmod u+w)");
@@ -165,7 +165,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(resol
     if (exists && descriptor_ >= 0) {
       static_cast<void>(::fchmod(descriptor_, status.st_mode & 0777U));
       const bool same_owner = ::fchown(descriptor_, status.st_uid, status.st_gid) == 0;
-      static_cast<void>(same_owner);  // only root may give files away
+      static_cast<void>(same_owner);  // only root may change the owner
     }
   }
   if (descriptor_ < 0) {
@@ -175,8 +175,8 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), target_(resol
   buffer_.reserve(kBufferBytes);
 }
 
-// Without a name where the file system has such files and /proc can name them later: then nothing
-// is left of a process that is killed, however that is done.
+// Without a name, if the file system and /proc support that: then nothing remains of a process that
+// is killed in any way.
 void OutputFile::open_temporary() {
   if (::access(kOwnDescriptors, X_OK) == 0) {
     const std::string folder = std::filesystem::path(target_).parent_path().string();
@@ -191,7 +191,7 @@ void OutputFile::open_temporary() {
   });
 }
 
-// A name that nobody can have prepared: `make` makes the file of that name, or fails with EEXIST.
+// A name that cannot exist before: `make` creates the file, or fails with EEXIST.
 bool OutputFile::name_temporary(const std::function<bool(const char*)>& make) {
   constexpr int kMaxAttempts = 100;
   std::random_device random;
@@ -208,7 +208,7 @@ bool OutputFile::name_temporary(const std::function<bool(const char*)>& make) {
   return false;
 }
 
-// A link cannot replace a file, a name can: so a file without one gets a temporary one first.
+// A link cannot replace a file, but a rename can: an unnamed file first gets a temporary name.
 bool OutputFile::give_name() {
   if (nameless_) {
     const std::string own = kOwnDescriptors + std::to_string(descriptor_);
@@ -219,7 +219,7 @@ bool OutputFile::give_name() {
   }
   const int closed = ::close(descriptor_);
   descriptor_ = -1;
-  if (closed != 0 || temporary_path_.empty()) return closed == 0;  // a pipe has its name
+  if (closed != 0 || temporary_path_.empty()) return closed == 0;  // a pipe has its name already
   if (std::rename(temporary_path_.c_str(), target_.c_str()) != 0) return false;
   forget_unfinished(temporary_path_);
   return true;

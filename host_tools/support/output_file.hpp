@@ -8,43 +8,41 @@
 
 namespace fogcomp {
 
-/// Throws InputError for a path with a control character in it: wherever it is printed, a terminal
-/// would obey it.
+/// Throws InputError for a path with a control character, which a terminal would execute when it is
+/// printed.
 void require_printable_name(const std::string& path);
 
-/// Where writing to `path` ends up: the target of a symbolic link, whether it exists or not, else
-/// `path` itself. Throws InputError for links in a circle.
+/// Path that a write to `path` reaches: the target of a symbolic link, even if it does not exist,
+/// else `path` itself. Throws InputError for circular links.
 std::string resolve_links(const std::string& path);
 
-/// Whether two paths name the same regular file, by whatever links and spellings, or the same place
-/// for a file that neither names yet. Pipes and devices, which are not replaced, are never the
-/// same.
+/// Whether two paths name the same regular file, through any links and spellings, or the same place
+/// for a new file. Pipes and devices, which are not replaced, are never the same.
 bool same_file(const std::string& a, const std::string& b);
 
-/// A file that appears whole or not at all: written without a name in the folder of its own, or
-/// under a temporary one where the file system has no such files, and named by commit(). Without
-/// commit() (an error, a signal) nothing is left of it, except of one with a temporary name when
-/// SIGKILL ends the process, and whatever had the name before is untouched. A file that is replaced
-/// keeps its permissions; a symbolic link stays one, and its target is replaced. What is no regular
-/// file, a pipe or a device, is written to as it is.
+/// A file that appears completely or not at all: written without a name in its folder (or under a
+/// temporary name, if the file system requires one) and named by commit(). Without commit() (an
+/// error, a signal) nothing remains, except a temporary name after SIGKILL, and an existing file is
+/// unchanged. A replaced file keeps its permissions; of a symbolic link the target is replaced.
+/// Pipes and devices are written to directly.
 class OutputFile {
  public:
-  /// Opens the temporary file. Throws InputError where the folder cannot be written, or `path` is a
-  /// directory or a file that is read-only.
+  /// Opens the temporary file. Throws InputError if the folder is not writable, or `path` is a
+  /// directory or a read-only file.
   explicit OutputFile(std::string path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// Appends bytes. Throws InputError where the disk is full.
+  /// Appends bytes. Throws InputError if the disk is full.
   void write(const void* bytes, std::size_t size);
   void write(std::string_view text) { write(text.data(), text.size()); }
 
-  /// Hands all bytes to the system. With two outputs, both are flushed before one is committed, so
-  /// that a full disk leaves neither.
+  /// Passes all bytes to the system. Of two outputs, flush both before committing one, so that a
+  /// full disk leaves neither.
   void flush();
 
-  /// Flushes, checks that all was written, and gives the file its name.
+  /// Flushes, checks for errors, and gives the file its name.
   void commit();
 
   const std::string& path() const { return path_; }
@@ -56,26 +54,26 @@ class OutputFile {
   void discard_temporary();
 
   std::string path_;
-  std::string target_;          ///< `path_` with its links resolved
-  std::string temporary_path_;  ///< empty as long as there is none
-  bool nameless_ = false;       ///< a file that has no name yet
+  std::string target_;          ///< `path_` with links resolved
+  std::string temporary_path_;  ///< empty if there is none
+  bool nameless_ = false;       ///< has no name yet
   int descriptor_ = -1;
   std::vector<char> buffer_;
 };
 
-/// Makes the folder, and those above it, where it is missing. Throws InputError where it cannot be
-/// or nothing can be written there.
+/// Creates the folder and its missing parents. Throws InputError if that fails or the folder is not
+/// writable.
 void make_folder(const std::string& folder);
 
-/// Writes `text` to `path` whole or not at all.
+/// Writes `text` to `path`, completely or not at all.
 void write_file(const std::string& path, std::string_view text);
 
 /// Opens a file, pipe or terminal for reading and returns its descriptor. Throws InputError for a
-/// missing file, a directory, and a device such as /dev/zero, which never ends.
+/// missing file, a directory, and an endless device such as /dev/zero.
 int open_input(const std::string& path);
 
-/// The whole file. Throws InputError as open_input() does, for a read error, and for one larger
-/// than the 64 MiB that no model, header or profile comes near.
+/// Reads the whole file. Throws InputError like open_input(), for a read error, and for more than
+/// 64 MiB, far above any model, header or profile.
 std::string read_file(const std::string& path);
 
 }  // namespace fogcomp

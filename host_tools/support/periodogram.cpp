@@ -6,7 +6,7 @@
 namespace fogcomp {
 
 std::vector<double> periodogram(const std::vector<double>& values) {
-  // Eigen's transform needs two values.
+  // Eigen's transform needs two values
   if (values.empty()) return {};
   if (values.size() == 1) return {values[0] * values[0]};
   Eigen::FFT<double> fft;

@@ -5,8 +5,8 @@
 
 namespace fogcomp {
 
-/// A progress bar with the time left, on stderr, only where that is a terminal, and only for work
-/// that turns out to last longer than 2 s.
+/// A progress bar with the remaining time, on stderr if that is a terminal, and only for work that
+/// takes longer than 2 s.
 class Progress {
  public:
   explicit Progress(std::string label);
@@ -14,7 +14,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `fraction` of the work done, 0 to 1. Cheap enough to call every few thousand rows.
+  /// `fraction` of the work done, 0 to 1. Cheap enough for a call every few thousand rows.
   void update(double fraction);
 
  private:

@@ -30,7 +30,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-// "temp_rate" of "temperature_rate_product": each part of the word begins a part, in order.
+// Whether the parts of `word` begin parts of the candidate, in order: "temp_rate" for
+// "temperature_rate_product".
 bool abbreviates(std::string_view word, const std::string& candidate) {
   const std::vector<std::string> beginnings = split(word, '_');
   std::size_t next = 0;
@@ -42,7 +43,7 @@ bool abbreviates(std::string_view word, const std::string& candidate) {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-// Of characters of UTF-8 and, each alone, of bytes that are none.
+// For each UTF-8 character, and for each byte that is not UTF-8.
 template <class Use>
 void for_each_character(std::string_view text, const Use& use) {
   while (!text.empty()) {
@@ -52,7 +53,7 @@ void for_each_character(std::string_view text, const Use& use) {
   }
 }
 
-// U+0080 to U+009F, which some terminals obey, are C2 80 to C2 9F.
+// U+0080 to U+009F, which some terminals execute, are C2 80 to C2 9F.
 bool is_control(std::string_view character) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
   const auto second_set = [](unsigned char code) { return code >= 0x80U && code < 0xA0U; };
@@ -162,7 +163,7 @@ std::size_t utf8_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned first = byte(0);
   if (first < 0x80U) return 1;
-  // C0 and C1 would be a longer form of ASCII, F5 and above lies beyond Unicode.
+  // C0 and C1 would be overlong ASCII, F5 and above is beyond Unicode.
   const std::size_t length = first < 0xC2U ? 0U : first < 0xE0U ? 2U : first < 0xF0U ? 3U : 4U;
   if (length == 0 || first > 0xF4U || text.size() < length) return 0;
   for (std::size_t i = 1; i < length; ++i) {
@@ -202,7 +203,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
   std::string found;
   for (const std::string& candidate : candidates) {
     const auto [shorter, longer] = std::minmax({word.size(), candidate.size()});
-    if (longer - shorter >= best) continue;  // so many letters are to be added at least
+    if (longer - shorter >= best) continue;  // minimum number of insertions
     const std::size_t distance = edit_distance(word, candidate);
     if (distance < best) {
       best = distance;

@@ -180,7 +180,7 @@ Json Session::columns(const Words& words) {
   const std::string_view head = file.peek();
   const recording::CsvColumns found =
       recording::look_at_columns({head, file.at_end(), file.is_utf16(), file.path()},
-                                 observer().heard(call.recording.value()));
+                                 observer().with_observer(call.recording.value()));
   Json columns = json_array(found.columns, [](const recording::CsvColumns::Column& column) {
     return Json::object()
         .set("name", column.name)

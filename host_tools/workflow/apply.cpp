@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 constexpr int kRateDecimals = 6;
-constexpr int kBoardRateDecimals = 10;  // of a 1024th
+constexpr int kBoardRateDecimals = 10;  // exact for multiples of 1/1024
 const char* const kDrift = "drift_dph";
 const char* const kCompensated = "compensated_dph";
 
@@ -26,7 +26,7 @@ SeriesSink::Column column(recording::Column column) {
   return {std::string(info.name), info.decimals};
 }
 
-/// Standard deviation of values that come one by one (Welford).
+/// Running standard deviation (Welford).
 class Scatter {
  public:
   void add(double value) {
@@ -43,7 +43,7 @@ class Scatter {
   double squares_ = 0;
 };
 
-/// Hands rows on and counts them.
+/// Passes rows on and counts them.
 class RowsOut {
  public:
   explicit RowsOut(const SeriesSink& sink) : sink_(sink) {}
@@ -76,7 +76,7 @@ class RowsOut {
   Scatter compensated_;
 };
 
-/// The drift model in double, led through a recording; its rows by the blocks that they are in.
+/// The drift model in double, run over a recording; its rows by their blocks.
 class RealSeries {
  public:
   RealSeries(const model::Model& model, const recording::Recording& recording, RowsOut& out)
@@ -88,7 +88,7 @@ class RealSeries {
     samples_per_block_ = blocks.samples_per_block;
     begin();
     model::RealDriftModel drift(model_, blocks.block_s);
-    series::walk_blocks(blocks, drift, [&](const series::BlockSeries::Block& block) {
+    series::run_blocks(blocks, drift, [&](const series::BlockSeries::Block& block) {
       rows_before(block.number);
       rows_of(block, drift);
     });
@@ -115,7 +115,7 @@ class RealSeries {
     return series::sample_number(recording_, row) / samples_per_block_;
   }
 
-  // After a gap that is longer than the board holds its drift there is none.
+  // After a gap longer than the board holds its drift, there is no drift.
   void rows_before(std::int64_t block) {
     for (; row_ < recording_.rows() && block_of(row_) < block; ++row_) {
       std::vector<double> values = measured();
@@ -158,7 +158,7 @@ class RealSeries {
   std::size_t row_ = 0;
 };
 
-/// The board's samples one after another; those of a capture have their time from their numbers.
+/// The board's samples one by one; those of a capture have their time from their numbers.
 class BoardSeries {
  public:
   BoardSeries(RowsOut& out, double capture_rate_hz) : out_(out), rate_hz_(capture_rate_hz) {

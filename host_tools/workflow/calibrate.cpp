@@ -15,7 +15,7 @@ namespace {
 
 using Figures = std::vector<std::pair<std::string, double>>;
 
-// A figure of each hold-out; the worst counts.
+// A value of each hold-out; the worst one counts.
 struct HoldOutFigure {
   const char* name;
   std::optional<double> (*value)(const compare::Comparison&);
@@ -68,7 +68,7 @@ void add_hold_out_figures(Figures& figures, const compare::ModelOnRuns& hold_out
   }
 }
 
-// What a line watches from gyro to gyro: "temperature_rate.K", in the catalogue's units.
+// Values to be monitored from gyro to gyro: "temperature_rate.K", in the catalogue's units.
 void add_coefficients(Figures& figures, const model::Model& model) {
   for (const model::EffectTerm& term : model.terms) {
     if (model::is_event(term)) continue;
@@ -99,7 +99,7 @@ std::vector<compare::RunInBlocks> read_hold_outs(const CalibrationRequest& reque
   return std::move(hold_outs.runs);
 }
 
-// The largest difference between runs of this gyro, as far as they tell it.
+// The largest certain difference between runs of this gyro.
 void add_turn_on_figures(Figures& figures, const std::vector<compare::TurnOnBias>& turn_on) {
   const auto largest = std::max_element(
       turn_on.begin(), turn_on.end(),

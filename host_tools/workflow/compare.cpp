@@ -76,7 +76,7 @@ std::vector<compare::ModelOnRuns> compare(const CompareRequest& request,
 }
 
 std::vector<compare::ModelOnRuns> compare(const CompareRequest& request, const Observer& observer) {
-  load_models(request);  // what is wrong with one is said before a recording is read
+  load_models(request);  // errors of a model are reported before a recording is read
   return compare(request, compared_runs(request, observer), observer);
 }
 

@@ -14,17 +14,17 @@ namespace fogcomp::workflow {
 struct CompareRequest {
   std::vector<std::string> models;  ///< files; at least one
   std::vector<std::string> runs;    ///< recordings
-  recording::ReadOptions reading;   ///< model_scale_factor is the models'
-  std::optional<double> average_s;  ///< rows of the residual; nothing: as the first was fitted
+  recording::ReadOptions reading;   ///< model_scale_factor is replaced by the models'
+  std::optional<double> average_s;  ///< rows of the residual; nothing: as in the first model's fit
   bool physics_alone = false;       ///< without the models' networks
 };
 
-/// Every model on every run, in the same rows; a run with the rows of one before it is left out,
-/// and noted. Throws InputError where a run lacks what a model needs, and for models of different
-/// scale factors where reading has none.
+/// Applies every model to every run, in the same rows. A run with the rows of an earlier one is
+/// left out, with a note. Throws InputError if a run lacks an input of a model, and for models of
+/// different scale factors if `reading` has none.
 std::vector<compare::ModelOnRuns> compare(const CompareRequest& request,
                                           const Observer& observer = {});
-/// The same with the request's recordings read before, as compared_runs() does.
+/// The same with recordings already read by compared_runs().
 std::vector<compare::ModelOnRuns> compare(const CompareRequest& request,
                                           const std::vector<compare::RunInBlocks>& runs,
                                           const Observer& observer = {});

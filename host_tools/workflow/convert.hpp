@@ -12,8 +12,8 @@ struct ConvertRequest {
   recording::ReadOptions reading;
 };
 
-/// The recording with all of its rows, those that a board would refuse included: whoever reads it
-/// judges them. Throws InputError as read_recording() does.
+/// The recording with all of its rows, including those that a board would refuse: its readers judge
+/// them. Throws InputError like read_recording().
 recording::Recording convert(const ConvertRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

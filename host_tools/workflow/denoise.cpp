@@ -21,7 +21,7 @@ DenoiseOutcome::MeanAndStd statistics(const std::vector<double>& values,
   return result;
 }
 
-// Between its gaps, each part by itself.
+// Denoises the parts between gaps separately.
 denoise::DenoiseReport denoise_bias(const recording::Recording& recording,
                                     const denoise::DenoiseMethod& method,
                                     std::vector<double>& bias) {
@@ -36,7 +36,7 @@ denoise::DenoiseReport denoise_bias(const recording::Recording& recording,
 }  // namespace
 
 DenoiseOutcome denoise(const DenoiseRequest& request, const Observer& observer) {
-  recording::ReadOptions reading = observer.heard(request.reading);
+  recording::ReadOptions reading = observer.with_observer(request.reading);
   reading.every_row = true;
   DenoiseOutcome outcome{recording::read_recording(request.run, reading), {}, {}};
   recording::Recording& recording = outcome.recording;

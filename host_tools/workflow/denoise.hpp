@@ -25,12 +25,12 @@ struct DenoiseOutcome {
     MeanAndStd raw;
     MeanAndStd denoised;
   };
-  recording::Recording recording;  ///< denoised; what the gyro really turned is in it untouched
+  recording::Recording recording;  ///< denoised; its input rate is unchanged
   denoise::DenoiseReport report;
   std::vector<SegmentBias> segments;
 };
 
-/// Throws InputError as read_recording() and denoise_parts() do.
+/// Throws InputError like read_recording() and denoise_parts().
 DenoiseOutcome denoise(const DenoiseRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

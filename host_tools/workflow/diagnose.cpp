@@ -8,7 +8,7 @@
 namespace fogcomp::workflow {
 namespace {
 
-// Expressions that are to compete with the catalogue.
+// Offered expressions, which compete with the catalogue.
 std::vector<model::EffectTerm> offered(const DiagnoseRequest& request, const model::Model& model) {
   std::vector<model::EffectTerm> terms = model.terms;
   for (const std::string& definition : request.expressions)
@@ -16,7 +16,7 @@ std::vector<model::EffectTerm> offered(const DiagnoseRequest& request, const mod
   return {terms.begin() + static_cast<std::ptrdiff_t>(model.terms.size()), terms.end()};
 }
 
-// Other rows than those of `compare`, with other figures.
+// The rows differ from those of `compare`, and so do the results.
 void note_rows(const diagnosis::RowLength& rows, const model::Model& model,
                std::vector<std::string>& notes) {
   if (!rows.why.empty()) {
@@ -52,7 +52,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const diagnosis::Judgin
   in_rows->average_s = request.average_s.value_or(rows.row_s);
   diagnosis::DiagnosisData data(*in_rows, offered(request, model));
   DiagnoseOutcome outcome{std::move(in_rows), std::move(data), {}, {}};
-  compare::BoardError as_given;  // as compare has it
+  compare::BoardError as_given;  // as in `compare`
   for (const compare::RunInBlocks& run : judging.training.runs) {
     as_given.add(compare::board_error(model, run, compare::compare_with(model, run)));
     outcome.runs.insert(outcome.runs.end(), run.files.begin(), run.files.end());

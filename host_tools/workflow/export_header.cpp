@@ -21,7 +21,7 @@ std::uint32_t data_hash(const model::Model& model) {
   return model.history.empty() ? 0 : model.history.back().data_hash;
 }
 
-// What the board does without, a sentence each.
+// Parts of the model that the board cannot use, one sentence each.
 std::vector<std::string> left_out(const model::Model& model,
                                   const fog::ModelParameters& parameters) {
   std::vector<std::string> notes;
@@ -34,7 +34,7 @@ std::vector<std::string> left_out(const model::Model& model,
   const double range_dps = std::ldexp(board.rate.range.raw(), -fog::Rate::fractional_bits) / 3600;
   if (step_dps >= range_dps) {
     notes.push_back(
-        format("a rate that folds at +-%g deg/s is not told from one that turned about: "
+        format("a rate that folds at +-%g deg/s cannot be distinguished from a reversal: "
                "in a sample of %g ms it may change by %.4g deg/s; give "
                "--max-acceleration if it cannot",
                range_dps, board.sample_period_us * 1e-3, step_dps));

@@ -12,28 +12,28 @@ namespace fogcomp::workflow {
 struct ExportRequest {
   std::string model;  ///< file
   board::BoardSettings board;
-  bool allow_error = false;  ///< even with integers too far off, or too uncertain a fit
+  bool allow_error = false;  ///< despite too large a rounding error or too uncertain a fit
 };
 
-/// A model as the firmware takes it, and how far its integers are from the model.
+/// A model in the firmware's form, and the error of its integers.
 struct ExportOutcome {
   std::string header;  ///< C99 and C++17
   board::BoardTable table;
   board::QuantizationError quantization;
   board::NetworkError network;
-  std::vector<std::string> notes;  ///< what the board does without, a sentence each
+  std::vector<std::string> notes;  ///< parts that the board cannot use, one sentence each
 };
 
-/// Throws InputError for a model that no board can have, and, unless allow_error, for integers too
-/// far off and for a drift that its data did not determine (Model::uncertain).
+/// Throws InputError for a model that no board can run and, unless allow_error, for too large an
+/// error of the integers and for a drift that the data do not determine (Model::uncertain).
 ExportOutcome export_header(const ExportRequest& request);
 
-/// The same for a model at hand; `file` is its file, for the header and for errors.
+/// The same for a model in memory; `file`: its name for the header and for errors.
 ExportOutcome board_header(const model::Model& model, const std::string& file,
                            const board::BoardSettings& board, bool allow_error);
 
-/// How far the integers of `parameters` are from `model`. Throws InputError as export_header()
-/// does; `file` is the model's.
+/// Errors of the integers of `parameters` relative to `model`. Throws InputError like
+/// export_header(); `file` is the model's.
 struct BoardErrors {
   board::QuantizationError quantization;
   board::NetworkError network;

@@ -16,7 +16,7 @@ namespace {
 
 const std::string kFittingEffects = "fitting effects";
 
-// Nothing where the rows are to stay as they are.
+// Nothing if the rows are not to be denoised.
 std::optional<denoise::DenoiseMethod> row_denoising(const FitRequest& request) {
   if (!request.row_denoising) return std::nullopt;
   denoise::DenoiseMethod method;
@@ -27,7 +27,7 @@ std::optional<denoise::DenoiseMethod> row_denoising(const FitRequest& request) {
   return method;
 }
 
-// The segment of a recording in which a time lies.
+// Name of a recording's segment at a time.
 std::string segment_at(const compare::RunInBlocks& run, double time_s) {
   std::string name;
   for (const recording::Segment& segment : run.segments) {
@@ -36,7 +36,7 @@ std::string segment_at(const compare::RunInBlocks& run, double time_s) {
   return name;
 }
 
-// All that a request says, before any recording is read.
+// Everything that a request defines, before any recording is read.
 struct Plan {
   WantedModel wanted;
   fit::FitSettings settings;
@@ -58,9 +58,9 @@ Plan plan_of(const FitRequest& request) {
   plan.model.average_s = request.average_s;
   plan.model.derivative_tau_s = request.derivative_tau_s;
   plan.model.denoise = request.board_denoiser;
-  // Runs need these.
+  // needed for reading the runs
   if (plan.wanted.network.hidden > 0) plan.model.network.inputs = settings.network_inputs;
-  // Here the scale factor is the board's too: it counts for recordings in deg/h as well.
+  // The scale factor is also the board's: it is stored for recordings in deg/h as well.
   plan.reading = request.reading;
   plan.model.limits = plan.reading.limits.over({});
   plan.model.columns = plan.reading.columns;
@@ -72,10 +72,12 @@ Plan plan_of(const FitRequest& request) {
 void listen(fit::FitSettings& settings, const Observer& observer) {
   settings.identify.progress = observer.of_stage(kFittingEffects);
   if (!observer.progress) return;
-  settings.network.training.go_on = [&](double done) { return observer.goes_on(kTraining, done); };
+  settings.network.training.go_on = [&](double done) {
+    return observer.should_continue(kTraining, done);
+  };
 }
 
-// What was done and what it brought: the effects, then the network.
+// Appends the actions and their results: the effects, then the network.
 void write_history(FitOutcome& outcome, const FitRequest& request, const WantedModel& wanted,
                    const fit::TrainingRuns& training) {
   model::Model& model = outcome.model;
@@ -121,7 +123,7 @@ void check(const FitRequest& request) {
 }
 
 fit::TrainingRuns training_runs(const FitRequest& request, const Observer& observer) {
-  return fit::read_training_runs(request.runs, observer.heard(plan_of(request).reading),
+  return fit::read_training_runs(request.runs, observer.with_observer(plan_of(request).reading),
                                  request.average_s);
 }
 
@@ -139,7 +141,7 @@ FitOutcome fit(const FitRequest& request, fit::TrainingRuns training, const Obse
   observer.say(training.doubts);
   model.noise_dph_rthz = training.noise_dph_rthz;
   {
-    // Gone before the judges below build theirs: a long recording has one of them in memory.
+    // destroyed before the comparison below builds its own: it is large
     series::SignalSeries series(model);
     for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
     outcome.rows = series.rows().size();
@@ -149,7 +151,8 @@ FitOutcome fit(const FitRequest& request, fit::TrainingRuns training, const Obse
     listen(settings, observer);
     outcome.result = fit::fit_model(model, series, settings);
   }
-  observer.goes_on("judging", 0);  // whoever ended the training still gets what it came to
+  observer.should_continue("judging",
+                           0);  // the result is kept even if the user has ended the training
   outcome.delay_rms_dph = compare::delay_error_dph(model, training.runs);
   outcome.physical_lags = fit::physical_lags(model, training.runs, settings.identify.run_offsets);
   outcome.turn_on = fit::turn_on_biases(model, training.runs);

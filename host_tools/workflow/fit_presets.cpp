@@ -10,11 +10,11 @@
 namespace fogcomp::workflow {
 namespace {
 
-// Models with a trainer here have a network on the bias alone, of (temperature, temperature rate).
+// A preset with a trainer is a network of (temperature, temperature rate) on the bias alone.
 struct Preset {
   const char* name;
-  const char* effects;  // "" where --effects says
-  const char* trainer;  // "" for no network, "any" where --trainer says
+  const char* effects;  // "": from --effects
+  const char* trainer;  // "": no network; "any": from --trainer
   bool order_by_validation;
 };
 
@@ -34,14 +34,14 @@ constexpr Preset kPresets[] = {
 
 void refuse(const char* option, bool given, const std::string& preset) {
   if (!given) return;
-  throw InputError(option, "is settled by --model " + preset + "; leave one of the two out");
+  throw InputError(option, "is determined by --model " + preset + "; leave one of the two out");
 }
 
 const Preset& find_preset(const std::string& name) {
   for (const Preset& preset : kPresets) {
     if (name == preset.name) return preset;
   }
-  research::find_comparator(name);  // names the nearest where there is none
+  research::find_comparator(name);  // throws with the nearest name
   throw InputError("--model " + name,
                    "no model file or board can carry it; fogcomp paper compares it with those that "
                    "can");

@@ -9,29 +9,29 @@
 
 namespace fogcomp::workflow {
 
-/// What FitRequest::preset takes: models of the literature that a board can carry.
+/// Values of FitRequest::preset: models of the literature that a board can run.
 std::vector<std::string> preset_names();
 
-/// Whether the preset leaves the effects to FitRequest::effects, as none does. Throws InputError
-/// for a model that no board can carry, or that nobody knows.
+/// Whether the preset, or none, uses FitRequest::effects. Throws InputError for a model that no
+/// board can run, or an unknown one.
 bool takes_effects(const std::optional<std::string>& preset);
 
-/// What a request asks for: effects and a network.
+/// The effects and the network of a request.
 struct WantedModel {
   std::string effects;
   fit::NetworkSettings network;       ///< 0 hidden neurons: none
-  bool network_is_the_model = false;  ///< nothing to judge it against
+  bool network_is_the_model = false;  ///< there is nothing to compare it with
   bool order_by_validation = false;   ///< of bias_temperature
 };
 
-/// Throws InputError where preset and another member contradict.
+/// Throws InputError if preset and another member contradict.
 WantedModel wanted_model(const FitRequest& request);
 
-/// The terms of its effects and expressions, without coefficients. Throws InputError as
-/// wanted_model(), parse_effects() and add_expression() do.
+/// The terms of its effects and expressions, without coefficients. Throws InputError like
+/// wanted_model(), parse_effects() and add_expression().
 std::vector<model::EffectTerm> wanted_terms(const FitRequest& request);
 
-/// Sets the polynomial's order from 1 to 9 to the one that predicts best what it was not fitted to.
+/// Sets the polynomial's order, 1 to 9, by cross-validation.
 void choose_order(std::vector<model::EffectTerm>& terms, const series::Rows& rows);
 
 }  // namespace fogcomp::workflow

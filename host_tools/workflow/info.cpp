@@ -13,7 +13,8 @@ constexpr double kUsualAverageSeconds = 10;
 }  // namespace
 
 InfoOutcome info(const InfoRequest& request, const Observer& observer) {
-  InfoOutcome outcome{recording::read_recording(request.run, observer.heard(request.reading)), {}};
+  InfoOutcome outcome{
+      recording::read_recording(request.run, observer.with_observer(request.reading)), {}};
   const recording::Recording& run = outcome.recording;
   const double length_s = static_cast<double>(run.rows()) * run.period_s;
   if (request.average_s && 2 * *request.average_s > length_s) {

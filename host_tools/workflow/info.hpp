@@ -12,7 +12,7 @@ namespace fogcomp::workflow {
 struct InfoRequest {
   std::string run;  ///< recording
   recording::ReadOptions reading;
-  /// Length of a block mean, seconds, > 0; nothing: 10 s, however short the recording.
+  /// Length of a block mean, seconds, > 0; nothing: 10 s for any recording.
   std::optional<double> average_s;
 };
 
@@ -21,7 +21,7 @@ struct InfoOutcome {
   compare::RunSummary summary;
 };
 
-/// Throws InputError as read_recording() does, and for a recording without two means of average_s.
+/// Throws InputError like read_recording(), and for a recording without two means of average_s.
 InfoOutcome info(const InfoRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

@@ -9,21 +9,21 @@
 
 namespace fogcomp::workflow {
 
-/// The observer asked for the end of work that has nothing to show for itself yet.
+/// Thrown when the observer cancels work that has no usable result yet.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// Who hears of work under way. Each may be empty; all are called in the caller's thread, but
-/// for paper(), whose threads take turns.
+/// Callbacks about work in progress. Each may be empty; all are called in the caller's thread,
+/// except from paper(), whose threads take turns.
 struct Observer {
-  /// A sentence on what was read: it limits the answer.
+  /// A sentence about the data that limits the result.
   std::function<void(const std::string&)> note{};
-  /// What of a recording is left out or ignored: `FILE: what`.
+  /// Left-out or ignored data of a recording: `FILE: what`.
   std::function<void(const std::string&)> remark{};
-  /// How much of a stage is done, 0..1. False asks for the end: fit() then keeps the network as far
-  /// as it is trained (kTraining); any other work throws Cancelled.
+  /// Fraction of a stage that is done, 0..1. false requests the end: fit() then keeps the network
+  /// as trained so far (kTraining); other work throws Cancelled.
   std::function<bool(const std::string& stage, double done)> progress{};
 
   void say(const std::vector<std::string>& notes) const {
@@ -31,23 +31,23 @@ struct Observer {
       if (note) note(each);
     }
   }
-  /// False where the observer has had enough.
-  bool goes_on(const std::string& stage, double done) const {
+  /// false if the observer requests the end.
+  bool should_continue(const std::string& stage, double done) const {
     return !progress || progress(stage, done);
   }
-  /// The same options, heard by this observer, which must outlive the reading.
-  recording::ReadOptions heard(recording::ReadOptions reading) const {
+  /// The same options with this observer, which must outlive the reading.
+  recording::ReadOptions with_observer(recording::ReadOptions reading) const {
     reading.watch.remark = remark;
     if (progress) {
       reading.watch.progress = [this](const std::string& stage, double done) { tell(stage, done); };
     }
     return reading;
   }
-  /// At the start of a stage, or between its parts; throws Cancelled.
+  /// Reports progress; throws Cancelled.
   void tell(const std::string& stage, double done) const {
-    if (!goes_on(stage, done)) throw Cancelled();
+    if (!should_continue(stage, done)) throw Cancelled();
   }
-  /// The same for a library to call; empty where nobody listens.
+  /// The same as a callback for a library; empty without an observer.
   std::function<void(double)> of_stage(const std::string& stage) const {
     if (!progress) return {};
     return [report = progress, stage](double done) {

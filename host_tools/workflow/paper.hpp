@@ -10,13 +10,13 @@ namespace fogcomp::workflow {
 
 struct PaperRequest {
   research::StudySettings study;
-  std::size_t gyros = 1;  ///< with seeds from the study's on
+  std::size_t gyros = 1;  ///< with consecutive seeds
 };
 
-/// Names of all models that a study can have.
+/// Names of all models of a study.
 std::vector<std::string> study_models();
-/// Of a list `NAME,NAME` or `all`, with bp and pso-bp, which the paper's tables are about. Throws
-/// InputError naming the nearest.
+/// Parses `NAME,NAME` or `all`; bp and pso-bp, which the paper's tables contain, are always
+/// included. Throws InputError with the nearest name.
 std::vector<std::string> study_models(const std::string& list);
 
 std::vector<research::Study> paper(const PaperRequest& request, const Observer& observer = {});

@@ -11,19 +11,19 @@
 
 namespace fogcomp::workflow {
 
-/// The options with which a recording is read for this model: what they leave open is as the model
-/// has it. Heard by the observer, which must outlive the reading.
+/// Reading options for this model: what they leave open is taken from the model. Uses the observer,
+/// which must outlive the reading.
 inline recording::ReadOptions reading_for(const model::Model& model,
                                           const recording::ReadOptions& options,
                                           const Observer& observer) {
-  recording::ReadOptions reading = observer.heard(options);
+  recording::ReadOptions reading = observer.with_observer(options);
   reading.model_scale_factor = model.scale_factor;
   reading.model_limits = model.limits;
   reading.model_columns = model.columns;
   return reading;
 }
 
-/// What is masked, as a model's history keeps it; "" for nothing.
+/// Description of the masks for a model's history; "" for none.
 inline std::string mask_words(const recording::ReadOptions& reading) {
   std::string words;
   for (const recording::Mask& mask : reading.masks) {
@@ -33,9 +33,8 @@ inline std::string mask_words(const recording::ReadOptions& reading) {
   return words;
 }
 
-/// Runs to fit `model` to and others that judge, in its rows. What reading them leaves out is among
-/// the notes of the training runs. Throws InputError as read_training_runs() and read_holdouts()
-/// do.
+/// Reads runs for fitting `model` and runs for judging it, in its rows. Notes of both are in the
+/// notes of the training runs. Throws InputError like read_training_runs() and read_holdouts().
 inline diagnosis::JudgingRuns read_judging_runs(const model::Model& model,
                                                 const std::vector<std::string>& runs,
                                                 const std::vector<std::string>& hold_outs,

@@ -11,7 +11,7 @@
 namespace fogcomp::workflow {
 namespace {
 
-// A header knows its sample rate; a recording at another one would be replayed with wrong time.
+// A header has its sample rate; a recording with another one would be replayed with wrong times.
 void check_rate(const fog::ModelParameters& parameters, double period_s, const std::string& run) {
   const double board_s = parameters.acquisition.sample_period_us * 1e-6;
   constexpr double kTolerance = 0.01;
@@ -24,7 +24,7 @@ void check_rate(const fog::ModelParameters& parameters, double period_s, const s
 
 board::StreamSource source_of(const StreamRequest& request, const board::BoardSource& board,
                               const Observer& observer) {
-  recording::ReadOptions reading = observer.heard(request.reading);
+  recording::ReadOptions reading = observer.with_observer(request.reading);
   reading.model_scale_factor = board.scale_factor();
   if (board.model() != nullptr) reading.model_columns = board.model()->columns;
   return board::StreamSource(request.run, reading, board.scale_factor(), board.needs());
@@ -49,7 +49,7 @@ board::ReplaySummary run_board(const ReplayRequest& request, const BoardFeed& fe
   }
   const board::BoardTable& table = board.table(settings);
   const fog::ModelParameters parameters = board::read_board_table(table, request.weights);
-  // What export would refuse: no board will ever send it.
+  // Refuses what export refuses: no board can have it.
   if (const model::Model* model = board.model()) {
     verify_board(*model, parameters, request.weights, request.allow_error);
   }

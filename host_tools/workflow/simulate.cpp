@@ -14,7 +14,7 @@ namespace {
 
 using namespace simulation;
 
-// What the recording can hold beside time, temperature and rate, as a request names it.
+// Optional inputs of the recording by their names in a request.
 constexpr auto kExtraInputs = [] {
   constexpr auto kFirst = static_cast<std::size_t>(fog::Input::input_rate);
   std::array<fog::Input, fog::kInputs - kFirst> inputs{};
@@ -42,7 +42,7 @@ GyroDescription gyro_of(const SimulateRequest& request) {
   return gyro;
 }
 
-// The extra columns asked for, in the contract's order; the input rate also where there is one.
+// The requested extra columns, in the order of a recording; the input rate also if there is one.
 std::vector<recording::Column> chosen_columns(const std::string& list, bool has_input_rate) {
   const std::vector<std::string> wanted = split(list, ',');
   std::vector<std::string> names;

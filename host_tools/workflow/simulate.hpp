@@ -15,32 +15,32 @@ namespace fogcomp::workflow {
 struct SimulateRequest {
   std::string profile = "paper";     ///< ready-made one or file
   std::string preset = "paper";      ///< of the gyro; ready-made one or file; none: an ideal gyro
-  std::vector<std::string> without;  ///< effects of the preset to switch off
-  std::vector<std::string> effects;  ///< `NAME[:k=v,...]`: switched on or changed
+  std::vector<std::string> without;  ///< effects of the preset to disable
+  std::vector<std::string> effects;  ///< `NAME[:k=v,...]`: effects to enable or change
   std::vector<std::string> noise;    ///< `k=v,...` or `none`
   simulation::SimulationOptions options;
-  std::string columns;  ///< further ones, `NAME,...` or `all`
+  std::string columns;  ///< extra ones, `NAME,...` or `all`
   recording::RecordingFormat format = recording::RecordingFormat::csv;
 };
 
-/// A gyro in its chamber, ready to run once. Refers to itself: stays where it was made.
+/// A gyro in its chamber, for one run. Must not be moved, because it refers to itself.
 class SimulatedChamber {
  public:
-  /// Throws InputError for names that nobody knows, values out of range, a column that the format
-  /// does not carry, and a peak that cannot be reached.
+  /// Throws InputError for unknown names, values out of range, a column that the format cannot
+  /// hold, and an impossible peak.
   explicit SimulatedChamber(const SimulateRequest& request);
   SimulatedChamber(const SimulatedChamber&) = delete;
   SimulatedChamber& operator=(const SimulatedChamber&) = delete;
 
   const simulation::GyroDescription& gyro() const { return gyro_; }
   const simulation::Simulation& simulation() const { return simulation_; }
-  /// Those of the recording: time, temperature, rate, then what was asked for; the input rate also
-  /// where there is one.
+  /// Columns of the recording: time, temperature, rate, then the requested ones; the input rate
+  /// also if there is one.
   const std::vector<recording::Column>& columns() const { return columns_; }
   double duration_s() const { return programme_.duration_s(); }
 
-  /// Hands the whole run to `sink`, chunk by chunk, and returns its rows. Throws InputError for a
-  /// programme shorter than a row.
+  /// Passes the whole run to `sink`, chunk by chunk, and returns its number of rows. Throws
+  /// InputError for a programme shorter than a row.
   std::size_t run(const std::function<void(const simulation::RowChunk&)>& sink,
                   const Observer& observer = {});
 

@@ -21,7 +21,7 @@ tests=(test_acquisition test_thermometer test_core test_effects property_core go
        golden_effect_outputs)
 mkdir -p "$build"
 
-# One build with all mutants asleep. What was compiled before is compiled anew where the pass has changed.
+# One build with all mutants inactive. Everything is compiled again if the pass has changed.
 pass=(tests/mutation/pass.cpp tests/mutation/operation.cpp)
 mapfile -t flags < <(llvm-config-14 --cxxflags | xargs -n 1)
 clang++ "${flags[@]}" -std=c++17 -O1 -fPIC -shared "${pass[@]}" -o "$build/new_pass.so"
@@ -37,7 +37,7 @@ cmake --preset host -B "$build/tree" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPIL
   -DCMAKE_EXE_LINKER_FLAGS="$build/chosen_mutant.o" >/dev/null
 cmake --build "$build/tree" --target "${tests[@]}" >/dev/null
 
-# The quick ones first; a test that takes five times as long as without a mutant will not end.
+# Fast tests first; a test that takes five times as long as without a mutant counts as endless.
 TIMEFORMAT=%0U
 for test in "${tests[@]}"; do
   echo "600 $test" >"$build/alone.txt"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# next_steps.sh [COUNT] [BUILD]: types what `diagnose` proposes, as it is printed, until it proposes nothing more: on COUNT
-# simulated gyros (60) of every preset on every programme, from bias and bias_temperature alone. Says how many of the
-# proposals `add` accepted, and with what words the loops ended. Exit code 1 where one was refused.
+# next_steps.sh [COUNT] [BUILD]: runs the commands proposed by `diagnose`, as printed, until there is no proposal: on
+# COUNT simulated gyros (60) of every preset on every programme, starting with bias and bias_temperature. Prints how
+# many proposals `add` accepted, and the final sentences. Exit code 1 if one was refused.
 set -euo pipefail
 count=${1:-60}
 fogcomp=$(realpath "${2:-$(dirname "$0")/../../build/host}/fogcomp")

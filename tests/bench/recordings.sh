@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# recordings.sh: how the tool copes with a whole chamber programme at 200 Hz (16.5 h, 11.9 million rows):
-# seconds of processor and of the clock, and the most memory, of writing, reading and using it.
-# Figures are for the reader; nothing here fails. Works in a scratch folder of 1 GB.
+# recordings.sh: cost of a whole chamber programme at 200 Hz (16.5 h, 11.9 million rows): processor and wall-clock
+# seconds, and peak memory, of writing, reading and using it. Prints figures; never fails. Needs a scratch folder of 1
+# GB.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 fogcomp=$PWD/build/host/fogcomp

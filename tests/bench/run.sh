@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# All figures of the denoisers, of training and of two inner loops: speed on this computer (Google Benchmark), instructions on the board
-# (QEMU), and what streaming does to noise and to rotation.
+# All benchmarks of the denoisers, of training and of two inner loops: speed on this computer (Google Benchmark),
+# instructions on the board (QEMU), and the effect of streaming on noise and rotation.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source cmake/bootstrap/packages.sh
@@ -27,10 +27,4 @@ echo "== board, sym8 x 5, instructions per sample"
 tests/target/denoiser_speed.sh netduinoplus2 build/stm32f405/denoiser_speed.elf
 echo
 echo "== streaming at 200 Hz"
-mems=../shared/data/mems_chamber_x.csv
-if [[ -f $mems ]]; then
-  build/host/tests/bench/streaming_worth "$mems"
-else
-  build/host/tests/bench/streaming_worth
-  echo "skipped: no recording $mems"
-fi
+build/host/tests/bench/streaming_worth docs/examples/mems_chamber.csv

@@ -1,5 +1,5 @@
-// What two inner loops of the tool cost: a step of the simulator's thermal network, and whitening,
-// per column of one, two and four at a time.
+// Cost of two inner loops of the tool: a step of the simulator's thermal network, and whitening per
+// column, one, two and four at a time.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -9,8 +9,7 @@
 
 namespace {
 
-// A plane of cells with heat capacities and conductances of one size: as many as the default coil
-// has.
+// A grid of equal cells with heat capacities and conductances, as many as in the default coil.
 fogcomp::simulation::ThermalNetwork plane() {
   constexpr Eigen::Index kLong = 40;
   constexpr Eigen::Index kWide = 5;

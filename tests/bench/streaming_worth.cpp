@@ -1,4 +1,4 @@
-// What the board's denoiser does to noise and to a real rotation at 200 Hz: the tables of
+// Effect of the board's denoiser on noise and on real rotation at 200 Hz: the tables of
 // firmware/core/denoise/SPEC.md. `streaming_worth [MEMS.csv]` adds a real recording.
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kRateHz = 200;
 constexpr double kTwoPi = 6.283185307179586;
-// White noise of a sample, as the table expects it: 0.075 deg/h at 1 Hz.
+// White noise of a sample, as expected by the table: 0.075 deg/h at 1 Hz.
 const double kNoiseDph = 0.075 * std::sqrt(kRateHz);
 
 using Denoiser = fog::Denoiser<fog::kAnyTaps, fog::kMaxLevels>;
@@ -70,7 +70,7 @@ std::complex<double> component(const std::vector<double>& values, double frequen
   return sum * 2.0 / static_cast<double>(end - start);
 }
 
-// Amplitude that is left and delay of a sine in noise, against its amplitude.
+// Remaining amplitude and delay of a sine in noise, as a function of its amplitude.
 void print_sines() {
   std::printf("\nsine in noise of %.2f deg/h: amplitude out / in\n%7s %9s %9s", kNoiseDph, "levels",
               "delay, ms", "in, deg/h");
@@ -125,7 +125,7 @@ void print_noise_and_steps() {
   }
 }
 
-// White noise of a sample of a recording, whatever it drifts by.
+// White noise of a sample of a recording, independent of its drift.
 double noise_of(const std::vector<double>& rate_dph) {
   std::vector<double> jumps;
   for (std::size_t i = 1; i < rate_dph.size(); ++i) {

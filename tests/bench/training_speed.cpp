@@ -14,7 +14,7 @@ constexpr Eigen::Index kRows = 5955;
 constexpr int kHidden = 10;
 constexpr double kGoal = 0.0004;  // the paper's, of the normalised target
 
-// As smooth as the paper's denoised run, and as long; what is left as noise is a tenth of the goal.
+// As smooth and as long as the paper's denoised run; the remaining noise is a tenth of the goal.
 fogcomp::fit::NetworkTask paper_like_task() {
   fogcomp::fit::Uniform uniform(1);
   fogcomp::fit::NetworkTask task;
@@ -61,7 +61,7 @@ void epoch(benchmark::State& state) {
   }
 }
 
-// What 20 particles cost beside drawing random numbers.
+// Cost of 20 particles, compared with drawing random numbers.
 void swarm_iteration(benchmark::State& state) {
   const Rows rows = paper_rows();
   for (auto _ : state) {

@@ -34,7 +34,7 @@ void transform_and_inverse(benchmark::State& state) {
     const auto parts = fogcomp::denoise::decompose({values.data(), values.size()}, sym8, 5);
     fogcomp::denoise::reconstruct(parts, sym8, {values.data(), values.size()});
   };
-  pass();  // gets the memory from the system, which is not what is measured
+  pass();  // allocates memory, which is not to be measured
   for (auto _ : state) pass();
   report(state);
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# format.sh ROOT: every C++ file is as clang-format leaves it.
+# format.sh ROOT: every C++ file is formatted by clang-format.
 set -euo pipefail
 cd "${1:?usage: format.sh ROOT}"
 find firmware host_tools tests -name '*.hpp' -o -name '*.cpp' |

@@ -18,7 +18,7 @@ namespace {
 
 constexpr fog::InputMask kTimeOnly = bit_of(fog::Input::elapsed);
 
-// The rows of a gyro, and a model that can do nothing but a constant.
+// The rows of a gyro, and a model with only a constant.
 class CandidatesTest : public testing::Test {
  protected:
   CandidatesTest() : series_(model_, series::Phase::zero) {
@@ -104,8 +104,8 @@ TEST_F(CandidatesTest, HaveOrthonormalBasesAndShapesWithinTheirBounds) {
   }
 }
 
-// Whatever the shape is, one of those laid out explains most of what it would: here a
-// narrow bump that may be anywhere.
+// For any true shape, one shape of the grid explains most of it: here a narrow bump at any
+// temperature.
 TEST_F(CandidatesTest, AreLaidOutSoThatNoShapeIsFarFromOne) {
   const CandidateList list =
       found("bias", kTimeOnly, {model::expression_term("bump = exp(-((T - ?at[-30,50]) / 3)^2)")});
@@ -172,7 +172,7 @@ TEST_F(CandidatesTest, AreSharpenedTowardsTheTruth) {
   EXPECT_GT(after, 0.985 * residual.squaredNorm()) << before;
 }
 
-// What is weak is tested against noise at the shapes at which noise is tried.
+// Weak effects are tested at the shapes of the test against noise.
 TEST_F(CandidatesTest, AreNotSharpenedOnWhatNoiseMightBe) {
   const Eigen::VectorXd residual = residual_of("thermal_lag:tau=700", 9);
   CandidateList list = found("bias");

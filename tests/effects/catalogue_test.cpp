@@ -11,7 +11,7 @@
 namespace fogcomp::model {
 namespace {
 
-// What host and tests take from the header of an effect, where only it can be wrong.
+// Data that host and tests take from the header of an effect.
 TEST(Catalogue, ExamplesAreWithinBoundsAndHaveACoefficientForEachRegressor) {
   for (const CatalogueEntry& entry : catalogue()) {
     const EffectTerm term = fog::test::example_term(entry);
@@ -52,7 +52,7 @@ TEST(Catalogue, ACoefficientPerDegreeAMinuteMultipliesTheTemperatureRate) {
   }
 }
 
-// The search for steps knows one name to give them.
+// The search for steps has one name for them.
 TEST(Catalogue, HasOneEventAtMostWhichIsAtATimeAndNotOnTheBoard) {
   int events = 0;
   for (const CatalogueEntry& entry : catalogue()) {

@@ -23,7 +23,7 @@ static void PrintTo(const EffectTerm& term, std::ostream* out) {
 
 namespace {
 
-// Largest |board - double| over so many hours of random history, in deg/h.
+// Largest |board - double| over this many hours of random history, in deg/h.
 double worst_difference(const fogcomp::model::Model& model, std::uint64_t seed, int hours) {
   const fogcomp::board::BoardTable table =
       fogcomp::board::make_board_table(model, {200, fog::OutputSelection::kvh, true});
@@ -109,7 +109,7 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForALinearOutput) {
   EXPECT_EQ(fog::test::overflows(), 0U);
 }
 
-// Time is what a block counts, not how many there were.
+// Time is the number of a block, not the count of blocks received.
 TEST(DriftModel, EffectsOfTimeAreTheSameWhateverTheBlock) {
   for (const fogcomp::model::EffectTerm& term : fog::test::typical_terms()) {
     if (!has(fogcomp::model::info_of(term).needs, fog::Input::elapsed)) continue;
@@ -155,7 +155,7 @@ std::set<std::vector<double>> shapes_of(const fogcomp::model::EffectTerm& exampl
           at_bounds(entry, true, true)};
 }
 
-// The example with another shape: beyond what it has coefficients for, each has 1 deg/h.
+// The example with another shape: additional coefficients are 1 deg/h.
 fogcomp::model::EffectTerm with_shape(fogcomp::model::EffectTerm term,
                                       const std::vector<double>& shape) {
   term.parameters = shape;

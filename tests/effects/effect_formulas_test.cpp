@@ -1,7 +1,7 @@
-// Every effect of the catalogue against its equation (host_tools/EFFECTS.md), written here a second
-// time: in natural units, without the templates, constants and filters that board and fit share.
-// The histories have ramps, soaks, steps, sinusoidal temperature, restarts and a stretch beyond the
-// trained range.
+// Every effect of the catalogue against its equation (host_tools/EFFECTS.md), implemented
+// independently: in natural units, without the templates, constants and filters shared by board and
+// fit. The histories have ramps, soaks, steps, sinusoidal temperature, restarts and a stretch
+// beyond the trained range.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ constexpr double kDerivativeTau_s = 30;
 constexpr double kMinDegc = -35;  // trained range
 constexpr double kMaxDegc = 55;
 
-// What a gyro measures, block by block.
+// Measurements of a gyro, block by block.
 struct History {
   std::string name;
   Values time_s;       // since power-on, at the end of the block
@@ -90,7 +90,7 @@ std::vector<History> histories() {
 }
 
 // tau dy/dt = x - y by the trapezoidal rule; in equilibrium where the history starts.
-Values lag_of(const History& history, const Values& x, double tau_s) {
+Values first_order_lag(const History& history, const Values& x, double tau_s) {
   Values y(x.size());
   const double half = kBlock_s / tau_s / 2;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -100,10 +100,10 @@ Values lag_of(const History& history, const Values& x, double tau_s) {
   return y;
 }
 
-// dx/dt behind two lags, per minute: the second lag's own equation says what its output changes by.
+// dx/dt after two lags, per minute: from the equation of the second lag.
 Values rate_per_min(const History& history, const Values& x, double tau_s) {
-  const Values once = lag_of(history, x, tau_s);
-  const Values twice = lag_of(history, once, tau_s);
+  const Values once = first_order_lag(history, x, tau_s);
+  const Values twice = first_order_lag(history, once, tau_s);
   Values rate(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) rate[i] = 60 * (once[i] - twice[i]) / tau_s;
   return rate;
@@ -112,11 +112,11 @@ Values rate_of(const History& history) {
   return rate_per_min(history, history.at_end_degc, kDerivativeTau_s);
 }
 
-// dTc/dt of a coil that follows the sensor with `tau_s`, per minute, behind the same two lags.
+// dTc/dt of a coil that follows the sensor with `tau_s`, per minute, after the same two lags.
 Values coil_rate(const History& history, double tau_s) {
-  const Values shown =
-      lag_of(history, lag_of(history, history.at_end_degc, kDerivativeTau_s), kDerivativeTau_s);
-  const Values coil = lag_of(history, shown, tau_s);
+  const Values shown = first_order_lag(
+      history, first_order_lag(history, history.at_end_degc, kDerivativeTau_s), kDerivativeTau_s);
+  const Values coil = first_order_lag(history, shown, tau_s);
   Values rate(shown.size());
   for (std::size_t i = 0; i < shown.size(); ++i) rate[i] = 60 * (shown[i] - coil[i]) / tau_s;
   return rate;
@@ -159,7 +159,7 @@ Values difference(Values x, const Values& y) {
   return x;
 }
 
-// What an effect adds per natural unit of each of its coefficients.
+// Contribution of an effect per natural unit of each of its coefficients.
 using Columns = std::vector<Values>;
 
 Columns ripple(const History& h, const Values& shape) {

@@ -34,10 +34,10 @@ void read_slots(const std::uint8_t* bytes) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   fog::HealthRequestParser parser;
   for (std::size_t i = 0; i < size; ++i) {
-    const std::size_t heard = std::min(i + 1, fog::kHealthRequestBytes);
+    const std::size_t received = std::min(i + 1, fog::kHealthRequestBytes);
     const bool is_request =
-        heard == fog::kHealthRequestBytes &&
-        std::equal(fog::kHealthRequest.begin(), fog::kHealthRequest.end(), data + i + 1 - heard);
+        received == fog::kHealthRequestBytes &&
+        std::equal(fog::kHealthRequest.begin(), fog::kHealthRequest.end(), data + i + 1 - received);
     promise(parser.feed(data[i]) == is_request, "it answers requests, all of them, nothing else");
   }
   if (size < fog::kHealthResponseBytes) return 0;

@@ -5,13 +5,13 @@
 #include <cstdio>
 #include <cstdlib>
 
-// What every target is: libFuzzer calls it with bytes; it aborts where the code under test breaks a
-// promise.
+// A fuzz target: libFuzzer calls it with bytes; it aborts if the code under test violates a
+// property.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace fog::test {
 
-/// Reports a broken promise the way libFuzzer takes it: it keeps the input.
+/// Reports a violated property to libFuzzer, which keeps the input.
 inline void promise(bool kept, const char* what) {
   if (kept) return;
   std::fprintf(stderr, "broken: %s\n", what);

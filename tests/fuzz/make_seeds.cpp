@@ -1,4 +1,4 @@
-// make_seeds DIR: what the fuzzers begin with, DIR/TARGET/NAME: small good inputs of every kind.
+// make_seeds DIR: initial inputs of the fuzzers, DIR/TARGET/NAME: small valid inputs of every kind.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

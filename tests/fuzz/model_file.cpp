@@ -1,5 +1,5 @@
-// Model files, with a right CRC so that what is behind it is reached: one that is read is written
-// as it was, and its table, where the board can have it, is one that the firmware takes.
+// Model files with a right CRC, so that the parser reaches the contents. A file that is read is
+// written back unchanged, and its table, if the board can run it, is accepted by the firmware.
 #include <string>
 
 #include "board/board_table.hpp"

@@ -1,6 +1,5 @@
-// Model tables with a right CRC and any numbers in them: the firmware refuses them, or runs them on
-// any samples without one fixed-point operation leaving its range. The first two bytes say how many
-// words there are.
+// Model tables with a right CRC and arbitrary numbers: the firmware refuses them, or runs them on
+// any samples without fixed-point overflow. The first two bytes are the number of words.
 #include <array>
 #include <vector>
 
@@ -48,7 +47,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::uint8_t* const end = data + size;
   std::uint16_t sequence = 0;
   for (const std::uint8_t* at = data + 2 + 4 * count; end - at >= kSampleSize; at += kSampleSize) {
-    // Every sample for a while, so that slow parts come round.
+    // Each sample for a while, so that slow parts run too.
     for (int repeat = 0; repeat < 20; ++repeat) {
       const fog::SensorSample sample = sample_from(at, sequence);
       sequence = static_cast<std::uint16_t>(sample.sequence + 1);

@@ -54,7 +54,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     for (const fogcomp::recording::ColumnInfo& info : fogcomp::recording::kColumns) {
       check_column(recording[info.column], recording.rows());
     }
-  } catch (const fogcomp::InputError&) {  // said in a line; the user's to mend
+  } catch (const fogcomp::InputError&) {  // a message for the user
   }
   return 0;
 }

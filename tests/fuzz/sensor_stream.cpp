@@ -1,5 +1,5 @@
-// The board's parser: a frame that it finds was sent, byte for byte, behind the one before, and
-// after any bytes it is back within one good frame.
+// The board's parser: every frame it finds was sent, byte for byte, after the one before; and after
+// any bytes it is back within one good frame.
 #include <algorithm>
 #include <vector>
 

@@ -1,4 +1,4 @@
-// Prints what the whole pipeline sends for the stream of board_stream.hpp.
+// Prints the output of the whole pipeline for the stream of board_stream.hpp.
 
 #include <cstdio>
 #include <random>

@@ -9,8 +9,8 @@
 
 namespace fog::test {
 
-/// A stream that gives every stage something to do: a warming gyro under noise, with lost samples,
-/// invalid samples, a temperature that goes missing and a rotation.
+/// A stream that exercises every stage: a warming gyro with noise, lost samples, invalid samples, a
+/// missing temperature and a rotation.
 constexpr std::uint32_t kStreamSamples = 20000;  // 100 s
 
 inline fogcomp::board::BoardTable stream_table() {

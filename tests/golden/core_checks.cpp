@@ -1,4 +1,5 @@
-// Prints what the checks of tests/on_target find on this computer: what every board must print too.
+// Prints the results of the checks of tests/on_target on this computer, which every board must
+// reproduce.
 #include <cstdio>
 
 #include "on_target/checks.hpp"

@@ -7,7 +7,7 @@
 
 namespace fog::test {
 
-/// Blocks between two that the golden vectors show: a prime, falls on every phase of every input.
+/// Spacing of the blocks in the golden vectors: a prime, so that all phases of the inputs occur.
 constexpr std::size_t kGoldenStride = 2003;
 
 /// Calls visit(name, table) for every effect alone, and first for all of them with a network.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# at_a_terminal.sh FOGCOMP: long work shows a bar with the time left, on a terminal only; Ctrl-C leaves no half file
-# and what had the name before as it was; a training ends early with its best weights.
+# at_a_terminal.sh FOGCOMP: long work shows a progress bar, only on a terminal; Ctrl-C leaves no unfinished file and the
+# old file unchanged; a training ends early with its best weights.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: at_a_terminal.sh FOGCOMP}")
@@ -11,14 +11,14 @@ cd "$scratch"
 "$fogcomp" simulate -o run.csv >said.txt
 echo "kept" >big.csv
 
-# at_terminal COMMAND...: in the background, on a terminal whose screen is in screen.txt; its process in `pid`.
+# at_terminal COMMAND...: runs it in the background on a terminal whose screen is in screen.txt; its process is `pid`.
 at_terminal() {
   rm -f screen.txt pid status
   # shellcheck disable=SC2016
   env --default-signal=INT script -qefc "bash -c 'echo \$\$ >pid; exec $(printf '%q ' "$@")'" screen.txt >said.txt </dev/null || echo $? >status &
   until [[ -s pid ]]; do sleep 0.02; done
 }
-# wait_for REGEX: on the screen.
+# wait_for REGEX: waits for it on the screen.
 wait_for() {
   local tries=0
   until grep -qaE "$1" screen.txt 2>/dev/null; do
@@ -35,7 +35,7 @@ wait
 [[ $(cat status) == 130 ]] || fail "exit code $(cat status)"
 [[ $(cat big.csv) == kept && -z $(find . -name '*.part-*') ]] || fail "half a file: $(ls)"
 
-# A training ends with what it has.
+# A training ends with its present result.
 at_terminal "$fogcomp" fit run.csv -o gyro.model --effects bias --network 10 --trainer pso-bp --iterations 100000 --force-network
 wait_for 'training \[#* *\] +[0-9]+ %, [0-9]+ s left'
 kill -INT "$(cat pid)"

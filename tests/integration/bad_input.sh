@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# bad_input.sh FOGCOMP: whatever is wrong with arguments or files, fogcomp says so in one line that names
-# where and what to do, exits 2, and leaves the output as it was.
+# bad_input.sh FOGCOMP: for any fault of arguments or files fogcomp prints one line with place and remedy, exits 2, and
+# leaves the output unchanged.
 set -uo pipefail
 fogcomp=$(realpath "${1:?usage: bad_input.sh FOGCOMP}")
 scratch=$(mktemp -d)
@@ -37,7 +37,7 @@ trap 'rm -rf "$scratch" "$scratch.out" "$scratch.err"' EXIT
 echo "kept" >kept
 fit=(fit -o kept --effects bias)
 
-# Rows so long that they average ramps and soaks together are fitted and judged, with a remark.
+# Rows that average ramps and soaks together are fitted and judged, with a note.
 remarks() {
   "$fogcomp" "$@" >"$scratch.out" 2>"$scratch.err" || fail "$*: $(cat "$scratch.err")"
   grep -qE '^note: good\.csv: rows of 3600 s average ramps and soaks together: 3 of its 7 parts are shorter than two rows \(soak 22: [0-9]+ s\); use an --average of 2700 or less$' \
@@ -157,7 +157,7 @@ refuses '^missing\.model: ' history missing.model
 refuses '^good\.csv: is not a fogcomp model' history good.csv
 refuses '^damaged\.model: is damaged' history damaged.model
 
-# Effects whose inputs are missing, and parameters that cannot be searched for so.
+# Effects whose inputs are missing, and parameters that cannot be identified.
 fit_effect() { refuses "$1" fit good.csv -o kept --effects "bias,$2"; }
 fit_effect '^good\.csv: magnetic needs the column magnetic_ut; add it, or leave the effect out' magnetic
 fit_effect '^good\.csv: axial_gradient needs the column temperature2_degc' axial_gradient
@@ -182,7 +182,7 @@ fit_effect "^effect 'thermal_hysteresis': bounds of radius2 must be \?\[min,max\
 fit_effect '^effect .bias_step.: is searched for in the whole recording; leave the bounds out' 'bias_step:at=?[1,9]'
 refuses '^--effects: names no effect beside bias_step; add bias' fit good.csv -o kept --effects bias_step
 
-# Expressions: where the text is wrong, and what no board can do.
+# Expressions: position of an error, and what no board can do.
 fit_expression() { refuses "$1" fit good.csv -o kept --effects bias --effect-expr "$2"; }
 fit_expression "^expression 'x = T \* ': column 9: it ends too early" 'x = T * '
 fit_expression "column 9: there is no function 'sqrt'; there are sin" 'x = T + sqrt(T)'
@@ -220,7 +220,7 @@ refuses '^fogcomp add: expects MODEL' add good.model -o kept --effect-expr 'x = 
 "$fogcomp" fit good.csv -o divided.model --effects bias --effect-expr 'x = 1/(dTdt+5)' >/dev/null
 refuses "^expression 'x': cannot go to the board: a divisor goes from" export divided.model -o kept
 
-# What export refuses, replay refuses: drift so large that its integers are too coarse.
+# replay refuses what export refuses: a drift so large that its integers are too coarse.
 awk -F, -v OFS=, 'NR > 1 { $3 *= 1e5 } 1' good.csv >large.csv
 "$fogcomp" fit large.csv -o large.model --effects bias --network 6 --levels 0 --force-network --average 60 --epochs 20 >/dev/null
 refuses "^large\.model: the .*integers would be .* give --allow-error" export large.model -o kept --sample-rate 0.1
@@ -240,7 +240,7 @@ refuses '^cut\.h:' replay cut.h good.csv -o kept
 "$fogcomp" export good.model -o fast.h --sample-rate 200 >/dev/null
 refuses '^good\.csv: is sampled at 0\.1 Hz but the header is for 200 Hz' replay fast.h good.csv -o kept
 
-# Recordings that say nothing, or nothing new.
+# Recordings without information, or without new information.
 awk -F, -v OFS=, 'NR > 1 { $3 = 0.5 } 1' good.csv >still.csv
 awk -F, -v OFS=, 'NR > 1 { $3 = $3 "e0" } 1' good.csv >copy.csv
 awk -F, -v OFS=, 'NR > 1 { $1 += 900000000 } 1' good.csv >long_on.csv
@@ -265,7 +265,7 @@ refuses '^glass_transition: these recordings do not determine tg' fit rest.csv -
 refuses '^aging: these recordings do not determine t0 .*is it since power-on' \
   fit long_on.csv -o kept --effects bias,bias_temperature,aging
 refuses '^aging: these recordings do not determine t0' add good.model aging long_on.csv -o kept
-# Times of the calendar count from the first row, and a fit says what that means.
+# Calendar times are counted from the first row, and a fit says what that means.
 "$fogcomp" fit since_1970.csv -o since_1970.model --effects bias,temperature_rate >/dev/null 2>unix
 grep -q '^since_1970\.csv: read as UNIX times, counted from the first row: power-on is not known$' unix ||
   fail "UNIX times are not named: $(cat unix)"
@@ -274,8 +274,8 @@ grep -q '^note: since_1970\.csv: power-on is not known: effects .*warm_up, aging
 diff <(grep '^effect' since_0.model) <(grep '^effect' since_1970.model) || fail "UNIX times change a fit"
 refuses "bounds of 'w' must be 0 or from 1e-30 to 1e.30" fit good.csv -o kept --effects bias --effect-expr 'x = sin(T*?w[1e-300,1e300])'
 
-# An output is never one of the inputs, by whatever name, and never another output; every option that takes a
-# file to write is tried. Only a model may be replaced by the one that grew from it.
+# An output is never one of the inputs, by any name, and never another output; tested for every option that writes a
+# file. Only a model may be replaced by its extension.
 cp good.csv in.csv
 cp good.model in.model
 cp good.h in.h
@@ -349,7 +349,7 @@ refuses "^fogcomp fit: -o MODEL is missing; $proposal" fit good.csv
 refuses "^fogcomp fit: expects RUN\.\.\.; -o MODEL is missing; $proposal" fit
 refuses "^fogcomp batch: expects DIR; -o OUT is missing; $proposal" batch
 refuses '^fogcomp replay: expects MODEL.*; -o OUT is missing' replay
-# Whatever is missing is said together, files that are not there among it; alone they are left to who opens them.
+# All missing arguments are reported together, with missing files; a missing file alone is reported when it is opened.
 refuses "^fogcomp batch: -o OUT is missing; $proposal; missing does not exist; see" batch missing
 refuses "^fogcomp batch: $proposal; missing does not exist; see" batch missing -o results
 refuses "^fogcomp fit: $proposal; missing\.csv does not exist; see" fit missing.csv -o kept
@@ -369,9 +369,9 @@ refuses "--threshold 'minimaxi' is not one of" fit good.csv -o kept --effects bi
 refuses "--activation 'relu' is not one of" fit good.csv -o kept --effects bias --activation relu
 refuses '--model ls-svm: no model file or board can carry it; fogcomp paper' fit good.csv -o kept --model ls-svm
 refuses "'polynomail' is unknown .did you mean 'polynomial'" fit good.csv -o kept --model polynomail
-refuses '--effects: is settled by --model bp' fit good.csv -o kept --model bp --effects bias
-refuses '--trainer: is settled by --model pso-bp' fit good.csv -o kept --model pso-bp --trainer lm
-refuses '--network: is settled by --model polynomial' fit good.csv -o kept --model polynomial --network 3
+refuses '--effects: is determined by --model bp' fit good.csv -o kept --model bp --effects bias
+refuses '--trainer: is determined by --model pso-bp' fit good.csv -o kept --model pso-bp --trainer lm
+refuses '--network: is determined by --model polynomial' fit good.csv -o kept --model polynomial --network 3
 refuses '--effects is missing' fit good.csv -o kept --model effects
 refuses "'forest' is unknown" paper --models forest
 refuses '^kept: .*name a folder' paper --figures kept
@@ -392,7 +392,7 @@ refuses '^good\.csv: lasts 59550 s, too short for means of 100000 s' info good.c
 "$fogcomp" fit good.csv -o both_signs.model --effects bias --effect-expr 'x = sin(T*?w[-1,1])' >/dev/null ||
   fail "a search between bounds on both sides of 0 begins at 0"
 
-# Swapped arguments: the line to type.
+# Swapped arguments: the message has the corrected line.
 refuses '^fogcomp compare: the arguments look swapped: fogcomp compare good\.model good\.csv$' compare good.csv good.model
 refuses 'swapped: fogcomp diagnose good\.model good\.csv in\.csv$' diagnose good.csv good.model in.csv
 refuses 'swapped: fogcomp add good\.model thermal_lag good\.csv$' add good.model good.csv thermal_lag -o kept

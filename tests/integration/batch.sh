@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # batch.sh FOGCOMP SOURCE: a lot of gyros is calibrated although one has a bad recording, one has none, one crashes and
-# one hangs; what is done is not done again, what changed is; parts and a merge give the same table; Ctrl-C leaves
-# no half file and no process.
+# one hangs; finished gyros are not repeated, changed ones are; parts and a merge give the same table; Ctrl-C leaves no
+# unfinished file and no process.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: batch.sh FOGCOMP SOURCE}")
@@ -31,7 +31,7 @@ mkdir gyros/B1 gyros/B2
 { head -n 100 gyros/A1/run.csv; echo "not,a,row"; } >gyros/B1/run.csv
 echo "no recording" >gyros/B2/notes.txt
 
-# Sound gyros are calibrated, the others are named with the reason.
+# Sound gyros are calibrated, the others are listed with the reason.
 batch 1 gyros -o out
 says '^5 gyros: 3 pass, 0 fail, 2 without a result'
 says '^5 calibrated now, 0 before'
@@ -50,7 +50,7 @@ cmp A1.h out/A1/fog_model.h
 rms=$(awk '$2 == "holdout_rms_dph" { print $3 }' out/A1/result.txt)
 grep -qF "\"residual_rms_dph\":$rms," compare.json || fail "holdout_rms_dph is $rms: $(cat compare.json)"
 
-# Done is done; limits are judged without a fit anew; a changed recording and changed options are done again.
+# Finished gyros are not repeated; limits are judged without a new fit; changed recordings and options are repeated.
 batch 1 gyros -o out
 says '^2 calibrated now, 3 before'
 rm -r gyros/B1 gyros/B2
@@ -66,7 +66,7 @@ says '^1 calibrated now, 2 before'
 batch 0 gyros -o out --average 20
 says '^3 calibrated now, 0 before'
 
-# A table for each gyro that passes, of the very header, and a sheet of them; none that passed before stays.
+# A table for each gyro that passes, from its own header, and a sheet; tables of earlier passes are removed.
 batch 1 gyros -o out --average 20 --tables --limits limits.txt
 [[ $(ls out/tables) == sheet.csv && $(wc -l <out/tables/sheet.csv) == 1 ]] || fail "tables: $(ls out/tables)"
 batch 0 gyros -o out --average 20 --tables
@@ -79,7 +79,7 @@ cmp A2.bin out/tables/A2.bin
 "$fogcomp" replay out/A2/fog_model.h A2.in -o A2.expected >said.txt
 "$fogcomp" replay out/tables/A2.bin A2.in -o A2.out >said.txt
 cmp A2.expected A2.out
-# Each is kept; that a gyro calibrated again has the next number is a unit test (batch/tables_test).
+# Each is kept. That a gyro calibrated again gets the next number is a unit test (batch/tables_test).
 header=gyro,sequence,table_crc32,model_crc32,serial,processor,bin,limits
 [[ $(head -n 1 out/history/tables.csv) == "$header" && $(wc -l <out/history/tables.csv) == 4 ]] || fail "$(cat out/history/tables.csv)"
 grep -qE "^\"A2\",1,[0-9a-f]{8},$crc,A2,any,\"A2-1.bin\",\"\"$" out/history/tables.csv || fail "$(cat out/history/tables.csv)"
@@ -90,7 +90,7 @@ batch 1 gyros -o out --average 20 --tables --limits strict.txt
 batch 2 gyros -o seven --levels 7 --tables
 grep -q 'denoisers of up to 6 levels, not 7' errors.txt || fail "$(cat errors.txt)"
 
-# A gyro is done as long as its files are there as they were written.
+# A gyro counts as finished as long as its files are unchanged.
 batch 0 gyros -o out --average 20
 says '^0 calibrated now, 3 before'
 cp out/A1/fog_model.h sound.h
@@ -102,7 +102,7 @@ batch 0 gyros -o out --average 20
 says '^1 calibrated now, 2 before'
 cmp sound.h out/A1/fog_model.h
 
-# A serial number is no formula to the spreadsheet that opens the table, and no command to the terminal.
+# A serial number must not become a formula in a spreadsheet or a command of a terminal.
 mkdir -p hostile/=cmd
 cp gyros/A3/run.csv hostile/=cmd
 batch 0 hostile -o hostile_out
@@ -117,7 +117,7 @@ mkdir blocked
 echo "in the way" >blocked/A2
 batch 1 gyros -o blocked
 says '^3 gyros: 2 pass, 0 fail, 1 without a result'
-says '^  A2 +error +its process ended with code 1; blocked/A2/result.txt: cannot be written'
+says '^  A2 +error +its process exited with code 1; blocked/A2/result.txt: cannot be written'
 
 # Parts of the work on several computers, then the table: the same bytes.
 batch 0 gyros -o whole
@@ -152,7 +152,7 @@ rm parts/A2/result.txt
 batch 1 gyros -o parts --merge
 says '^  A2 +error +not calibrated'
 
-# One hangs (its recording is a pipe into which nobody writes) and is ended; one crashes: the rest goes on.
+# One hangs (its recording is a pipe without a writer) and is killed; one crashes: the rest continues.
 mkdir gyros/C1
 mkfifo gyros/C1/run.csv
 cp -r whole hang # so that on a slow machine the limit ends nobody else
@@ -184,7 +184,7 @@ status=0
 wait "$pool" || status=$?
 ((status == 130)) || fail "exit code $status after SIGINT"
 ! kill -0 "$child" 2>/dev/null || fail "a process is left"
-grep -q '^interrupted: 3 of 4 gyros done; the same command goes on there' errors.txt || fail "$(cat errors.txt)"
+grep -q '^interrupted: 3 of 4 gyros done; the same command continues there' errors.txt || fail "$(cat errors.txt)"
 [[ -z $(find stopped -name '*.part-*') && ! -e stopped/gyros.csv ]] || fail "half files: $(find stopped)"
 rm -r gyros/C1
 batch 0 gyros -o stopped

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# diagnose.sh FOGCOMP: the paper's own case, the ladder, an experiment that tells rivals apart, bad input.
+# diagnose.sh FOGCOMP: the paper's case, the stepwise selection, an experiment that separates rivals, bad input.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: diagnose.sh FOGCOMP}")
@@ -22,7 +22,7 @@ for key in experiment candidates untestable where residual_rms_dph noise_floor_d
 done
 "$fogcomp" diagnose shupe.model paper.csv --seed 1 --json | cmp - said.json || fail 'not reproducible'
 
-# Nor is that one seed's luck.
+# The same with another seed.
 for seed in 1 2 3; do
   "$fogcomp" simulate -o other.csv --profile paper --seed $seed >/dev/null
   "$fogcomp" fit other.csv -o other.model --effects bias,bias_temperature:order=2,shupe:tau=900 >/dev/null
@@ -30,7 +30,7 @@ for seed in 1 2 3; do
     fail "the paper's missing effect is not named with seed $seed"
 done
 
-# Following it brings the error down to near the floor, and then it stops.
+# Following the proposals brings the error near the floor, and then it stops.
 "$fogcomp" diagnose shupe.model paper.csv --max-effects 6 >ladder.txt
 sed -n '/^error ladder/,$p' ladder.txt
 added=$(grep -c '^  + ' ladder.txt)
@@ -40,8 +40,8 @@ awk -v last="$last" -v added="$added" 'BEGIN { exit !(last < 0.0275 && added >= 
 "$fogcomp" add shupe.model temperature_rate paper.csv -o better.model >/dev/null
 "$fogcomp" history better.model | grep 'add temperature_rate' >/dev/null || fail 'history'
 
-# A gyro that has all its effects in the model lacks none: not for one outlier (seed 6), nor because physics is
-# not quite what formulas say (1162, 1237), nor for slow noise that its soaks do not show (1067).
+# A gyro with all effects in the model lacks none: not with one outlier (seed 6), nor with inexact formulas (1162,
+# 1237), nor with slow noise that its soaks do not show (1067).
 own=bias,bias_temperature,temperature_rate,temperature_rate_product,warm_up,polarization_ripple:period2=?
 for seed in 6 1067 1162 1237; do
   "$fogcomp" simulate -o clean.csv --seed $seed >/dev/null
@@ -50,7 +50,7 @@ for seed in 6 1067 1162 1237; do
     fail "a gyro that lacks nothing lacks something: seed $seed"
 done
 
-# What one run cannot tell, another can: for a day an ageing looks like a random walk of the bias.
+# Another run can separate what one cannot: over a day ageing looks like a random walk of the bias.
 ageing=(--preset none --effect bias --effect temperature_rate --effect aging:peak=0.05 --noise 'white=0.0015,flicker=0.001')
 "$fogcomp" simulate -o day.csv "${ageing[@]}" --seed 3 >/dev/null
 "$fogcomp" fit day.csv -o day.model --effects bias,bias_temperature,temperature_rate >/dev/null

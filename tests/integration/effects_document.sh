@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# effects_document.sh FOGCOMP SOURCE: host_tools/EFFECTS.md is what the catalogue says.
+# effects_document.sh FOGCOMP SOURCE: host_tools/EFFECTS.md equals the text generated from the catalogue.
 set -euo pipefail
 fogcomp=$1 source=$2
 diff "$source/host_tools/EFFECTS.md" <("$fogcomp" effects --markdown) ||

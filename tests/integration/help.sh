@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# help.sh FOGCOMP: what fogcomp says of itself. Every command's --help fits a screen and has an example that works;
-# `fogcomp help COMMAND`, the manual page and completion know every option, because all come from one description.
+# help.sh FOGCOMP: every command's --help fits a screen and has a working example; `fogcomp help COMMAND`, the manual
+# page and completion contain every option, because all use one description.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: help.sh FOGCOMP}")
@@ -28,7 +28,7 @@ for command in "${commands[@]}"; do
   done
 done
 
-# The manual renders without a complaint.
+# The manual is rendered without warnings.
 if command -v man >/dev/null; then
   MANWIDTH=80 man -l --warnings=w fogcomp.1 >page.txt 2>complaints.txt
   [[ ! -s complaints.txt ]] || fail "man: $(head -n 3 complaints.txt)"
@@ -37,7 +37,7 @@ else
   echo "(no man here: the page was not rendered)"
 fi
 
-# Examples: each runs in a folder that holds the files it names.
+# Examples: each runs in a folder with the files it names.
 mkdir files
 (
   cd files
@@ -61,7 +61,7 @@ for command in "${commands[@]}"; do
   ((status <= 1)) || fail "$example: exit code $status, $(cat errors.txt)" # 1: the answer is no
 done
 
-# complete WORD...: what bash would offer for the last word.
+# complete WORD...: the completions of bash for the last word.
 bash -n <(fogcomp completion bash)
 # shellcheck disable=SC1090
 source <(fogcomp completion bash)
@@ -72,7 +72,7 @@ complete_words() {
   _fogcomp
   printf '%s\n' "${COMPREPLY[@]}"
 }
-# Here and elsewhere grep reads to the end: after grep -q the writer may die of SIGPIPE, and with it the pipe.
+# grep must read to the end: after grep -q the writer may die of SIGPIPE, and the pipeline fails.
 offers() {
   local expected=$1
   shift

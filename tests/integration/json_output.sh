@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# json_output.sh FOGCOMP: --json prints exactly one JSON object with the contract's keys and nothing else.
+# json_output.sh FOGCOMP: --json prints exactly one JSON object with the documented keys and nothing else.
 set -euo pipefail
 fogcomp=$(realpath "${1:?usage: json_output.sh FOGCOMP}")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 
-# has_keys FILE KEY...: FILE is one line that CMake's own JSON parser takes, with these members.
+# has_keys FILE KEY...: FILE is one line that CMake's JSON parser accepts, with these members.
 has_keys() {
   local file=$1
   shift

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# outputs_are_safe.sh FOGCOMP: an output appears whole or not at all, where the user said, and nowhere else: full
-# disks, limits, signals, links, permissions, prepared temporary names. What cannot be written is said, with exit
-# code 2.
+# outputs_are_safe.sh FOGCOMP: an output appears completely or not at all, only at the given path: full disks, limits,
+# signals, links, permissions, prepared temporary names. Failures are reported with exit code 2.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: outputs_are_safe.sh FOGCOMP}")
@@ -21,7 +20,7 @@ refused() {
   no_parts "$*"
 }
 
-# Standard output that does not fit, whatever is printed there.
+# Standard output that cannot be written, for any command.
 mkdir -p lot/G1 && cp run.csv lot/G1
 for words in "effects" "effects --json" "effects --markdown" man "completion bash" "--help" "--version" "help fit" \
   "info run.csv" "info run.csv --json" "simulate --list" "simulate -o s.csv" "simulate -o s.csv --json" \

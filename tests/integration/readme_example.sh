@@ -1,21 +1,22 @@
 #!/usr/bin/env bash
-# readme_example.sh FOGCOMP README: the README's examples are what the tool does: its commands are run, and print what stands below
-# them. `...` stands for any number of lines; numbers may differ by 2 % or two units of their last digit, because
-# processors round differently.
+# readme_example.sh FOGCOMP DOCUMENT: a document's examples are what the tool does: its commands are run, and print what
+# stands below them. A command goes on after a backslash. `...` stands for any number of lines, ` ...` at the end of a
+# line for the rest of it; numbers may differ by 2 % or two units of their last digit, because processors round
+# differently.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
-fogcomp=$(realpath "${1:?usage: readme_example.sh FOGCOMP README}") readme=$(realpath "$2")
+fogcomp=$(realpath "${1:?usage: readme_example.sh FOGCOMP DOCUMENT}") document=$(realpath "$2")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 mkdir bin
 ln -s "$fogcomp" bin/fogcomp
 PATH=$PWD/bin:$PATH
-docs=$(dirname "$readme")/docs # the README's own recordings
+docs=$(dirname "$document")/docs # the README's own recordings
 [[ ! -d $docs ]] || ln -s "$docs" docs
 
-awk '/^```console/ { inside = 1; next } /^```/ { inside = 0 } inside' "$readme" >example
-grep -c '^\$ ' example >commands.txt || fail "no example in the README"
+awk '/^```console/ { inside = 1; next } /^```/ { inside = 0 } inside' "$document" >example
+grep -c '^\$ ' example >commands.txt || fail "no example in $document"
 
 # same EXPECTED ACTUAL: as files.
 same() {
@@ -33,6 +34,7 @@ same() {
       gsub(/#+/, "#", a); gsub(/#+/, "#", b)
       gsub(/[(),;:%]/, " & ", a); gsub(/[(),;:%]/, " & ", b)
       n = split(a, one, " "); m = split(b, other, " ")
+      if (n > 1 && one[n] == "..." && m >= n) m = --n
       if (n != m) return 0
       for (i = 1; i <= n; ++i) {
         if (one[i] == other[i]) continue
@@ -60,6 +62,11 @@ same() {
 printf 'a 0.0543\n...\nend\n' >expected
 printf 'a 0.0544\nb\nend\n' >actual
 same expected actual || fail "two units of the last digit"
+printf 'a 0.0543 ...\n' >begins
+printf 'a 0.0543 and b\n' >actual
+same begins actual || fail "the rest of a line"
+printf 'a 0.0643 and b\n' >actual
+! same begins actual >said.txt || fail "a line that begins otherwise"
 for wrong in 'a 0.0643\nb\nend' 'b 0.0543\nend' 'a 0.0543\nb' 'a 0.0543\nend\nb'; do
   # shellcheck disable=SC2059
   printf "$wrong\n" >actual
@@ -67,11 +74,16 @@ for wrong in 'a 0.0643\nb\nend' 'b 0.0543\nend' 'a 0.0543\nb' 'a 0.0543\nend\nb'
 done
 
 number=0
+goes_on=0
 while IFS= read -r line; do
-  if [[ $line == '$ '* ]]; then
+  if ((goes_on)); then
+    printf '%s\n' "$line" >>"command$number"
+    [[ $line == *\\ ]] || goes_on=0
+  elif [[ $line == '$ '* ]]; then
     ((++number))
     printf '%s\n' "${line#\$ }" >"command$number"
     : >"expected$number"
+    [[ $line != *\\ ]] || goes_on=1
   else
     printf '%s\n' "$line" >>"expected$number"
   fi
@@ -83,6 +95,6 @@ for ((i = 1; i <= number; ++i)); do
   wanted=0
   ! grep -q '^refused: ' "expected$i" || wanted=1
   ((status == wanted)) || fail "exit code $status: $(cat "command$i")"
-  same "expected$i" "actual$i" || fail "README: $(cat "command$i")"
+  same "expected$i" "actual$i" || fail "$(basename "$document"): $(cat "command$i")"
 done
-echo "$number commands of the README print what it says"
+echo "$number commands of $(basename "$document") print what it says"

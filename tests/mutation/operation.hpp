@@ -24,7 +24,7 @@ struct Wrong {
   llvm::Value* value;
 };
 
-/// What stands beside the operation instead, of `type`; nothing where no other one makes sense.
+/// The operation used instead, of `type`; nothing if no other one makes sense.
 std::optional<Wrong> wrong_operation(llvm::IRBuilder<>& builder, const Operation& operation,
                                      llvm::Type* type);
 

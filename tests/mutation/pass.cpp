@@ -1,10 +1,10 @@
-// An LLVM pass that puts mutants into firmware/core while it is compiled: beside each operation a
-// wrong one, chosen at run time, so that a program is compiled once for all mutants. What was made
-// is written to a file in the folder FOG_MUTANTS, a line each: number, place, what becomes what. A
-// template or an inline function has mutants of the same numbers wherever it was compiled.
+// An LLVM pass that inserts mutants into firmware/core: beside each operation a wrong one, selected
+// at run time, so that a program is compiled once for all mutants. Writes them to a file in the
+// folder FOG_MUTANTS, one line each: number, place, change. A template or an inline function has
+// the same mutant numbers wherever it is compiled.
 //
-// Not reached: what is computed while compiling (constexpr, tables, template arguments), pointers
-// and loops over ranges.
+// Not covered: compile-time computation (constexpr, tables, template arguments), pointers, and
+// loops over ranges.
 #include <llvm/Analysis/ValueTracking.h>
 #include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/InstIterator.h>
@@ -161,8 +161,8 @@ class Mutator {
     branch.setCondition(builder.CreateXor(condition, chosen));
   }
 
-  // What is there is written again. Only what outlives the function: a local variable would be left
-  // without any value, which is no mutant but whatever the compiler makes of it.
+  // Writes the present value again. Only for data that outlive the function: a local variable would
+  // be left undefined.
   void mutate_store(StoreInst& store) {
     Type* const type = store.getValueOperand()->getType();
     if (!type->isIntegerTy() && !type->isFloatingPointTy()) return;

@@ -14,10 +14,9 @@
 #include "platform/shared/semihosting.hpp"
 #include "platform/text_line.hpp"
 
-// The core on the processor that it is for: runs the checks, then the golden vectors that
-// tests/target/make_golden_vectors wrote to where the emulator was started, and prints what the
-// files of tests/golden hold, each behind a line "== FILE". No GoogleTest, nothing but the
-// firmware.
+// The core on its processors: runs the checks, then the golden vectors that
+// tests/target/make_golden_vectors wrote to the emulator's directory, and prints the contents of
+// the files of tests/golden, each after a line "== FILE". No GoogleTest, only the firmware.
 namespace fog::app {
 namespace {
 
@@ -65,7 +64,7 @@ class InputFile {
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  /// Returns whether there were so many.
+  /// Returns whether all were read.
   bool read(std::uint8_t* destination, std::size_t size) {
     for (std::size_t i = 0; i < size; ++i) {
       if (at_ == held_) {

@@ -7,15 +7,14 @@
 /// print the same lines.
 namespace fog::checks {
 
-/// A promise, kept or not.
+/// Result of one check.
 struct Check {
   const char* name;
   bool (*holds)();
 };
 
-/// A function over its whole range, in steps; the CRC-32 of all that it returned. What the function
-/// ought to return is shown by the unit tests, on a computer with real numbers; here it is that
-/// every processor returns the same.
+/// CRC-32 of all results of a function over its range, in steps. The unit tests show, with real
+/// numbers, that the results are right; this shows that every processor returns the same.
 struct Sweep {
   const char* name;
   std::uint32_t (*crc)();

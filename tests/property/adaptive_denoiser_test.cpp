@@ -26,12 +26,12 @@ constexpr std::size_t kTaps = 16;
 constexpr std::size_t kLevels = 5;
 constexpr double kRateLsb = 1.0 / 1024;
 
-// What README.md of the denoiser promises of the adaptive part.
+// Error bounds of the adaptive part, from the denoiser's README.md.
 constexpr double kThresholdError = 0.025;  // relative, where both chose the same sixteenths
 constexpr double kRiskError = 8;           // of the 128 noise variances of a block
 constexpr double kMeanSquareError = 0.06;  // relative, in telling weak from strong
 
-// The board's filter bank with its levels in the open.
+// The board's filter bank with accessible levels.
 class Board {
  public:
   explicit Board(const fog::DenoiseParameters& parameters)
@@ -61,7 +61,7 @@ class Board {
   std::size_t samples_ = 0;
 };
 
-// Samples of the kinds that a board meets, each for a while.
+// Samples as a board may receive them, each kind for a while.
 class Signal {
  public:
   Signal(std::uint32_t seed, double noise_dph) : random_(seed), noise_dph_(noise_dph) {}

@@ -1,6 +1,6 @@
-// The contract with a user of the rate: whatever happens to the sensors, the line or the
-// demodulator, a rate that is valid and carries no flag has a drift within 0.05 deg/h of what an
-// uninterrupted run subtracts, but for what the error of the temperature itself explains.
+// The guarantee to a user of the rate: under any fault of the sensors, the line or the demodulator,
+// a valid rate without flags has a drift within 0.05 deg/h of that of an uninterrupted run, apart
+// from the effect of the temperature error itself.
 #include "support/drift_under_faults.hpp"
 
 #include <gtest/gtest.h>
@@ -122,7 +122,7 @@ fogcomp::model::Model model_with(const std::vector<fogcomp::model::EffectTerm>& 
   return model;
 }
 
-// A board that starts in the middle of a ramp believes that its lags have settled.
+// A board that starts in the middle of a ramp assumes that its lags have settled.
 TEST(DriftAfterAStart, IsRightOnceTheSlowestLagHasSettled) {
   const DriftUnderFaults board(model_with({fog::test::natural_term("thermal_lag", {300}, {0.3}),
                                            fog::test::written_term("late = lag(T,200)-T")}));
@@ -134,7 +134,7 @@ TEST(DriftAfterAStart, IsRightOnceTheSlowestLagHasSettled) {
   }
 }
 
-// ... and its play operators centred, in the middle of a loop.
+// ... and that its play operators are centred, in the middle of a loop.
 TEST(DriftAfterAStart, IsRightOnceTheHistoryIsKnown) {
   const DriftUnderFaults board(
       model_with({fog::test::natural_term("thermal_hysteresis", {3, 10}, {0.3, 0.2}),
@@ -149,7 +149,7 @@ TEST(DriftAfterAStart, IsRightOnceTheHistoryIsKnown) {
   }
 }
 
-// What a restart of the board's own would take minutes to learn again, it keeps.
+// State that would take minutes to recover is kept over the board's own restarts.
 TEST(DriftAfterARestart, IsThatOfABoardThatNeverStopped) {
   const DriftUnderFaults board(
       model_with({fog::test::natural_term("thermal_lag", {300}, {0.3}),

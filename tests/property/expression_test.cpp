@@ -17,7 +17,7 @@ namespace {
 
 using fogcomp::model::EffectTerm;
 
-// What a fit would have seen on these histories, less than all of it so that the clamps work too.
+// Signal ranges as from a fit to these histories, but narrower, so that the clamps are tested too.
 void set_ranges(EffectTerm& term) {
   const auto set = [&](fog::Input signal, double min, double max) {
     term.expression->ranges[static_cast<std::size_t>(signal)] = {min, max};

@@ -1,5 +1,5 @@
-// A table is loaded, and the power goes: at every byte, by the code that is flashed. The board has
-// a good table all the time, the old one or the new one, and can be loaded again.
+// A power failure while a table is loaded: at every byte, with the flashed code. The board always
+// has a good table, the old or the new one, and can be loaded again.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -47,7 +47,7 @@ SlotChoice boot(const CutFlash& flash) {
   return fog::choose_slot(flash.both(), fog::kGenericImage, kProcessor, parameters);
 }
 
-// As the board's application makes it of what it has found at its start.
+// Load target as the board's application derives it from the slots found at its start.
 LoadTarget target_of(const SlotChoice& choice) {
   LoadTarget target;
   target.processor = kProcessor;
@@ -109,7 +109,7 @@ TEST(PowerCut, AtEveryByteTheOldTableOrTheNewOneIsUsed) {
   std::printf("%zu cuts: the table before, each time\n", all_cuts);
 }
 
-// Again and again, at any byte, until one comes through.
+// Repeatedly, at any byte, until one load succeeds.
 TEST(PowerCut, LeavesABoardThatCanBeLoaded) {
   struct PowerIsGone {};
   std::mt19937 random(7);
@@ -138,7 +138,7 @@ TEST(PowerCut, LeavesABoardThatCanBeLoaded) {
 class Loading : public testing::Test {
  protected:
   Loading() { EXPECT_EQ(load(flash_, slot_of(1)), LoadRefusal::none); }
-  // Refused, by name, with the table in use as it was; nothing erased but where `erases` says so.
+  // Refused with a reason; the table in use is unchanged; nothing is erased unless `erases`.
   void expect_refused(LoadRefusal refusal, const Words& slot, bool erases = false) {
     const std::size_t before = flash_.erases;
     EXPECT_EQ(load(flash_, slot), refusal);

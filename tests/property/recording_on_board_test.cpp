@@ -12,8 +12,8 @@
 #include "series/block_walk.hpp"
 #include "support/typical_effects.hpp"
 
-// What fit and compare take a recording for is what the board makes of it: the same blocks, the
-// same time, the same inputs, also where samples are missing.
+// Fit and compare treat a recording like the board: the same blocks, the same time, the same
+// inputs, also where samples are missing.
 namespace {
 
 constexpr int kSamplesPerBlock = 10;
@@ -79,7 +79,7 @@ std::map<std::int64_t, double> board_drift(const fogcomp::model::Model& model,
   return drift;
 }
 
-// Largest difference between board and walk over all blocks in which the walk has a drift, deg/h.
+// Largest difference between board and host over all blocks in which the host has a drift, deg/h.
 double worst_difference(const fogcomp::model::Model& model) {
   const fogcomp::recording::Recording recording = recording_with_gaps();
   const auto board = board_drift(model, recording);
@@ -87,7 +87,7 @@ double worst_difference(const fogcomp::model::Model& model) {
   fogcomp::model::RealDriftModel real(model, series.block_s);
   double worst = 0;
   std::size_t compared = 0;
-  fogcomp::series::walk_blocks(series, real, [&](const fogcomp::series::BlockSeries::Block& block) {
+  fogcomp::series::run_blocks(series, real, [&](const fogcomp::series::BlockSeries::Block& block) {
     const auto found = board.find(block.number);
     ASSERT_NE(found, board.end()) << "the board has no drift in block " << block.number;
     worst = std::max(worst, std::abs(found->second - real.drift_dph()));
@@ -107,8 +107,8 @@ TEST(RecordingOnBoard, HasTheDriftThatFitAndCompareSeeAlsoAroundGaps) {
   EXPECT_LE(worst_difference(model), 6.0 / 1024);
 }
 
-// The board's scale factor sees the measured rate, which is 1.2 deg/h from the true one here: 300
-// ppm/degC over 40 degC make 0.014 deg/h of it.
+// The board's scale factor effects use the measured rate, here 1.2 deg/h from the true one: with
+// 300 ppm/degC over 40 degC a difference of 0.014 deg/h.
 TEST(RecordingOnBoard, HasTheScaleFactorOfTheMeasuredRate) {
   EXPECT_LE(worst_difference(fog::test::all_effects_model()), 0.02);
 }

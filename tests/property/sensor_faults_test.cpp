@@ -1,5 +1,4 @@
-// What the board promises about a broken sensor, through the whole pipeline: each fault is injected
-// into a healthy stream, and what came out is printed.
+// Detection of a broken sensor by the whole pipeline: each fault is injected into a healthy stream.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -134,8 +133,8 @@ TEST_F(SensorFaults, SpikesAreFlaggedAndSpoilNoOtherSample) {
   EXPECT_LT(worst_dph, 3);
 }
 
-// Time is what temperature rate and ageing live on: after every disorder the board's block clock
-// must stand where the samples' own count stands.
+// Temperature rate and ageing depend on time: after any disorder of the samples the board's block
+// clock must agree with their true count.
 TEST_F(SensorFaults, LostRepeatedLateAndReorderedSamplesAreFlaggedAndTimeStaysRight) {
   run(kSecond);
   const auto flagged = [&](std::uint32_t sequence) {

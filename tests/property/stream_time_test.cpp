@@ -1,6 +1,6 @@
-// A captured stream has one time, on the board and on the host: what the board's block clock counts
-// through lost, late, swapped and repeated samples and through a demodulator that counts anew is
-// what stands in the recording's time column.
+// A captured stream has the same time on the board and on the host: the board's block clock,
+// through lost, late, swapped and repeated samples and a restarted demodulator, equals the
+// recording's time column.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,7 +68,7 @@ fog::SensorSample sample_of(std::uint16_t sequence) {
   return {sequence, 1000 + 37 * (sequence % 11), 25 * 65536, true, true};
 }
 
-// Seconds on the board's clock before each sample that has a place in time.
+// Seconds on the board's clock before each sample that counts.
 std::vector<double> board_times(const std::vector<std::uint16_t>& arrivals) {
   const fogcomp::board::BoardTable table = fogcomp::board::make_board_table(clock_model(), {1.0});
   const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, "test");
@@ -94,7 +94,8 @@ TEST(StreamTime, IsWhatTheBoardsBlockClockCounts) {
     const fogcomp::recording::Recording recording = fogcomp::recording::read_recording(
         fogcomp::recording::temporary_file("arrivals.bin", bytes), options);
 
-    // The clock moves by samples in time only: each of its readings but the last is a row's.
+    // The clock advances only with samples that count: each of its readings but the last belongs to
+    // a row.
     std::vector<double> board = board_times(arrivals);
     EXPECT_EQ(board.front(), 0);
     board.erase(std::unique(board.begin(), board.end()), board.end());

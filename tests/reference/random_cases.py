@@ -193,7 +193,8 @@ class World:
 
     FAULTS = ("gyro", "temperature", "stuck", "range", "jump", "spike", "frozen", "warm", "85", "inputs", "bad_input",
               "gap", "big_gap", "late", "renumber", "repeat", "cut", "damage", "cold", "hot", "both", "bad_sample",
-              "85_on", "burst")
+              "85_on", "burst",
+              "reserved", "reserved", "reserved")  # the last: frames that are none though their CRC is right
 
     def next(self):
         r = self.r
@@ -225,7 +226,8 @@ class World:
             if f == "85_on":
                 value = 85 << 16
             for _ in range(r.choice([1, 1, 1, 2])):
-                body = bytes([0xC3, number, 0]) + struct.pack("<i", value)
+                which, reserved = (number, 0) if f != "reserved" else r.choice([(number, 1), (number | 8, 0), (5, 0)])
+                body = bytes([0xC3, which, reserved]) + struct.pack("<i", value)
                 out += b"\xA5" + body + struct.pack("<H", crc16(body))
         return out
 
@@ -267,7 +269,11 @@ class World:
             number = (number - r.randrange(2, 2000)) % 65536
         if f == "repeat":
             self.number = number = (number - 1) % 65536
-        body = struct.pack("<HiiBB", number, max(-2**31, min(BIG, counts)), max(-2**31, min(BIG, heat)), status, 0)
+        reserved = 0
+        if f == "reserved":
+            status, reserved = r.choice([(status, 1), (status, 128), (status | 4, 0), (status | 128, 0), (status, 0)])
+        body = struct.pack("<HiiBB", number, max(-2**31, min(BIG, counts)), max(-2**31, min(BIG, heat)), status,
+                           reserved)
         frame = b"\xA5\x5A" + body + struct.pack("<H", crc16(body))
         if f == "cut":
             return frame[:r.randrange(16)]

@@ -18,13 +18,14 @@ same() {
   cmp core.bin reference.bin || fail "$1: core and reference differ"
 }
 
-python3 "$here/reference.py" --vectors "$golden/spec_functions.txt" --stream-vectors "$golden/spec_stream.txt" >said.txt ||
+python3 "$here/reference.py" --vectors "$golden/spec_functions.txt" --stream-vectors "$golden/spec_stream.txt" \
+  >said.txt ||
   fail "$(grep -v ' of \([0-9]*\) ' said.txt)"
 
 printf 'start 20 degC\nsegment 20\nsoak 30 s\nramp to 25 degC at 2 degC/min\nsoak 1 min\n' >short.profile
 "$fogcomp" simulate -o run.csv --seed 3 >said.txt
-"$fogcomp" fit run.csv -o gyro.model --effects bias,bias_temperature,temperature_rate,shupe,polarization_ripple --network 4 \
-  >said.txt
+"$fogcomp" fit run.csv -o gyro.model --network 4 \
+  --effects bias,bias_temperature,temperature_rate,shupe,polarization_ripple >said.txt
 "$fogcomp" export gyro.model -o recording_table.bin --format table --output both --serial 5 >said.txt
 "$fogcomp" simulate -o clean.bin --profile short.profile --rate 200 --format stream --seed 4 >said.txt
 python3 "$here/random_cases.py" --damage clean.bin recording_stream.bin

@@ -1,4 +1,4 @@
-// How often an addition is judged rightly.
+// Error rates of the decision on an addition.
 #include "fit/add_effect.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(Additions, OfATrueEffectAreAccepted) {
   }
 }
 
-// What useless additions came to.
+// Results for useless additions.
 struct Useless {
   int tried = 0;
   int accepted = 0;
@@ -50,10 +50,10 @@ struct Useless {
   }
 };
 
-// The claims (OutOfSample): one in 100 reaches kMinChi2Drop, and gains are about -1 +- 2, so that
-// less than one in three is above 0. Of a judge that keeps to them this fails less than once in 50
-// times. 60 tries pass one that accepts 10 % (20 %) 14 times (not once) in 100, and one of which
-// two in three gains are above 0 not once in 100 times.
+// The claims (OutOfSample): one in 100 reaches kMinChi2Drop, and values are about -1 +- 2, so less
+// than one in three is above 0. A correct judge fails this less than once in 50 times. With 60
+// trials a judge that accepts 10 % (20 %) passes 14 (0) times in 100, and one with two in three
+// values above 0 less than once.
 void expect_useless(const Useless& useless) {
   std::printf("%d of %d useless additions accepted, %d gains above 0\n", useless.accepted,
               useless.tried, useless.above_zero);

@@ -27,7 +27,7 @@ TEST(AddNetwork, TrainsTheOneThatIsThereAgainOfTheSameSize) {
   EXPECT_NE(result.model.network.hidden.biases[0], model.network.hidden.biases[0]);
 }
 
-// What no effect of the catalogue is.
+// Not an effect of the catalogue.
 Model with_kink(double coefficient_dph) {
   Model gyro = truth();
   gyro.terms.push_back(written_term("kink = max(T-20,0)"));
@@ -50,7 +50,7 @@ TEST(AddNetwork, IsJudgedAgainstTheEffectsAlone) {
   EXPECT_FALSE(needless.model.network.present());
 }
 
-// The holdout has what the network learnt with the other sign.
+// In the holdout, the learnt effect has the opposite sign.
 TEST(AddNetwork, IsJudgedOnTheHoldout) {
   const Model model = incomplete(kComplete);
   const auto network = fogcomp::fit::change_effects(model.terms, {"network:hidden=3"});

@@ -1,4 +1,4 @@
-// How often steps are found where there are some, and where there are none.
+// Detection rate of steps, and false alarms without steps.
 #include <gtest/gtest.h>
 
 #include "unit/fit/recording_with_steps.hpp"
@@ -33,7 +33,7 @@ TEST(FoundSteps, OfFiveSigmaOfARowAreWithinAFewRows) {
     EXPECT_LT(step.time_sigma_s, 20) << seed;
     covered += std::abs(step.size_dph - size_dph) <= 1.96 * step.size_sigma_dph ? 1 : 0;
     EXPECT_GE(result.identified.masked, 1U);
-    // The step is a term of the model, and the others are what they are without it.
+    // The step becomes a term of the model, and the others are as without it.
     EXPECT_STREQ(result.model.terms.back().name.c_str(), "bias_step");
     EXPECT_EQ(result.model.terms.back().parameters[0], step.time_s);
     EXPECT_NEAR(result.model.terms[2].coefficients_dph[0], truth().terms[2].coefficients_dph[0],

@@ -47,10 +47,10 @@ bool names_an_effect(const Diagnosis& diagnosis) {
   return diagnosis.verdict == Verdict::missing_effect || diagnosis.verdict == Verdict::ambiguous;
 }
 
-// The claims: an effect is named by chance once in 10,000 recordings, and anything at all is said
-// to be missing once in 100. Of a tool that keeps to them this fails less than once in 50 times.
-// One that names an effect in 5 % (10 %) of recordings passes 40 of them 13 times (once) in 100;
-// one that says so of anything in 10 % (20 %), 22 (1) times.
+// The claims: an effect is named by chance once in 10,000 recordings, and anything is reported
+// missing once in 100. A correct tool fails this less than once in 50 times. With 40 recordings a
+// tool that names an effect in 5 % (10 %) passes 13 (1) times in 100, one that reports anything in
+// 10 % (20 %) 22 (1) times.
 void expect_false_alarms_as_claimed(int count, const std::vector<std::string>& offered = {}) {
   int found = 0;
   std::vector<double> chances;
@@ -59,7 +59,7 @@ void expect_false_alarms_as_claimed(int count, const std::vector<std::string>& o
         diagnosed(kBasic, recording_with({}, static_cast<std::uint64_t>(seed)), offered);
     EXPECT_FALSE(names_an_effect(diagnosis)) << seed << ' ' << diagnosis.effect;
     found += diagnosis.verdict != Verdict::none ? 1 : 0;
-    // It is the smallest of the chances of several tests.
+    // The smallest probability of several tests.
     const auto tests = static_cast<double>(diagnosis.tests.size());
     chances.push_back(std::min(1.0, tests * diagnosis.chance));
     for (const std::string& definition : offered) {
@@ -102,7 +102,7 @@ TEST(Diagnosis, NamesTheEffectThatIsMissing) {
   }
 }
 
-// Beside a rate term, a lagged rate and a transient gradient are the same two columns.
+// With a rate term in the model, a lagged rate and a transient gradient span the same two columns.
 TEST(Diagnosis, SaysWhichEffectsTheDataCannotTellApart) {
   const Diagnosis diagnosis = diagnosed(
       kBasic, recording_with({fog::test::natural_term("thermal_lag", {1500}, {0.12})}, 5));
@@ -186,7 +186,7 @@ TEST(Diagnosis, RefusesTooFewRows) {
   EXPECT_THROW(diagnosed(kBasic, recording), fogcomp::InputError);
 }
 
-// What follows the square of a rate is no effect of the catalogue.
+// An effect of the square of a rate is not in the catalogue.
 fogcomp::model::EffectTerm late_square(double tau_s, double size_dph) {
   fogcomp::model::EffectTerm term =
       fogcomp::model::expression_term("truth = lag(dTdt^2, " + std::to_string(tau_s) + ")");
@@ -249,7 +249,7 @@ TEST(Diagnosis, SaysOfAnExpressionThatTheModelHasItAlready) {
   EXPECT_EQ(diagnosis.untestable.back().effect, "square");
 }
 
-// Every expression is one more chance to be wrong, and every shape of it another.
+// Every expression, and every shape of it, is a further chance of a false alarm.
 TEST(Diagnosis, NamesNoExpressionWhereNothingIsMissing) {
   const std::vector<std::string> offered{
       kLateSquare, "burst = T*T*dTdt", "kink = tanh((T - ?at[-30,50]) / ?w[2,30])",
@@ -257,7 +257,7 @@ TEST(Diagnosis, NamesNoExpressionWhereNothingIsMissing) {
   expect_false_alarms_as_claimed(16, offered);
 }
 
-// The same weak effect is less of a surprise where more was asked for.
+// The same weak effect is less significant if more candidates are tested.
 TEST(Diagnosis, CountsEveryExpressionAsAChanceOfAFalseAlarm) {
   std::vector<std::string> offered;
   for (int i = 1; i <= 40; ++i) {
@@ -325,7 +325,7 @@ TEST(Ladder, FindsTwoEffectsAndStops) {
             1.05 * std::hypot(fog::test::kQuietNoise.white_dph, fog::test::kQuietNoise.slow_dph));
 }
 
-// A jump is masked, and what is missing beside it is found.
+// A jump is masked, and the missing effect is found.
 TEST(Ladder, MasksAStepAndGoesOn) {
   fogcomp::recording::Recording recording = recording_with({}, 3);
   for (std::size_t i = recording.rate_dph.size() / 3; i < recording.rate_dph.size(); ++i) {

@@ -8,7 +8,8 @@
 
 namespace fog::test {
 
-// Slow noise that wanders over half an hour is what a network is most ready to take for drift.
+// Slow noise with a correlation time of half an hour is the noise that a network most easily learns
+// as drift.
 constexpr RowNoise kSlowNoise{0.024, 0.006, 2000};
 
 struct FittedNetwork {

@@ -16,7 +16,7 @@ inline std::vector<fogcomp::model::EffectTerm> basic() {
           natural_term("temperature_rate", {}, {0.12})};
 }
 
-/// What the coil does without the board's delays, and noise.
+/// Drift of the coil without the board's delays, and noise.
 inline fogcomp::recording::Recording recording_with(
     const std::vector<fogcomp::model::EffectTerm>& hidden, std::uint64_t seed,
     const RowNoise& noise = kQuietNoise) {

@@ -1,4 +1,4 @@
-// A network that stands in for an effect which the model lacks, asked what it had learnt.
+// A network that describes an effect missing in the model: what it had learnt.
 #include "diagnosis/network_learnt.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a diagnosis proposes has been tried: `add` accepts it.
+// The proposal of a diagnosis has been tested: `add` accepts it.
 #include "diagnosis/next_step.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ struct Asked {
     found = diagnose(model, data);
     next = find_next_step(model, found, data, runs);
   }
-  // As the printed command would.
+  // Like the printed command.
   bool add_accepts() const { return try_to_add(model, next.addition->request, runs).accepted; }
 
   model::Model model;
@@ -56,7 +56,7 @@ TEST(NextStep, IsNothingWhereNothingIsMissing) {
   EXPECT_TRUE(asked.next.refused.empty());
 }
 
-// The catalogue has none of these. Visible as 1.5 of the noise.
+// Effects outside the catalogue, of 1.5 times the noise.
 TEST(NextStep, IsTheFormOfWhatTheCatalogueLacks) {
   const struct {
     const char* form;
@@ -76,7 +76,7 @@ TEST(NextStep, IsTheFormOfWhatTheCatalogueLacks) {
   }
 }
 
-// Neither the catalogue nor a formula over its inputs has such a course.
+// Neither the catalogue nor a formula of its inputs describes this.
 TEST(NextStep, IsANetworkWhereNothingElseHoldsAndAnotherRunShowsThatItDoes) {
   model::EffectTerm hidden = written_term("x = sin(T/6)*tanh(4*dTdt)");
   hidden.coefficients_dph = {std::ldexp(0.1, hidden.expression->scale_log2)};
@@ -93,7 +93,7 @@ TEST(NextStep, IsANetworkWhereNothingElseHoldsAndAnotherRunShowsThatItDoes) {
   EXPECT_TRUE(of_two.add_accepts());
 }
 
-// In one of two runs: stretches of it show the formula, the other run does not.
+// In one of two runs only: cross-validation within it shows the formula, the other run does not.
 TEST(NextStep, IsNoDescriptionThatAnotherRunContradicts) {
   model::EffectTerm hidden = written_term("x = abs(dTdt)");
   hidden.coefficients_dph = {std::ldexp(0.2, hidden.expression->scale_log2)};

@@ -17,8 +17,8 @@ noise::NoiseCoefficients fitted(const std::vector<double>& rate) {
   return noise::fit_noise_coefficients(noise::allan_deviation(rate, {{0, rate.size()}}, 1));
 }
 
-/// How often a coefficient was found, and how often the truth lay within its stated confidence
-/// (for a truth of 0: how often it was rightly absent).
+/// How often a coefficient was found, and how often its stated confidence interval contained the
+/// truth (for a truth of 0: how often it was absent).
 struct Tally {
   int found = 0;
   int right = 0;

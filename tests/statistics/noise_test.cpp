@@ -1,4 +1,4 @@
-// Every noise source has the level that its IEEE 952 coefficient promises, at any row period.
+// Every noise source has the level of its IEEE 952 coefficient, at any row period.
 #include "simulation/noise/noise_source.hpp"
 
 #include <gtest/gtest.h>

@@ -56,7 +56,7 @@ TEST(PaperStudy, NetworksOfTimeAndTemperatureFitTheirRunAndFailOnOthers) {
   }
 }
 
-// An error of a third of a row's noise makes its rms 5 % larger: nobody sees it.
+// An error of a third of a row's noise increases its rms by only 5 %.
 TEST(PaperStudy, EffectsHoldOnProgrammesTheyNeverSaw) {
   const double noise_dph = study().run.noise_floor_dph;
   for (const char* name : {"effects", "effects+network"}) {

@@ -30,7 +30,7 @@ double temperature_degc(double t) {
   return 25 + 10 * std::sin(t / 650);
 }
 
-// The drift of the rate as the axis really turns, and of what `error` makes of it (W, T, dW/dt).
+// Drift of the true rate, and of `error` as a function of it (W, T, dW/dt).
 template <class Error>
 fogcomp::recording::Recording on_the_table(std::uint64_t seed, const Error& error) {
   fogcomp::recording::Recording recording;
@@ -91,7 +91,8 @@ TEST(RateTable, NamesNothingInACleanGyro) {
   }
 }
 
-// A loop that saturates is in no effect's reach: the input's, and no cycle in time.
+// No effect describes a loop that saturates: the error is attributed to the input, not to a cycle
+// in time.
 TEST(RateTable, WhatTheInputRateDrivesIsNotTakenForACycle) {
   const auto recording =
       on_the_table(1, [](double w, double, double) { return 20 * kNoiseDph * std::tanh(w / 2e4); });
@@ -101,7 +102,7 @@ TEST(RateTable, WhatTheInputRateDrivesIsNotTakenForACycle) {
   EXPECT_EQ(diagnosis.variable, "input_rate_dph");
 }
 
-// With all of its errors in the model, nothing is left.
+// With all errors in the model, only noise is left.
 TEST(RateTable, LeavesNothingBehindACompleteModel) {
   const auto recording = on_the_table(7, [](double w, double t, double) {
     const double u = w / 3.6e5;

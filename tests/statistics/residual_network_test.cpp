@@ -1,4 +1,4 @@
-// A network on what effects leave learns an effect that is left out, and not the slow noise.
+// A network on the residual of effects learns an effect that is left out, and not the slow noise.
 #include <gtest/gtest.h>
 
 #include "fit/decision_rules.hpp"

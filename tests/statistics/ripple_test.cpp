@@ -30,7 +30,7 @@ model::EffectTerm fitted_ripple(const std::vector<double>& shape, const std::vec
   return model.terms.back();
 }
 
-// The first search of one period alone settles on either.
+// The first search with a single period settles on either.
 TEST(IdentifiedRipple, HasASecondPeriodWhereAsked) {
   const model::EffectTerm term =
       fitted_ripple({9, 31}, {0.006, 0.004, 0.02, -0.02}, {0.024, 0.003, 300}, 2,
@@ -52,8 +52,8 @@ TEST(IdentifiedRipple, HasAChirpWhereAsked) {
             (std::vector<bool>{true, false, false}));
 }
 
-// A strong ripple whose period is a little off leaves more than the weak one has, so that a
-// neighbour of the strong one can pass for it.
+// A strong ripple with a slightly wrong period leaves more than the weak one has, so that a
+// neighbour of the strong one can be taken for it.
 TEST(IdentifiedRipple, HasAWeakSecondPeriodBesideAStrongOneWhereverTheyAre) {
   constexpr double kStrongAndWeak[][2] = {{31, 19}, {46, 11}};
   for (const auto& [strong, weak] : kStrongAndWeak) {

@@ -14,8 +14,8 @@ namespace {
 using fogcomp::model::EffectTerm;
 using fogcomp::model::Model;
 
-// How often the truth of every coefficient and every shape parameter lies in its 95 % interval,
-// over some gyros with white and slow noise.
+// How often the 95 % intervals of coefficients and shape parameters contain the truth, over gyros
+// with white and slow noise.
 void expect_true_intervals(const std::vector<EffectTerm>& terms, const std::string& effects,
                            int gyros = 200) {
   Model real = fog::test::paper_like_model();
@@ -55,8 +55,8 @@ void expect_true_intervals(const std::vector<EffectTerm>& terms, const std::stri
   std::printf(" %% of %d gyros; errors in their own sigma", gyros);
   for (const double square : squares) std::printf(" %.2f", std::sqrt(square / gyros));
   std::printf("\n");
-  // Slow noise that nobody could know from one run is reckoned with: intervals are rather too wide,
-  // that of the bias most, but by less than three times.
+  // Slow noise that one run cannot show is included: intervals are rather too wide, that of the
+  // bias most, but by less than a factor of three.
   for (const int count : covered) EXPECT_GE(count, 0.90 * gyros);
   for (const double square : squares) EXPECT_GT(std::sqrt(square / gyros), 1.0 / 3);
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-// How sure a test of a claim about chances is: binomial figures.
+// Tests of claims about probabilities, by the binomial distribution.
 namespace fog::test {
 
 /// Probability that an event of probability `p` happens `count` times or more in `trials`.
@@ -21,11 +21,11 @@ inline double probability_of_at_least(int count, int trials, double p) {
   return std::min(1.0, sum);
 }
 
-/// For chances ("noise alone would look like this with probability p") of cases that are noise
-/// alone: no part of them is smaller than it claims to be, P(p <= x) <= x for every x. Fails where
-/// k of n values lie below some x which would happen less than once in 1000 / n times: of a right
-/// tool it fails at most once in 1000 times. With n = 60 it refutes a chance of 0.1 % that comes up
-/// in 10 % of the cases 86 times in 100, one of 0.01 % in 10 % (5 %) of them 95 (58) times.
+/// For stated probabilities ("noise alone would look like this with probability p") of cases with
+/// noise alone: none may be too small, i.e. P(p <= x) <= x for every x. Fails if k of n values lie
+/// below some x with a probability below 1 / (1000 n): a correct tool fails at most once in 1000
+/// times. With n = 60 it refutes a stated 0.1 % that occurs in 10 % of the cases 86 times in 100, a
+/// stated 0.01 % that occurs in 10 % (5 %) 95 (58) times.
 inline void expect_chances_are_true(std::vector<double> p) {
   std::sort(p.begin(), p.end());
   const auto n = static_cast<int>(p.size());

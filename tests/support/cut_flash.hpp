@@ -11,19 +11,19 @@
 
 namespace fog::test {
 
-/// Two slots of flash as they are: bits are only cleared but by erasing, and a write that the power
-/// leaves halfway has cleared some of its bits, an erase has set some.
+/// Two slots of flash with realistic behaviour: only erasing sets bits; a write interrupted by a
+/// power failure has cleared some of its bits, an interrupted erase has set some.
 class CutFlash {
  public:
   using Memory = std::vector<std::int32_t>;
 
   CutFlash() : slots_{Memory(kWords, -1), Memory(kWords, -1)} {}
 
-  /// Asked before every byte that is written and around every erase, with the flash as the power
-  /// would leave it there. May throw, as the power does.
+  /// Called before every byte written and around every erase, with the flash as a power failure
+  /// would leave it. May throw, to simulate that failure.
   std::function<void()> may_be_cut;
-  bool fails = false;      ///< the flash says so
-  bool is_deaf = false;    ///< it takes nothing, and does not say so
+  bool fails = false;      ///< and the flash reports it
+  bool is_deaf = false;    ///< ignores writes without reporting it
   std::size_t writes = 0;  ///< bytes and erases
   std::size_t erases = 0;
 

@@ -13,19 +13,19 @@
 
 namespace fog::test {
 
-/// What a board made of a faulty line, held against one that nothing happened to.
+/// Drift of a board with a faulty line, compared with a board without faults.
 struct DriftVerdict {
   std::uint64_t samples = 0;
   std::uint64_t valid = 0;    ///< undelayed rates
   std::uint64_t trusted = 0;  ///< valid, and no flag is set
-  double clean_since_s = 0;   ///< of the last trusted ones, without a break
-  double worst_dph = 0;       ///< of trusted ones: drift error beyond what the temperatures explain
+  double clean_since_s = 0;   ///< start of the present unbroken series of trusted rates
+  double worst_dph = 0;       ///< of trusted ones: drift error beyond that of the temperatures
   double worst_at_s = 0;
 };
 
-/// Three boards: one with the faults; one that had neither fault nor loss; and one that had no
-/// loss, but was told the same wrong temperatures, where the first believed them. What the third
-/// differs by from the second is what the temperature's error explains.
+/// Three boards: one with the faults; one without faults or losses; and one without losses, but
+/// with the wrong temperatures that the first accepted. The difference between the third and the
+/// second is the effect of the temperature error.
 class DriftUnderFaults {
  public:
   explicit DriftUnderFaults(const fogcomp::model::Model& model, double max_degc_per_min = 3)
@@ -61,7 +61,7 @@ class DriftUnderFaults {
  private:
   using HostBoard = std::unique_ptr<fogcomp::board::HostCompensator>;
 
-  // What the board goes on with afterwards, if it is held in reset.
+  // State kept over a reset.
   enum class Reset : std::uint8_t { none, keeps_state, keeps_state_of_unknown_age, forgets };
   static Reset reset_at(const std::vector<Fault>& faults, double time_s) {
     Reset worst = Reset::none;
@@ -76,7 +76,7 @@ class DriftUnderFaults {
     return worst;
   }
 
-  // Pipeline and kept state, as the product's main loop has them (firmware/app).
+  // Pipeline and kept state, as in the product's main loop (firmware/app).
   class Board {
    public:
     explicit Board(const ModelParameters& parameters)
@@ -96,7 +96,7 @@ class DriftUnderFaults {
       block_ended_ = pipeline_->ended_block();
       return out;
     }
-    /// No sample has come in its time.
+    /// No sample has come in its time slot.
     void wait() {
       if (off_ == Reset::none && ++silent_ >= 2) size_ = 0;
     }
@@ -120,7 +120,7 @@ class DriftUnderFaults {
     Reset off_ = Reset::none;
   };
 
-  // It has no part in the drift, and costs most of the time.
+  // It does not affect the drift, and needs most of the time.
   static fogcomp::model::Model without_denoiser(fogcomp::model::Model model) {
     model.denoise.levels = 0;
     return model;
@@ -132,7 +132,7 @@ class DriftUnderFaults {
   static double dph(Rate rate) { return std::ldexp(rate.raw(), -Rate::fractional_bits); }
   static std::int32_t raw(double degc) { return static_cast<std::int32_t>(degc * 65536); }
 
-  // The board's: it is about to wrap, and says when a sample was read, not when it came.
+  // The board's clock: about to wrap; gives the time of reading a sample, not of its arrival.
   class Clock {
    public:
     explicit Clock(std::uint64_t seed) : random_(seed) {}
@@ -170,8 +170,8 @@ class DriftUnderFaults {
     Witness(const ModelParameters& parameters, std::uint64_t seed, double max_degc_per_min)
         : board_(make_board(parameters)), coil_(seed, max_degc_per_min) {}
 
-    /// Up to a time; temperatures of the last block, if they come with this call, are wrong by so
-    /// much: a mean of few samples, and late, is of those.
+    /// Runs up to a time. Block temperatures completed in this call may be wrong by this much,
+    /// because they are means of few, late samples.
     void advance_to(std::int64_t time_us, std::int32_t error_q16) {
       while (sample_ * kPeriodUs <= time_us) {
         const bool last = sample_ * kPeriodUs > time_us - kSecondUs;

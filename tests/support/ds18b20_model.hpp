@@ -9,14 +9,14 @@
 
 namespace fog::test {
 
-/// A DS18B20 as its data sheet describes it, slot by slot, with what can go wrong as data.
+/// A DS18B20 by its data sheet, slot by slot, with its faults as data.
 class Ds18b20Model {
  public:
   bool connected = true;
   bool deaf_to_convert = false;       ///< the command is damaged on its way
-  bool never_ready = false;           ///< a conversion that does not end
-  std::size_t flip_bit = kNone;       ///< of the scratchpad, when it is read
-  std::int16_t sixteenths = 20 * 16;  ///< what the next conversion measures
+  bool never_ready = false;           ///< a conversion never ends
+  std::size_t flip_bit = kNone;       ///< bit of the scratchpad that is flipped on reading
+  std::int16_t sixteenths = 20 * 16;  ///< result of the next conversion
   int busy_slots = 5;                 ///< read slots that a conversion lasts
 
   Ds18b20Model() { lose_power(); }
@@ -31,7 +31,7 @@ class Ds18b20Model {
     finished_ = false;
   }
 
-  /// Returns whether a sensor shows itself.
+  /// Returns whether a sensor answers.
   bool reset() {
     command_.clear();
     bits_ = 0;
@@ -46,13 +46,13 @@ class Ds18b20Model {
     if (++bits_ % 8 == 0) obey();
   }
 
-  /// Whether a short low of the master is a question, not a 1.
+  /// Whether a short low of the master is a read slot, not a 1.
   bool is_talking() const { return connected && (reading_ || busy_ > 0 || finished_); }
 
   bool read() {
     if (!connected) return true;
     if (reading_) return scratchpad_bit();
-    if (busy_ == 0) return true;  // also the bit that says that a conversion is over
+    if (busy_ == 0) return true;  // also the bit that signals the end of a conversion
     if (!never_ready && --busy_ == 0) finish_conversion();
     return false;
   }

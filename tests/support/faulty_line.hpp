@@ -11,29 +11,29 @@
 #include "board/replay.hpp"
 #include "support/sample_models.hpp"
 
-// A demodulator with faults, and the question that they raise: is the drift still right?
+// A demodulator with faults, to test whether the drift is still right.
 namespace fog::test {
 
 constexpr std::int64_t kPeriodUs = 5000;
 constexpr std::int64_t kSecondUs = 1'000'000;
 
-/// What goes wrong between two times.
+/// Faults between two times.
 struct Fault {
   enum class Kind : std::uint8_t {
-    no_temperature,      ///< the sensor says so
-    no_samples,          ///< the line is dead; the demodulator goes on counting
-    restart,             ///< the demodulator starts anew and counts from `value`
-    wrong_temperature,   ///< `value` degC, said to be valid
+    no_temperature,      ///< flagged by the sensor
+    no_samples,          ///< the line is dead; the demodulator continues to count
+    restart,             ///< the demodulator restarts and counts from `value`
+    wrong_temperature,   ///< `value` degC, flagged as valid
     temperature_offset,  ///< `value` degC too warm
-    frozen_temperature,  ///< the reading at the start of the fault, again and again
+    frozen_temperature,  ///< the reading at the start of the fault, repeated
     sample_period,       ///< `value` us instead of kPeriodUs
     repeated,            ///< every fourth sample comes twice
     swapped,             ///< every fourth sample comes after its successor
     sparse,              ///< only every `value`th sample arrives
     gyro_invalid,
-    power_cycle,    ///< the board starts anew at the end
-    board_restart,  ///< the board restarts by itself: its memory is kept
-    pin_reset,      ///< the same by the reset pin, which may have been held for any time
+    power_cycle,    ///< the board loses its memory at the end
+    board_restart,  ///< the board restarts by itself and keeps its memory
+    pin_reset,      ///< the same by the reset pin, held for any time
   };
   Kind kind;
   double from_s;
@@ -41,14 +41,14 @@ struct Fault {
   double value = 0;
 };
 
-/// What a sensor of 1/16 degC says of a coil whose chamber goes through ramps and soaks, drawn at
-/// random. The coil follows as late as a bare one does; the sensor's noise is a step.
+/// Readings of a 1/16 degC sensor on a coil in a chamber with random ramps and soaks. The coil has
+/// the lag of a bare one; the sensor's noise is one step.
 class CoilTemperature {
  public:
   CoilTemperature(std::uint64_t seed, double ramp_degc_per_min)
       : random_(seed), ramp_degc_per_s_(ramp_degc_per_min / 60) {}
 
-  /// For times that do not go back.
+  /// For non-decreasing times.
   double at(double time_s) {
     while (time_s >= end_s_) begin_part();
     const double noise_degc = kResolutionDegc * std::sin(7919 * time_s);
@@ -103,7 +103,7 @@ class FaultyLine {
     sequence_ = static_cast<std::uint16_t>(random_());
   }
 
-  /// The samples of the next moment, in the order in which they arrive: none, one or two.
+  /// The samples of the next time step, in their order of arrival: none, one or two.
   std::vector<Arrival> next() {
     const double time_s = static_cast<double>(time_us_) * 1e-6;
     Arrival now{time_us_, {}, coil_.at(time_s)};
@@ -129,7 +129,7 @@ class FaultyLine {
     return arrivals;
   }
 
-  /// Of the next moment.
+  /// Of the next time step.
   std::int64_t time_us() const { return time_us_; }
 
  private:

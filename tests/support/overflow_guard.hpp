@@ -15,7 +15,7 @@ inline void forget_overflows() {
   overflow_log() = OverflowLog();
 }
 #else
-// Without checks nothing is counted; the checked preset runs the same tests.
+// Without checks nothing is counted; the sanitized build runs the same tests with them.
 constexpr bool kChecked = false;
 inline std::uint32_t overflows() {
   return 0;

@@ -4,7 +4,7 @@
 #include "platform/cortex_m/event.hpp"
 #include "platform/cortex_m/memory_protection.hpp"
 
-// The Cortex-M's parts that drivers call, for this computer: a clock that the test turns.
+// The parts of the Cortex-M that drivers call, for this computer: a clock set by the test.
 namespace fog {
 
 std::uint32_t& test::now_ms() {

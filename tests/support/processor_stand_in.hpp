@@ -4,10 +4,10 @@
 
 namespace fog::test {
 
-/// What hal::milliseconds() says to drivers that are compiled for this computer.
+/// Value of hal::milliseconds() for drivers compiled for this computer.
 std::uint32_t& now_ms();
 
-/// What platform::allow_writes() was told last.
+/// Last arguments of platform::allow_writes().
 bool& writes_allowed();
 
 }  // namespace fog::test

@@ -11,29 +11,29 @@
 namespace fog::test {
 
 /// The streaming denoiser in double precision, soft thresholds, written from
-/// firmware/core/denoise/SPEC.md: what is to be computed, in deg/h, with no word about how.
+/// firmware/core/denoise/SPEC.md only: the same result, deg/h, by different means.
 class RealDenoiser {
  public:
   static constexpr std::size_t kBlock = 128;
   static constexpr int kWhole = 16;
 
-  /// A level's full block, as the choice of its threshold sees it.
+  /// A full block of a level, as used for the choice of its threshold.
   struct Block {
     std::size_t level = 0;
     double mean_square = 0;                 ///< noise variances
     std::array<double, kWhole + 1> risk{};  ///< of k sixteenths, k from 1; noise variances
     int choice = kWhole;                    ///< sixteenths
   };
-  /// Decisions that are nearly a tie may go either way. For the comparison to go on behind one,
-  /// this is asked what the other denoiser, which is one step ahead, has decided.
+  /// Decisions that are nearly a tie may differ. To continue the comparison after one, this
+  /// callback returns the decision of the other denoiser, which is one step ahead.
   struct Peer {
-    /// At every choice of a threshold: the sixteenths to go on with.
+    /// Called at every choice of a threshold: returns the sixteenths to use.
     std::function<int(const Block&)> choice;
-    /// The sample of that age in its line.
+    /// The sample of that age in the other denoiser's line.
     std::function<double(std::size_t age)> line_dph;
   };
 
-  /// The outlier gate's decisions are a tie within so much of its limit.
+  /// Decisions of the outlier gate are a tie within this distance of its limit.
   static constexpr double kTie = 0.03;
 
   /// `low`: the orthonormal decomposition filter; `expected_dph`: the table's thresholds.
@@ -54,7 +54,7 @@ class RealDenoiser {
     }
   }
 
-  /// Mean square below which a block holds no signal to speak of (Donoho & Johnstone 1995).
+  /// Mean square below which a block is considered to contain no signal (Donoho & Johnstone 1995).
   static double weak() { return 1 + std::pow(std::log2(kBlock), 1.5) / std::sqrt(double{kBlock}); }
 
   std::size_t delay() const { return delay_of(levels_.size()); }
@@ -80,9 +80,9 @@ class RealDenoiser {
     double threshold = 0;
     int sixteenths = kWhole;
     std::vector<double> block;
-    std::deque<double> inputs;  // newest first; without level 1, which has the line
+    std::deque<double> inputs;  // newest first; not for level 1, which uses the line
     std::size_t inputs_taken = 0;
-    std::size_t waits = 0;       // pairs that what is removed has to wait
+    std::size_t waits = 0;       // pairs that a removed detail has to wait
     std::deque<double> waiting;  // newest first
     std::deque<double> coarse_noise;
     std::deque<double> removed;
@@ -141,7 +141,7 @@ class RealDenoiser {
     return sum;
   }
 
-  // What is removed of a detail that was found now, and is due now.
+  // Takes the removed part of the present detail and returns the one that is due.
   double removed_of(std::size_t index, double detail) {
     Level& level = levels_[index];
     if (index == 0 && number_ > delay()) {

@@ -12,7 +12,7 @@ namespace {
 
 test::RegisterModel* plugged = nullptr;
 
-// Registers need places that a driver can take references to; their contents are the model's.
+// Registers need addresses for references; the model holds their contents.
 constexpr std::uint32_t kPageBytes = 4096;
 using Page = std::array<std::uint8_t, kPageBytes>;
 std::map<std::uint32_t, Page>& pages() {

@@ -7,9 +7,9 @@
 
 namespace fog::test {
 
-/// The maximum by which removing details up to 1 on each level can change the output, level 1
-/// first: the largest phase sum of the synthesis response's magnitude. The response of a level is
-/// its high-pass synthesis filter sent up through the low-pass ones of the finer levels. `low`: the
+/// Largest change of the output when details up to 1 are removed on each level, level 1 first: the
+/// largest phase sum of the magnitude of the synthesis response. The response of a level is its
+/// high-pass synthesis filter passed through the low-pass ones of the finer levels. `low`: the
 /// orthonormal decomposition filter.
 inline std::vector<double> removal_bounds(const std::vector<double>& low, int levels) {
   const std::size_t taps = low.size();
@@ -40,7 +40,8 @@ inline std::vector<double> removal_bounds(const std::vector<double>& low, int le
   return bounds;
 }
 
-/// What 16 bits of noise and 15 of synthesis taps cost at most, relative to the bound on the noise.
+/// Largest error due to 16 bits of noise and 15 of synthesis taps, relative to the bound of the
+/// noise.
 constexpr double kNoiseResolution = 1.0 / 2000;
 
 }  // namespace fog::test

@@ -4,9 +4,9 @@
 
 namespace fog::test {
 
-/// How often a test repeats: all of `count` in the optimised build, which counts how often
-/// something holds, and `sanitized` (about a tenth) in the sanitized build, which is ten times
-/// slower and looks for faults of memory and of arithmetic: the first repetitions find those.
+/// Number of repetitions of a test: `count` in the optimised build, which counts how often a
+/// property holds; `sanitized` (about a tenth) in the sanitized build, which is ten times slower
+/// and finds errors of memory and arithmetic in the first repetitions.
 #if defined(FOG_CHECKED_FIXED)
 template <class Number>
 constexpr Number repeats(Number /*count*/, Number sanitized) {

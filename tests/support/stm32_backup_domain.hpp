@@ -6,9 +6,9 @@
 
 namespace fog::test {
 
-/// The backup domain of an STM32F405: the crystal of 32,768 Hz and the real-time clock, which no
-/// reset stops but the loss of power (RM0090, 5.1.2, 7.3.20 and chapter 26, read once more). What
-/// the manual forbids is told to `violate` and has no effect, as there.
+/// The backup domain of an STM32F405: the 32,768 Hz crystal and the real-time clock, which only a
+/// loss of power resets (RM0090, 5.1.2, 7.3.20 and chapter 26, implemented independently of the
+/// driver). Forbidden accesses are reported to `violate` and have no effect, as in the part.
 class Stm32BackupDomain {
  public:
   explicit Stm32BackupDomain(std::function<void(const std::string&)> tell)
@@ -19,13 +19,13 @@ class Stm32BackupDomain {
 
   bool has_crystal = true;
   double crystal_start_s = 0.4;
-  bool holds_while_read = true;  ///< else as ES0182 says: the registers go on between two reads
+  bool holds_while_read = true;  ///< else as in ES0182: the registers continue between two reads
 
   bool writable = false;  ///< DBP of PWR_CR
 
   std::uint32_t read(std::uint32_t address, double now_s);
   void write(std::uint32_t address, std::uint32_t value, double now_s);
-  /// What a system reset does to it.
+  /// Effect of a system reset.
   void system_reset();
 
   /// Until the next of the 256 steps of a second.
@@ -51,7 +51,7 @@ class Stm32BackupDomain {
   bool init_ = false;
   double init_at_s_ = 0;
   bool has_year_ = false;
-  double started_at_s_ = 0;  // when it said the first of January of year 1
+  double started_at_s_ = 0;  // time of the first of January of year 1
   bool synchronised_ = false;
   double copies_from_s_ = 0;  // the next copy sets the flag
   bool held_ = false;

@@ -8,9 +8,9 @@
 
 namespace fog::test {
 
-/// The flash of an STM32F405 as it is erased and written (RM0090, chapter 3, and table 40 of the
-/// data sheet, read once more). What the manual forbids is told to `violate`, sets the error flag
-/// that it names, and has no effect.
+/// Erasing and writing the flash of an STM32F405 (RM0090, chapter 3, and table 40 of the data
+/// sheet, implemented independently of the driver). A forbidden access is reported to `violate`,
+/// sets its error flag, and has no effect.
 class Stm32Flash {
  public:
   explicit Stm32Flash(std::function<void(const std::string&)> tell) : violate_(std::move(tell)) {}
@@ -22,12 +22,12 @@ class Stm32Flash {
   bool never_ready = false;            ///< an operation does not end
   std::set<unsigned> in_use{0, 1, 2};  ///< sectors with the image and the table that it uses
 
-  /// KEYR, SR, CR; the access control register is the clock's affair.
+  /// KEYR, SR, CR; the access control register belongs to the clock model.
   std::uint32_t read(std::uint32_t offset, double now_s) const;
   void write(std::uint32_t offset, std::uint32_t value, double now_s, double supply_v);
   void write_byte(std::uint32_t address, std::uint8_t value, double now_s, bool allowed);
 
-  /// When what runs from the flash, and not from its caches, goes on.
+  /// Time at which code that runs from the flash, outside its caches, continues.
   double done_at_s() const { return busy_until_s_; }
   bool locked() const { return locked_; }
   std::uint8_t byte(std::uint32_t address) const;
@@ -50,7 +50,7 @@ class Stm32Flash {
   std::uint32_t control_ = 0;
   double busy_until_s_ = 0;
   unsigned erases_ = 0;
-  std::map<std::uint32_t, std::uint8_t> bytes_;  // what is not erased
+  std::map<std::uint32_t, std::uint8_t> bytes_;  // bytes that are not erased
 };
 
 }  // namespace fog::test

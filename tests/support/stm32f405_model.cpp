@@ -116,8 +116,8 @@ std::uint32_t Stm32F405Model::stored(std::uint32_t address) const {
   return found == registers_.end() ? 0 : found->second;
 }
 
-// Five cycles of whatever the core runs from; and the watchdog does not wait. While the flash is
-// busy, code that is in none of its caches stands still.
+// Five cycles of the present core clock; the watchdog counts on. While the flash is busy, code
+// outside its caches stops.
 void Stm32F405Model::pass_time() {
   ++accesses_;
   elapsed_s_ += 5.0 / core_hz();

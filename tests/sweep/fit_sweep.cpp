@@ -1,7 +1,7 @@
 // fit_sweep [--first ID] [--count N] [--rows N]: fits, additions, comparisons and diagnoses of
-// random lists of effects on simulated recordings of every ready-made profile, healthy and spoilt.
+// random lists of effects on simulated recordings of every built-in profile, healthy and damaged.
 // Each case ends with finite numbers, or with a refusal that names an effect or the fault of the
-// recording. A case is its number: `fit_sweep --first ID --count 1` runs it again.
+// recording. A case is its number: `fit_sweep --first ID --count 1` repeats it.
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +106,7 @@ void cut_to(recording::Recording& recording, std::size_t rows) {
   starts.erase(std::lower_bound(starts.begin(), starts.end(), rows), starts.end());
 }
 
-// What happens to recordings on their way.
+// Damage of recordings.
 void spoil(recording::Recording& recording, Dice& dice) {
   std::vector<double>& rate = recording.rate_dph;
   const char* what = "";
@@ -208,7 +208,7 @@ std::vector<model::EffectTerm> random_effects(Dice& dice) {
   return terms;
 }
 
-// Every number that a command would print or write, with the name of what holds it.
+// Every number that a command would print or write, with the name of its source.
 class Numbers {
  public:
   void see(const char* what, double value) {

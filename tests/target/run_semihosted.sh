@@ -7,9 +7,12 @@ set -euo pipefail
 machine=$1
 elf=$(realpath "$2")
 cd "$3"
-# The console is the boards' third serial port; virt has one port, and a boot loader that is not wanted.
-emulator=(qemu-system-arm -serial null -serial null)
-[[ $machine != virt ]] || emulator=(qemu-system-riscv32 -bios none)
+# The console is the boards' third serial port; virt's is semihosted too, and it has a boot loader that is not wanted.
+emulator=(qemu-system-arm -serial null -serial null -serial stdio -semihosting-config enable=on,target=native)
+if [[ $machine == virt ]]; then
+  emulator=(qemu-system-riscv32 -bios none -serial null -chardev stdio,id=console
+            -semihosting-config enable=on,target=native,chardev=console)
+fi
 exec timeout --kill-after=1 "${FOG_QEMU_TIMEOUT_S:-120}" \
   "${emulator[@]}" -M "$machine" -display none -monitor none \
-  -semihosting-config enable=on,target=native -serial stdio "${@:4}" -kernel "$elf" </dev/null
+  "${@:4}" -kernel "$elf" </dev/null

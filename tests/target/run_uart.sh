@@ -46,8 +46,16 @@ if ((${FOG_OUTPUT_PORT:-0} > 0)); then
   for ((port = 3; port < FOG_OUTPUT_PORT; ++port)); do ports+=(-serial null); done
   ports+=(-serial "file:$output")
 fi
+emulator=qemu-system-arm
+if [[ $machine == virt ]]; then # one port, whose two directions are sensor and output; the console is semihosted
+  emulator="qemu-system-riscv32 -bios none"
+  ports=(-serial "pipe:$scratch/sensor" -chardev "file,id=console,path=$output.console"
+         -semihosting-config enable=on,target=native,chardev=console)
+  cat "$scratch/sensor.out" >"$output" &
+fi
+# shellcheck disable=SC2086
 timeout --kill-after=1 "$((timeout_s + 5))" \
-  qemu-system-arm -M "$machine" -display none -monitor none \
+  $emulator -M "$machine" -display none -monitor none \
   "${ports[@]}" "${options[@]}" \
   -kernel "$elf" </dev/null >"$scratch/qemu.log" 2>&1 &
 qemu=$!

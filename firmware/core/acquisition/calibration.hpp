@@ -14,7 +14,7 @@ struct CalibrationParameters {
   int shift = 0;                ///< 0 to 62
 };
 
-/// Counts of the demodulator as a rate, deg/h. Exact product (below 2^62), rounded once, clipped.
+/// Demodulator counts as a rate, deg/h: exact product (below 2^62), rounded once, clipped.
 inline Rate calibrated_rate(const CalibrationParameters& calibration, std::int32_t counts) {
   return Rate::from_raw(
       saturate<std::int32_t>(rounded_product(counts, calibration.multiplier, calibration.shift)));

@@ -12,22 +12,21 @@
 
 namespace fog {
 
-/// Numbers in the model table for each extension input that a model needs: min, max, step
-/// (InputLimits).
+/// Words in the model table for each extension input of a model: min, max, step (InputLimits).
 constexpr std::size_t kInputLimitWords = 3;
 
-/// Judges the inputs that come in extension records and that a model needs, out of kPossible. Where
-/// nothing is possible there is neither code nor memory.
+/// Judges the extension inputs that a model needs; kPossible are those that the image can handle.
+/// An empty kPossible takes neither code nor memory.
 template <InputMask kPossible>
 class ExtensionMonitor {
  public:
-  /// `limits`: kInputLimitWords for each of the `needed` ones, in their order; an input that they
-  /// do not reach to has no value that is possible but 0. The rest as for ReadingMonitor.
+  /// `limits`: kInputLimitWords words for each of the `needed` inputs, in their order. An input
+  /// without limits accepts only 0. The other arguments are those of ReadingMonitor.
   ExtensionMonitor(InputMask needed, Span<const std::int32_t> limits,
                    std::uint32_t sample_period_us, std::uint32_t confirm_us)
       : ExtensionMonitor(needed, limits, sample_period_us, confirm_us, EveryInput{}) {}
 
-  /// What the next value of an input may be used for.
+  /// Use that may be made of the next value of an input.
   ReadingUse judge(const ExtensionRecord& record) {
     if (!has(needed_, record.input)) return ReadingUse::none;
     const std::size_t number = extension_number(record.input);
@@ -36,19 +35,19 @@ class ExtensionMonitor {
     return monitors_[number].use();
   }
 
-  /// Takes these for confirmed values, before the first one is judged.
+  /// Takes `values` as confirmed ones. To be called before the first value is judged.
   void resume(const std::array<ExtensionValue, kExtensionInputs>& values) {
     for (std::size_t i = 0; i < kExtensionInputs; ++i) monitors_[i].resume(values[i]);
   }
 
-  /// Lets so many samples pass.
+  /// Lets `samples` samples pass.
   void advance(std::uint32_t samples) {
     for (std::uint32_t& elapsed : elapsed_) {
       elapsed = samples < kMaxElapsed - elapsed ? elapsed + samples : kMaxElapsed;
     }
   }
 
-  /// Whether there was a value of every needed input that can be trusted.
+  /// Whether every needed input has had a confirmed value.
   bool confirmed() const {
     for (std::size_t i = 0; i < kExtensionInputs; ++i) {
       if (has(needed_, extension_input(i)) && !monitors_[i].confirmed()) return false;

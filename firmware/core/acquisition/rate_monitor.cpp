@@ -3,16 +3,16 @@
 namespace fog {
 namespace {
 
-// Set at 97.5 % of full scale, cleared after 50 ms below 92.5 %: a demodulator near its end folds
-// or clips, and a rate that hovers there must not flicker between good and bad.
+// Out of range is set at 97.5 % of full scale and cleared after 50 ms below 92.5 %. Near full scale
+// a demodulator folds or clips; the hysteresis keeps the flag from flickering.
 constexpr std::int32_t kSetFortieths = 39;
 constexpr std::int32_t kClearFortieths = 37;
 constexpr std::uint32_t kClearUs = 50'000;
 
-// As many as anything needs; times a step they stay below 2^63.
-constexpr std::uint32_t kSamplesForAnything = 1U << 30U;
+// Upper limit of the counts of elapsed samples; times a step it stays below 2^63.
+constexpr std::uint32_t kMaxElapsedSamples = 1U << 30U;
 
-// Rounded down, without 64 bits.
+// range * fortieths / 40, rounded down, without 64-bit arithmetic.
 Rate share(Rate range, std::int32_t fortieths) {
   return Rate::from_raw(range.raw() / 40 * fortieths + range.raw() % 40 * fortieths / 40);
 }
@@ -26,7 +26,7 @@ std::int64_t distance(Rate a, Rate b) {
 }
 
 std::uint32_t sum_of_samples(std::uint32_t a, std::uint32_t b) {
-  return b < kSamplesForAnything - a ? a + b : kSamplesForAnything;
+  return b < kMaxElapsedSamples - a ? a + b : kMaxElapsedSamples;
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ Status RateMonitor::judge(Rate measured, bool trusted, std::uint32_t elapsed) {
   const bool out_of_range = judge_range(measured, elapsed);
   since_accepted_ = sum_of_samples(since_accepted_, elapsed);
   unseen_samples_ = sum_of_samples(unseen_samples_, elapsed);
-  if (max_step_ * unseen_samples_ >= range_.raw()) turned_unseen_ = true;
+  if (max_step_ * unseen_samples_ >= range_.raw()) may_have_reversed_ = true;
   const bool jump = jumped(measured, elapsed);
   last_ = measured;
   if (trusted) {
@@ -53,7 +53,7 @@ Status RateMonitor::judge(Rate measured, bool trusted, std::uint32_t elapsed) {
       has_accepted_ = true;
       accepted_ = measured;
       since_accepted_ = 0;
-      turned_unseen_ = false;
+      may_have_reversed_ = false;
     }
   }
   return status_if(out_of_range, Status::rate_out_of_range) | status_if(jump, Status::rate_jump);
@@ -74,15 +74,15 @@ bool RateMonitor::judge_range(Rate measured, std::uint32_t elapsed) {
   return out_of_range_;
 }
 
-// A spike is refused, and the good sample after it accepted, because it is near the last good one.
-// A new steady rate is accepted as soon as it can have been reached: it must agree with the sample
-// before it, too, or a rate that leaps to and fro would be believed now and then. What leapt by
-// more than the range while every sample was seen has folded: it went out at one end of the range
-// and came in at the other, and is right again when it comes back the same way.
+// A spike is refused. The good sample after it is accepted, because it is near the last accepted
+// one. A new steady rate is accepted as soon as the gyro can have reached it and two samples in a
+// row agree; so an alternating rate is never accepted. A change by more than the range between two
+// consecutive samples is a fold: the rate left the range at one end and reappeared at the other. It
+// is right again once it has folded back.
 bool RateMonitor::jumped(Rate measured, std::uint32_t elapsed) const {
   const std::int64_t step = distance(measured, accepted_);
   if (!has_accepted_ || step <= max_step_) return false;
-  if (step > range_.raw() && !turned_unseen_) return true;
+  if (step > range_.raw() && !may_have_reversed_) return true;
   return step > max_step_ * since_accepted_ || distance(measured, last_) > max_step_ * elapsed;
 }
 

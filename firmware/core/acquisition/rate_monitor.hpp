@@ -7,24 +7,24 @@
 
 namespace fog {
 
-/// A change of the rate from one sample to the next, deg/h: up to twice what Rate holds.
+/// Change of the rate from one sample to the next, deg/h: up to twice the range of Rate.
 using RateStep = Fixed<std::int32_t, Rate::fractional_bits - 1>;
 
-/// What a gyro measures and what it is built into can do.
+/// Limits of the gyro and of the vehicle.
 struct RateLimits {
   Rate range = Rate::highest();         ///< full scale, > 0
-  RateStep step = RateStep::highest();  ///< the largest angular acceleration, in a sample; > 0
+  RateStep step = RateStep::highest();  ///< largest change of the rate per sample; > 0
 };
 
-/// Finds rates that the gyro cannot have measured: too near the end of its range, folded into it,
-/// or reached faster than anything turns.
+/// Finds rates that the gyro cannot have measured: too near its full scale, folded, or reached
+/// faster than the vehicle can turn.
 class RateMonitor {
  public:
   /// `sample_period_us` >= 1.
   RateMonitor(const RateLimits& limits, std::uint32_t sample_period_us);
 
-  /// `measured` is the calibrated rate `elapsed` samples after the last one judged; `trusted`:
-  /// nothing else speaks against it.
+  /// `measured`: calibrated rate, `elapsed` samples after the last one judged. `trusted`: no other
+  /// check has failed.
   Status judge(Rate measured, bool trusted, std::uint32_t elapsed);
 
  private:
@@ -32,18 +32,18 @@ class RateMonitor {
   bool jumped(Rate measured, std::uint32_t elapsed) const;
 
   Rate range_;
-  Rate set_at_;    // |rate| at or beyond it: out of range
-  Rate clear_at_;  // ... until it has stayed below this for clear_samples_
+  Rate set_at_;    // out of range from this |rate| on
+  Rate clear_at_;  // ... until |rate| was below this for clear_samples_
   std::uint32_t clear_samples_;
-  std::uint32_t inside_samples_;  // in a row below clear_at_, up to clear_samples_
+  std::uint32_t inside_samples_;  // consecutive samples below clear_at_, at most clear_samples_
   bool out_of_range_ = false;
-  std::int64_t max_step_;  // LSB of Rate a sample; below 2^32
-  Rate last_{};            // the last one judged
+  std::int64_t max_step_;  // LSB of Rate per sample; below 2^32
+  Rate last_{};            // rate judged last
   bool has_accepted_ = false;
   Rate accepted_{};
-  std::uint32_t since_accepted_ = 0;  // samples, up to kSamplesForAnything
-  std::uint32_t unseen_samples_ = 0;  // since the last one that was trusted, likewise
-  bool turned_unseen_ = false;        // since the last accepted one it may have turned about
+  std::uint32_t since_accepted_ = 0;  // samples, at most kMaxElapsedSamples
+  std::uint32_t unseen_samples_ = 0;  // samples since the last trusted one, same limit
+  bool may_have_reversed_ = false;    // the rate may have changed sign since the last accepted one
 };
 
 }  // namespace fog

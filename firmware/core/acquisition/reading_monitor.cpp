@@ -8,10 +8,10 @@ constexpr std::uint32_t kSecondUs = 1'000'000;
 constexpr std::uint32_t kMinuteUs = 60 * kSecondUs;
 constexpr std::uint32_t kLongestUs = 3600 * kSecondUs;
 
-// Steps of many resolutions, again and again, are noise that the sensor resolves: it never stands
-// still. Anything less may stand for hours in a soak, and is frozen only where thermal mass forbids
-// a stop: it moved by four resolutions and a quarter of a degree, and then by nothing for two
-// minutes.
+// Frozen sensor. Repeated steps of many resolutions are resolved noise: such a sensor never repeats
+// its value for long. A sensor without such noise may stand still for hours in a soak. It counts as
+// frozen only if thermal mass rules the stop out: it moved by four resolutions and a quarter of a
+// degree, and then not at all for two minutes.
 constexpr std::uint32_t kLargeStep = 8;  // resolutions
 constexpr std::uint32_t kLargeStepsOfNoise = 4;
 constexpr std::uint32_t kMaxLargeSteps = 8;
@@ -26,7 +26,7 @@ std::uint32_t saturating_sum(std::uint32_t a, std::uint32_t b) {
   return b < kLongestUs - a ? a + b : kLongestUs;
 }
 
-// Exact for any two.
+// |a - b|; exact for any two.
 std::uint32_t distance(Temperature a, Temperature b) {
   const auto raw_a = static_cast<std::uint32_t>(a.raw());
   const auto raw_b = static_cast<std::uint32_t>(b.raw());
@@ -57,15 +57,15 @@ Status ReadingMonitor<Limits>::judge(Reading reading, bool sensor_valid, std::ui
   frozen_ = is_frozen();
   if (frozen_) return Status::temperature_invalid | Status::temperature_frozen;
   refused_ = false;
-  use_ = anew ? ReadingUse::good_anew : ReadingUse::good;
+  use_ = anew ? ReadingUse::good_new_history : ReadingUse::good;
   return Status::none;
 }
 
-// A sensor before its first conversion says something, once or for as long as that takes.
+// Before its first conversion a sensor may repeat its power-on value.
 template <class Limits>
 Status ReadingMonitor<Limits>::judge_first(Reading reading, std::uint32_t elapsed_us) {
   if (is_power_on_reading(reading)) return kJump;
-  use_ = agreed_us_ > 0 ? ReadingUse::good : ReadingUse::good_anew;
+  use_ = agreed_us_ > 0 ? ReadingUse::good : ReadingUse::good_new_history;
   if (agreed_us_ >= confirm_us_) follow(reading, elapsed_us);
   return Status::none;
 }
@@ -87,9 +87,9 @@ bool ReadingMonitor<Limits>::can_be_reached(Reading reading) const {
   return beyond * kSecondUs <= std::int64_t{kOneDegree} * since_last_us_;
 }
 
-// A new value is believed once it can have been reached, and only if the readings before it agree:
-// one that leaps to and fro never is. The power-on reading counts as a jump unless the temperature
-// was seen coming near it.
+// A new value is accepted once the quantity can have reached it and the preceding readings agree
+// with it; an alternating one is never accepted. The power-on reading counts as a jump unless the
+// temperature was seen to approach it.
 template <class Limits>
 bool ReadingMonitor<Limits>::jumped(Reading reading, bool confirmed) const {
   if (is_power_on_reading(reading)) return distance(reading, last_) > kOneDegree;

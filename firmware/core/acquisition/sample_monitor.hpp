@@ -13,23 +13,24 @@
 
 namespace fog {
 
-/// For so long the first readings of an input, or those far from the last good one, have to agree.
+/// Time for which the first readings of an input, or those far from the last good one, have to
+/// agree.
 constexpr std::uint32_t kConfirmUs = 500'000;
 
-/// Limits of what a live gyro and its temperature sensor can send.
+/// Limits of what a working gyro and its temperature sensor can send.
 struct AcquisitionParameters {
-  std::uint32_t sample_period_us = 5000;  ///< without a model, too, silence is answered
+  std::uint32_t sample_period_us = 5000;  ///< used without a model, too, when samples stop
   RateLimits rate;
-  std::uint32_t stuck_samples = 0;        ///< counts in a row within an LSB: a stuck gyro; 0: never
+  std::uint32_t stuck_samples = 0;  ///< consecutive counts within an LSB of a stuck gyro; 0: never
   Span<const std::int32_t> input_limits;  ///< of the extension inputs that the model needs
 };
 
-/// Judges each sample by itself and by those before it.
+/// Judges each sample by its values and by its predecessors.
 class SampleMonitor {
  public:
   struct Verdict : SequenceMonitor::Verdict {
     ReadingUse temperature = ReadingUse::none;
-    bool temperature_confirmed = false;  ///< there was a reading that can be trusted
+    bool temperature_confirmed = false;  ///< a reading has been confirmed
   };
 
   explicit SampleMonitor(const AcquisitionParameters& parameters)
@@ -39,15 +40,15 @@ class SampleMonitor {
         rate_(parameters.rate, parameters.sample_period_us),
         temperature_(parameters.sample_period_us, kConfirmUs) {}
 
-  /// `measured` is the sample's calibrated rate; `now` is when it came.
+  /// `measured`: calibrated rate of the sample; `now`: its time of arrival.
   Verdict judge(const SensorSample& sample, Rate measured, SampleTime now = {});
 
-  /// What outlives a restart: where the samples' numbers stood, and that the temperature was this.
+  /// State kept over a restart: the sequence numbers, and `temperature` as a confirmed reading.
   void carry(StateCarrier& state, Temperature temperature) {
     sequence_.carry(state);
     if (state.restores()) temperature_.resume(temperature);
   }
-  void newest_came(SampleTime then) { sequence_.newest_came(then); }
+  void set_newest_time(SampleTime then) { sequence_.set_newest_time(then); }
 
  private:
   SequenceMonitor sequence_;

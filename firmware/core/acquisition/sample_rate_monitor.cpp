@@ -3,9 +3,10 @@
 namespace fog {
 namespace {
 
-// Crystals are good to 0.01 %, RC oscillators of demodulators to 1 %; a wrong setting is off by 20
-// % or more. 2 % of a temperature rate of 3 degC/min is below 0.05 deg/h in any gyro that is worth
-// it. In 10 s the milliseconds that a sample waits to be read are nothing.
+// Tolerance 2 %: crystals are good to 0.01 %, the RC oscillators of demodulators to 1 %, and a
+// wrong setting is off by 20 % or more. 2 % of a temperature rate of 3 degC/min makes less than
+// 0.05 deg/h of drift. Over a window of 10 s the few milliseconds until a sample is read do not
+// matter.
 constexpr std::int64_t kWindowUs = 10'000'000;
 constexpr std::int64_t kPartOff = 50;
 

@@ -4,14 +4,14 @@
 
 namespace fog {
 
-/// When a sample came, by a clock of the board's own that is good to 1 %; unknown where there is
-/// none, or where samples do not come when they were measured, as in a replay.
+/// Arrival time of a sample by the board's clock (within 1 %). Unknown without a clock, and where
+/// samples do not arrive in real time (replay).
 struct SampleTime {
   bool known = false;
-  std::uint32_t ms = 0;  ///< wraps: only differences mean anything
+  std::uint32_t ms = 0;  ///< wraps: use only differences
 };
 
-/// What a pipeline is given that has no clock.
+/// Clock of a pipeline without a clock.
 struct NoClock {
   SampleTime operator()() const { return {}; }
 };

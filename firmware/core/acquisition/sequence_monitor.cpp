@@ -5,20 +5,20 @@
 namespace fog {
 namespace {
 
-constexpr std::int32_t kCircle = 1 << 16;  // of the sequence numbers
+constexpr std::int32_t kSequenceNumbers = 1 << 16;  // number of sequence numbers
 constexpr std::int32_t kMaxMissing = 1 << 30;
 
-// Sequence and clock disagree where they are further apart than this: a board that was busy finds
-// no more samples waiting than its receive buffer holds, and a sample rate that is off by more than
-// 2 % is not the demodulator's (SampleRateMonitor).
+// Sequence and clock contradict each other if they differ by more than this. While the board is
+// busy, at most the receive buffer fills with samples; a sample rate that is off by more than 2 %
+// is a fault of its own (SampleRateMonitor).
 constexpr std::int32_t kWaitingSamples = 64;
 constexpr int kLog2OfRateError = 5;  // 3 %
 
-// The number that is congruent to `skipped` modulo the circle and nearest to `expected`: below half
-// a circle above it.
+// The number congruent to `skipped` modulo kSequenceNumbers and nearest to `expected`; ties
+// upwards.
 std::int32_t nearest(std::uint16_t skipped, std::int32_t expected) {
-  const std::int32_t rounds = floor_shift(expected - skipped + kCircle / 2 - 1, 16);
-  return skipped + rounds * kCircle;
+  const std::int32_t rounds = floor_shift(expected - skipped + kSequenceNumbers / 2 - 1, 16);
+  return skipped + rounds * kSequenceNumbers;
 }
 
 std::int32_t magnitude(std::int32_t value) {
@@ -39,14 +39,14 @@ SequenceMonitor::Verdict SequenceMonitor::judge(std::uint16_t sequence, SampleTi
     std::int32_t missing = nearest(skipped, expected);
     const bool contradicts = clock && magnitude(missing - expected) >
                                           kWaitingSamples + floor_shift(expected, kLog2OfRateError);
-    if (missing < 0 && !contradicts && ++late_samples_ < kLateSamplesOfARestart) {
+    if (missing < 0 && !contradicts && ++late_samples_ < kLateSamplesForRestart) {
       verdict.status = Status::sequence_gap;
       verdict.late = true;
       return verdict;
     }
-    // It counts anew. Samples that were taken for late ones turn out to have been time.
+    // The demodulator has restarted its count. Samples taken for late ones were time that passed.
     if (contradicts || missing < 0) {
-      missing = clock ? expected : static_cast<std::int32_t>(kLateSamplesOfARestart) - 1;
+      missing = clock ? expected : static_cast<std::int32_t>(kLateSamplesForRestart) - 1;
     }
     verdict.missing = missing > 0 ? static_cast<std::uint32_t>(missing) : 0U;
     verdict.status = status_if(skipped != 0 || missing > 0, Status::sequence_gap);
@@ -58,7 +58,7 @@ SequenceMonitor::Verdict SequenceMonitor::judge(std::uint16_t sequence, SampleTi
   return verdict;
 }
 
-// Rounded to nearest; within 0.1 % up to periods of 10 s.
+// Samples in `passed_ms`, rounded to nearest; within 0.1 % for periods up to 10 s.
 std::int32_t SequenceMonitor::samples_in(std::uint32_t passed_ms) const {
   const std::uint64_t samples = (std::uint64_t{passed_ms} * samples_per_ms_ + (1U << 19U)) >> 20U;
   return samples < kMaxMissing ? static_cast<std::int32_t>(samples) : kMaxMissing;

@@ -8,9 +8,8 @@
 
 namespace fog {
 
-/// Follows the sequence numbers of the samples, so that the pipeline knows how much time passed.
-/// They have 16 bits: where a clock is known it says how often they went round, and whether the
-/// demodulator has started counting anew.
+/// Follows the 16-bit sequence numbers, so that the pipeline knows how much time has passed. With a
+/// clock it also finds whole turns of the numbers and a restart of the demodulator's count.
 class SequenceMonitor {
  public:
   struct Verdict {
@@ -19,22 +18,23 @@ class SequenceMonitor {
     bool late = false;          ///< repeated or out of order: no time passed
   };
 
-  /// So many late samples in a row are a demodulator that started counting anew.
-  static constexpr std::uint32_t kLateSamplesOfARestart = 8;
+  /// Consecutive late samples that mean that the demodulator has restarted its count.
+  static constexpr std::uint32_t kLateSamplesForRestart = 8;
 
-  /// `sample_period_us` >= 1; it does not matter where no time is known.
+  /// `sample_period_us` >= 1; unused without a clock.
   explicit SequenceMonitor(std::uint32_t sample_period_us = 1);
 
   Verdict judge(std::uint16_t sequence, SampleTime now = {});
 
-  /// After a first sample. What is read back has no time: the sequence alone says how much has
-  /// passed since.
+  /// To be called after a first sample. State that is read back has no time: the time passed since
+  /// then follows from the sequence numbers alone.
   void carry(StateCarrier& state) {
     state(newest_);
     first_ = false;
   }
-  /// Where a clock says so all the same: when the newest sample that was read back came.
-  void newest_came(SampleTime then) { newest_time_ = then; }
+  /// Sets the arrival time of the newest sample that was read back, if a clock has outlasted the
+  /// reset.
+  void set_newest_time(SampleTime then) { newest_time_ = then; }
 
  private:
   std::int32_t samples_in(std::uint32_t passed_ms) const;
@@ -43,7 +43,7 @@ class SequenceMonitor {
   bool first_ = true;
   std::uint32_t newest_ = 0;  // 16 bits
   SampleTime newest_time_;
-  std::uint32_t late_samples_ = 0;  // in a row
+  std::uint32_t late_samples_ = 0;  // consecutive
 };
 
 }  // namespace fog

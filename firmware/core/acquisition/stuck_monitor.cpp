@@ -9,7 +9,7 @@ bool StuckMonitor::judge(std::int32_t counts) {
     run_ = 1;
     min_ = max_ = counts;
   } else {
-    // Stops counting where it has seen enough: a gyro that has been stuck for months still is.
+    // Saturates: a gyro stuck for months must not wrap the count.
     if (run_ < stuck_samples_) ++run_;
     min_ = min;
     max_ = max;

@@ -4,20 +4,19 @@
 
 namespace fog {
 
-/// Finds a gyro that has stopped measuring: its noise alone moves a live one by more than an LSB.
-/// Counts that toggle between two neighbours are as dead as equal ones, because a converter at rest
-/// does that.
+/// Finds a gyro that has stopped measuring. The noise of a working gyro exceeds one LSB; a dead
+/// converter repeats one value or toggles between two neighbours.
 class StuckMonitor {
  public:
-  /// So many counts in a row within one LSB are a stuck gyro; 0: never.
+  /// `stuck_samples` consecutive counts within one LSB are a stuck gyro; 0: never.
   explicit StuckMonitor(std::uint32_t stuck_samples) : stuck_samples_(stuck_samples) {}
 
-  /// Whether the gyro is stuck, with these counts the newest.
+  /// Whether the gyro is stuck, `counts` being the newest value.
   bool judge(std::int32_t counts);
 
  private:
   std::uint32_t stuck_samples_;
-  std::uint32_t run_ = 0;  // counts within [min_, min_ + 1] or less, in a row
+  std::uint32_t run_ = 0;  // consecutive counts within [min_, min_ + 1]
   std::int64_t min_ = 0;   // wide, so that differences cannot overflow
   std::int64_t max_ = 0;
 };

@@ -4,7 +4,8 @@
 
 namespace fog {
 
-/// Integers to and from the bytes of a frame, whatever the processor's own order and alignment.
+/// Integers to and from the bytes of a frame, independent of the processor's byte order and
+/// alignment.
 inline void store_le16(std::uint8_t* to, std::uint16_t value) {
   to[0] = static_cast<std::uint8_t>(value);
   to[1] = static_cast<std::uint8_t>(value >> 8U);

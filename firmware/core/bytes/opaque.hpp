@@ -1,7 +1,8 @@
 #pragma once
 
-/// A function whose result the compiler may not foresee: what it computes from the CRC of the image
-/// must be computed, not concluded. Clang, which only builds tests, has no word for it.
+/// Marks a function whose result the compiler must not derive at compile time: a value that depends
+/// on the CRC of the image has to be computed when it runs. Clang, used only for tests, has no such
+/// attribute.
 #if defined(__clang__)
 #define FOG_OPAQUE [[gnu::noinline]]
 #else

@@ -6,14 +6,14 @@
 
 namespace fog {
 
-/// Carries the state of objects over a restart of the board. Each object names its members in turn
-/// (`carry(StateCarrier&)`); the same walk writes them to words or reads them back, so that the two
-/// cannot disagree. Who keeps the words says whether they are intact and of the same model.
+/// Saves the state of objects over a restart of the board, or restores it. Each object lists its
+/// members in `carry(StateCarrier&)`; the same list serves both directions, so the two cannot
+/// disagree. The owner of the words checks that they are intact and of the same model.
 class StateCarrier {
  public:
   enum class Way : bool { to_words, to_members };
 
-  /// `words` has room for all members.
+  /// `words` has to hold all members.
   StateCarrier(Way way, std::uint32_t* words) : next_(words), way_(way) {}
 
   template <class Member>
@@ -24,7 +24,7 @@ class StateCarrier {
   }
 
   bool restores() const { return way_ == Way::to_members; }
-  /// Behind the words so far.
+  /// End of the words written or read so far.
   const std::uint32_t* end() const { return next_; }
 
  private:

@@ -13,34 +13,34 @@
 
 namespace fog {
 
-/// How long the model may go without what it needs, and how long it takes to settle.
+/// Limits of how long the model may run without valid inputs, and its settling time.
 struct DriftPolicy {
   std::uint32_t hold_blocks = 0;      ///< last drift is used for at most this many
   std::uint32_t accurate_blocks = 0;  ///< ... and is as good as the model for this many
-  std::uint32_t settle_blocks = 0;  ///< after a (re)start the lags are not yet where they would be
+  std::uint32_t settle_blocks = 0;    ///< time that the lags need after a (re)start
 };
 
-/// For so many times as long as a hold lasted its drift is not sure. How far the temperature left
-/// the straight line meanwhile is not known: heat that came at half time is off by rate * hold / 4.
-/// Whatever the time constant, a lag's share of that in a temperature rate is at most 0.12 * (hold
-/// / time since)^2 of it, 1.3 % after three times the hold.
+/// After a hold, the drift counts as unsure for kUnsureHolds times the length of the hold. The
+/// temperature may have left the assumed straight line: heating that began at half time gives an
+/// error of rate * hold / 4. Through a first-order lag of any time constant, at most 0.12 * (hold /
+/// time since)^2 of it remains in a temperature rate: 1.3 % after three times the hold.
 constexpr std::uint32_t kUnsureHolds = 3;
 
-/// What is to be subtracted, and of what it is made where effects follow the input rate.
+/// The drift to be subtracted, and its two parts if there are effects of the input rate.
 template <bool kFollowsRate>
 struct DriftNow {
   Rate drift{};
-  BoardNumbers::RateDrift of_block{};  ///< of all that stands for the block, and half an LSB
+  BoardNumbers::RateDrift of_block{};  ///< drift of the block part, plus half an LSB
   Signals<BoardNumbers> signals{};     ///< of the block
-  bool is_new = false;                 ///< the effects that follow the rate have not seen them yet
-  Rate of_sample{};                    ///< the drift of the last sample
+  bool is_new = false;                 ///< not yet passed to the effects that follow the rate
+  Rate of_sample{};                    ///< drift of the last sample, from these effects
 };
 template <>
 struct DriftNow<false> {
   Rate drift{};
 };
 
-/// The frozen drift model: thermal state, effects, expressions and network, once per block. Its
+/// The frozen drift model, run once per block: thermal state, effects, expressions and network. Its
 /// parameters must outlive it.
 template <EffectMask kEffects, ExpressionMask kExpressions, NetworkInputMask kNetworkInputs>
 class DriftModel {
@@ -57,11 +57,11 @@ class DriftModel {
         bridge_(policy.hold_blocks),
         course_{policy.settle_blocks} {}
 
-  /// What it can see beside the temperature.
+  /// Inputs that it can use beside the temperature.
   static constexpr InputMask inputs =
       needs_of(kEffects) | inputs_of_expressions(kExpressions) | inputs_of_network(kNetworkInputs);
 
-  /// Starts from the values of one sample, so that there is a drift before the first block is full.
+  /// Starts from one sample, so that there is a drift before the first block is complete.
   void start(const BlockMeans<BoardNumbers>& block) {
     const Signals<BoardNumbers> signals = thermal_.reset(block);
     effects_.reset(signals);
@@ -72,26 +72,26 @@ class DriftModel {
     course_.settling_blocks = policy_.settle_blocks;
     course_.held_blocks = course_.since_good = 0;
     evaluate(signals);
-    see_effects(block.input_rate);
+    update_rate_effects(block.input_rate);
   }
 
-  /// What the model was told was wrong: there is no drift until it is started anew.
+  /// Discards a state that was built on wrong inputs: no drift until the next start().
   void stop() { started_ = false; }
 
-  /// The means of one more block. The model is stepped by catch_up(): once, and once more for each
-  /// block before it that was held.
+  /// Takes the means of one more block. catch_up() steps the model: once for this block and once
+  /// for each block held before it.
   void take(const BlockMeans<BoardNumbers>& block) {
-    if (!started_ || !bridge_.aim(block, course_.since_good)) return start(block);
+    if (!started_ || !bridge_.bridge_to(block, course_.since_good)) return start(block);
     course_.since_good = 0;
   }
 
-  /// One step, if one is due; a drift that was held is held until the last.
+  /// Makes one step, if one is due. A held drift stays until the last step.
   void catch_up() {
-    if (!started_ || bridge_.left() == 0) return;
+    if (!started_ || bridge_.remaining() == 0) return;
     if (course_.settling_blocks > 0) --course_.settling_blocks;
     const auto held = course_.now;
     evaluate(thermal_.step(bridge_.next()));
-    if (bridge_.left() > 0) {
+    if (bridge_.remaining() > 0) {
       course_.now = held;
     } else {
       settle_after(course_.held_blocks - course_.since_good);
@@ -99,40 +99,34 @@ class DriftModel {
     }
   }
 
-  /// take(), all steps that are due, and the drift at the block's mean rate.
+  /// take(), all due steps, and the drift at the block's mean rate.
   void step(const BlockMeans<BoardNumbers>& block) {
     take(block);
-    while (bridge_.left() > 0) catch_up();  // it has been started
-    see_effects(block.input_rate);
+    while (bridge_.remaining() > 0) catch_up();  // take() has started it
+    update_rate_effects(block.input_rate);
   }
 
-  /// So many blocks without a trustworthy temperature or input: the drift stays.
+  /// `blocks` blocks without a valid temperature or input: the drift stays.
   void hold(std::uint32_t blocks) {
     course_.held_blocks = held_after(course_.held_blocks, blocks);
     course_.since_good = held_after(course_.since_good, blocks);
   }
 
-  /// The rate that is measured now. Effects that follow the input rate see it less the drift of the
-  /// sample before, as they see the compensated rate of a block: at 1000 deg/s^2 and 1000 ppm the
-  /// 5 ms between two samples make 0.02 deg/h.
-  void see(Rate measured) {
+  /// Takes the measured rate. Effects of the input rate use it less the drift of the previous
+  /// sample; for a block they use the compensated rate. At 1000 deg/s^2 and 1000 ppm the delay of 5
+  /// ms makes 0.02 deg/h. If the rate is not valid, a new block's drift is taken over at the
+  /// block's mean rate, so that an image without these effects sends the same bytes.
+  void update_rate(Rate measured, bool valid) {
     if constexpr (Effects::follows_rate) {
-      see_effects(BoardNumbers::saturating_difference(measured, course_.now.of_sample));
+      if (!valid && !course_.now.is_new) return;
+      update_rate_effects(valid
+                              ? BoardNumbers::saturating_difference(measured, course_.now.of_sample)
+                              : course_.now.signals.block.input_rate);
       course_.now.of_sample = course_.now.drift;
     }
   }
 
-  /// In place of see() where the measured rate is not valid: the drift of a new block is taken over
-  /// at the block's mean rate, so that an image without these effects sends the same.
-  void see_none() {
-    if constexpr (Effects::follows_rate) {
-      if (!course_.now.is_new) return;
-      see_effects(course_.now.signals.block.input_rate);
-      course_.now.of_sample = course_.now.drift;
-    }
-  }
-
-  /// What is to be subtracted now.
+  /// Drift to be subtracted now.
   Rate drift() const { return course_.now.drift; }
 
   Status status() const {
@@ -145,10 +139,10 @@ class DriftModel {
 
   bool started() const { return started_; }
 
-  /// Whether it has been stepped with all blocks so far, so that carry() has all of its state.
-  bool has_caught_up() const { return bridge_.left() == 0; }
-  /// The state of one that has caught up. What is read back belongs to the time when it was
-  /// written: the blocks since then are held(), like any that are lost.
+  /// Whether all blocks taken so far have been stepped, so that carry() saves the whole state.
+  bool has_caught_up() const { return bridge_.remaining() == 0; }
+  /// State of a model that has caught up. The blocks since the state was written are to be passed
+  /// to hold(), like other lost blocks.
   void carry(StateCarrier& state) {
     thermal_.carry(state);
     effects_.carry(state);
@@ -160,22 +154,22 @@ class DriftModel {
     if constexpr (Effects::follows_rate)
       course_.now.is_new = course_.now.is_new || state.restores();
   }
-  /// What was measured in the last good block.
-  const BlockMeans<BoardNumbers>& last_block() const { return bridge_.passed(); }
+  /// Means of the last good block.
+  const BlockMeans<BoardNumbers>& last_block() const { return bridge_.last_stepped(); }
 
  private:
   using Effects = EffectBank<kEffects>;
   using RateDrift = BoardNumbers::RateDrift;
   struct Course {
-    std::uint32_t settling_blocks;  // until it has settled
-    std::uint32_t held_blocks = 0;  // since the drift was that of its block; to hold_blocks + 1
-    std::uint32_t since_good = 0;   // of these, those after the last good block
+    std::uint32_t settling_blocks;  // left until it has settled
+    std::uint32_t held_blocks = 0;  // since the drift was computed; at most hold_blocks + 1
+    std::uint32_t since_good = 0;   // of these, the ones after the last good block
     Status flags = Status::none;    // of the last step
     DriftNow<Effects::follows_rate> now{};
   };
   static constexpr int kRateBits = RateDrift::fractional_bits - Rate::fractional_bits;
 
-  // Up to one more than may be held.
+  // At most hold_blocks + 1.
   std::uint32_t held_after(std::uint32_t held, std::uint32_t blocks) const {
     const std::uint32_t given_up = policy_.hold_blocks + 1;
     return blocks < given_up - held ? held + blocks : given_up;
@@ -208,18 +202,17 @@ class DriftModel {
                               Status::history_unknown);
   }
 
-  // The sum fits: held_within().
-  void see_effects(Rate rate) {
+  // The sum fits (held_within()).
+  void update_rate_effects(Rate rate) {
     if constexpr (Effects::follows_rate) {
-      if (course_.now.is_new) set_effects();
+      if (course_.now.is_new) update_block_effects();
       const RateDrift sum = effects_.at(rate, course_.now.of_block);
       course_.now.drift = Rate::from_raw(saturating_shift<kRateBits>(sum.raw()));
     }
   }
 
-  // What they make of the block is worked out with the sample after it, which has less to do than
-  // the one that ends a block.
-  [[gnu::noinline]] void set_effects() {
+  // Evaluated with the sample after the block, which has less to do than the one that ends it.
+  [[gnu::noinline]] void update_block_effects() {
     effects_.set(course_.now.signals);
     course_.now.is_new = false;
   }

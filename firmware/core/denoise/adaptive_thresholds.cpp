@@ -3,10 +3,10 @@
 namespace fog {
 namespace {
 
-// Variance of the noise in units of (universal threshold / 64)^2: 64^2 / (2 ln 128).
+// Noise variance in units of (universal threshold / 64)^2: 64^2 / (2 ln 128).
 constexpr std::uint32_t kNoiseVariance = 422;
-// Weak below a mean square of 1 + log2(n)^1.5 / sqrt(n) = 2.637 noise variances (Donoho & Johnstone
-// 1995), times n = 128 details, / kEnergyUnit.
+// A signal is weak if its mean square is below 1 + log2(n)^1.5 / sqrt(n) = 2.637 noise variances
+// (Donoho & Johnstone 1995); here times n = 128 details, / kEnergyUnit.
 constexpr std::uint32_t kWeakEnergy = 557;
 
 }  // namespace
@@ -15,12 +15,12 @@ bool RiskHistogram::choose() {
   if (!full()) return false;
   const std::uint32_t left_off = energy_ < kWeakEnergy ? 0 : kWhole - min_risk();
   *this = RiskHistogram();
-  left_off_ = static_cast<std::uint8_t>(left_off);
+  reduction_ = static_cast<std::uint8_t>(left_off);
   return true;
 }
 
-// Risk of threshold t, in noise variances: n - 2 #(|d| <= t) + sum min(d^2, t^2). The n is common
-// to all; a bin's details count with the bin's mean square.
+// Estimated risk of threshold t, in noise variances: n - 2 #(|d| <= t) + sum min(d^2, t^2). The
+// constant n is left out. Each detail counts with the mean square of its bin.
 [[gnu::always_inline]] inline std::uint32_t RiskHistogram::min_risk() const {
   std::uint32_t below = 0;
   std::uint32_t squares = 0;

@@ -8,26 +8,26 @@
 
 namespace fog {
 
-/// Details of a level on which one choice of its threshold is based.
+/// Number of details on which each choice of a level's threshold is based.
 constexpr std::uint32_t kThresholdBlock = 128;
 
-/// How much noise there is, as a multiple of what the model table expected: a running median of the
-/// magnitude of the finest details, which outliers and rotation do not carry away.
+/// Noise as a multiple of the value that the model table expects: a running median of the magnitude
+/// of the finest details. Outliers and rotation hardly change it.
 class NoiseScale {
  public:
   static constexpr int kFraction = 16;
   static constexpr std::uint32_t kMax =
       4 * power_of_two<std::uint32_t>(kFraction);  ///< kMaxThresholdScale
 
-  /// The universal threshold of a level of which the table expected this; below 2^30.
+  /// Universal threshold of a level for which the table expects `expected_universal`; below 2^30.
   std::uint32_t of(std::uint32_t expected_universal) const {
     return static_cast<std::uint32_t>(
         floor_shift(std::uint64_t{expected_universal} * threshold_scale_, kFraction));
   }
 
-  /// The median is the value that as many lie above as below: each detail moves it by 1/512 to its
-  /// side. Error 3.4 % rms in white noise; half of a jump of the noise is followed in 350 details.
-  /// `expected_universal` is the finest level's universal threshold for a gain of 1.
+  /// Running median: each detail moves the estimate by 1/512 towards itself. In white noise its
+  /// error is 3.4 % rms; after a jump of the noise it covers half of the change in 350 details.
+  /// `expected_universal`: universal threshold of the finest level at threshold scale 1.
   [[gnu::always_inline]] void follow(std::uint32_t magnitude, std::uint32_t expected_universal) {
     const std::uint32_t step = floor_shift(threshold_scale_, kStepShift);
     const std::uint64_t median =
@@ -43,22 +43,22 @@ class NoiseScale {
  private:
   static constexpr int kStepShift = 9;
   static constexpr auto kMin =
-      power_of_two<std::uint32_t>(kStepShift);  // 1/128: below, a step is 0
-  // Median of white noise's magnitude / its universal threshold: 0.6745 / sqrt(2 ln 128).
+      power_of_two<std::uint32_t>(kStepShift);  // 1/128: below it a step would be 0
+  // Median of the magnitude of white noise / its universal threshold: 0.6745 / sqrt(2 ln 128).
   static constexpr int kShareFraction = 32;
   static constexpr std::uint32_t kMedianShare = 887 * power_of_two<std::uint32_t>(20);
 
   std::uint32_t threshold_scale_ = power_of_two<std::uint32_t>(kFraction);
 };
 
-/// Chooses one level's threshold by Stein's unbiased estimate of the risk, over blocks of its
-/// latest details. Counts in add(), a few instructions; decides in choose(), some 200.
+/// Chooses one level's threshold by Stein's unbiased risk estimate (SURE) over blocks of its latest
+/// details. add() takes a few instructions, choose() about 200.
 class RiskHistogram {
  public:
   static constexpr std::uint32_t kWhole = 16;
 
-  /// A detail's magnitude and the universal threshold of its level, in one unit; the threshold
-  /// below 2^15.
+  /// Counts a detail: its magnitude and the universal threshold of its level, in the same unit; the
+  /// threshold below 2^15.
   [[gnu::always_inline]] void add(std::uint32_t magnitude, std::uint32_t universal) {
     if (universal == 0) return;
     const bool large = magnitude >= kMaxScaled / kUnits * universal;
@@ -71,15 +71,15 @@ class RiskHistogram {
   }
   bool full() const { return details_ >= kThresholdBlock; }
 
-  /// Ends a block if it is full, and says so: sets the threshold and begins anew. The whole
-  /// universal threshold where the signal is weak, else the candidate with the smallest risk.
+  /// If the block is full, sets the threshold, starts a new block and returns true. The threshold
+  /// is the universal one if the signal is weak, else the candidate with the smallest risk.
   bool choose();
 
-  /// The level's threshold in sixteenths of the universal one, 1 to kWhole.
-  std::uint32_t sixteenths() const { return kWhole - left_off_; }
+  /// Threshold of the level in sixteenths of the universal one, 1 to kWhole.
+  std::uint32_t sixteenths() const { return kWhole - reduction_; }
 
  private:
-  static constexpr std::uint32_t kUnits = 64;  // to the universal threshold
+  static constexpr std::uint32_t kUnits = 64;  // per universal threshold
   static constexpr std::uint32_t kUnitsPerBin = kUnits / kWhole;
   static constexpr std::uint32_t kMaxScaled = 256;
   static constexpr std::uint32_t kEnergyUnit = 256;
@@ -89,10 +89,10 @@ class RiskHistogram {
   std::uint16_t energy_ = 0;  // sum of squares / kEnergyUnit, at most 128 * 256
   std::array<std::uint8_t, kWhole> counts_{};
   std::uint8_t details_ = 0;
-  std::uint8_t left_off_ = 0;  // sixteenths
+  std::uint8_t reduction_ = 0;  // sixteenths
 };
 
-/// The threshold of one level.
+/// Threshold of one level.
 struct LevelThreshold {
   std::uint32_t expected = 0;  ///< the table's, LSB 2^-16 deg/h
   std::uint32_t now = 0;       ///< at most kMaxThresholdScale times as much

@@ -9,13 +9,12 @@
 
 namespace fog {
 
-/// The denoiser of whichever filter the parameters bring, for the host tool and the tests; an image
-/// knows its own. Room for the longest filter, in which the very class that an image would have is
-/// made.
+/// Denoiser for any filter, chosen when the parameters are known: for the host tool and the tests.
+/// It has memory for the longest filter and constructs in it the class that an image would use.
 template <std::size_t kLevels>
 class Denoiser<kAnyTaps, kLevels> {
  public:
-  /// Needs levels <= kLevels and any even number of taps up to kMaxTaps (read_model checks).
+  /// Needs levels <= kLevels and an even number of taps up to kMaxTaps (read_model checks both).
   explicit Denoiser(const DenoiseParameters& parameters) {
     make(parameters, std::make_index_sequence<kMaxTaps / 2>());
   }

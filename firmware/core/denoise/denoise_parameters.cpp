@@ -6,13 +6,12 @@
 namespace fog {
 namespace {
 
-// The larger sum of the magnitudes of every second synthesis tap: at most so much of a level's
-// input (times 2^15 / 2) comes out of it. The same for both filters, of which one is the other
-// backwards.
+// Largest gain of the synthesis filter: the larger sum of magnitudes over its even or odd taps,
+// times 2^15 / 2. The same for low-pass and high-pass, because one is the other reversed.
 std::uint32_t largest_gain(Span<const std::int32_t> synthesis) {
   std::uint32_t sum = 0;
   std::uint32_t other_sum = 0;
-  for (const std::int32_t word : synthesis) {  // even and odd take turns
+  for (const std::int32_t word : synthesis) {  // even and odd taps alternate
     const std::uint32_t next = other_sum + magnitude_of(static_cast<std::int16_t>(word));
     other_sum = sum;
     sum = next;
@@ -20,8 +19,9 @@ std::uint32_t largest_gain(Span<const std::int32_t> synthesis) {
   return sum > other_sum ? sum : other_sum;
 }
 
-// From the coarsest level up: noise <= gain * (coarser noise + threshold). Each rounding adds half
-// an LSB at most; one is allowed for. `gain` below 2^16 keeps all within 32 bits.
+// From the coarsest level down to the finest: noise <= gain * (coarser noise + threshold). Each
+// rounding adds at most half an LSB; one LSB is allowed for. A `gain` below 2^16 keeps everything
+// within 32 bits.
 bool noise_fits(const DenoiseParameters& parameters, std::uint32_t gain, int shift) {
   constexpr std::uint32_t kMax = INT16_MAX;
   std::uint32_t noise = 0;

@@ -11,50 +11,50 @@
 
 namespace fog {
 
-/// Samples held: the delay and the newest one.
+/// Samples stored: the delay and the newest one.
 constexpr std::size_t denoise_line_length(std::size_t taps, std::size_t levels) {
   return denoise_delay(taps, levels) + 1;
 }
 
 struct DenoiserOutput {
   Rate rate{};
-  bool valid = false;  ///< whether the sample that it stands for was
+  bool valid = false;  ///< whether the sample of this output was valid
 };
 
 /// Streaming wavelet denoiser: one sample in, one sample out, late by delay() samples.
 ///
-/// It does not rebuild the signal from shrunken wavelet coefficients. It rebuilds what the
-/// shrinking took away (of a soft threshold t: the detail clipped to +-t) and subtracts that from
-/// the delayed input. For exact arithmetic the two are the same, because the filter bank
-/// reconstructs perfectly. In integers this form is the better one: with thresholds 0 the output is
-/// the delayed input, bit for bit; a rotation of any size passes with an error bounded by the
-/// thresholds, not by its size; full-scale input needs no head room; and noise is small, so that 16
-/// bits hold it. SPEC.md beside this file says it all.
+/// It does not reconstruct the signal from shrunken wavelet coefficients. It reconstructs what the
+/// shrinkage removes (with a soft threshold t: the detail clipped to +-t) and subtracts that from
+/// the delayed input. In exact arithmetic the two are equal, because the filter bank reconstructs
+/// perfectly. In integers this form is better: with thresholds 0 the output equals the delayed
+/// input bit for bit; the error of a rotation of any size is bounded by the thresholds; full-scale
+/// input needs no headroom; and the removed noise fits 16 bits. SPEC.md beside this file has the
+/// details.
 template <std::size_t kTaps, std::size_t kLevels>
 class Denoiser {
   static_assert(kTaps % 2 == 0, "include core/denoise/any_denoiser.hpp for kAnyTaps");
 
  public:
-  /// Needs levels <= kLevels and exactly kTaps taps (read_model checks). Without levels, as a model
-  /// that is refused leaves them, no sample may be valid.
+  /// Needs levels <= kLevels and exactly kTaps taps (read_model checks both). Without levels, as
+  /// after a refused model, no sample may be passed as valid.
   explicit Denoiser(const DenoiseParameters& parameters)
       : filling_(denoise_line_length(kTaps, parameters.levels())),
         bank_(parameters, {memory_.line.data(), memory_.coarser.data(), memory_.waiting.data()}) {
     memory_.validity.unsettle(filling_ - 1);  // all but the first
   }
-  // The parts point into this.
+  // Not copyable: its parts refer to its memory.
   Denoiser(const Denoiser&) = delete;
   Denoiser& operator=(const Denoiser&) = delete;
 
-  /// The first valid sample primes all lines: from then on it is as if that rate had been there for
-  /// ever, and it is what comes out until the line is full. In place of a sample that is not valid
-  /// the last valid one is taken, so that a fault spoils no other sample.
+  /// The first valid sample fills all lines, as if it had been the input for ever, and is the
+  /// output until the line is full. A sample that is not valid is replaced by the last valid one,
+  /// so that a fault disturbs no other sample.
   DenoiserOutput step(Rate rate, bool valid) {
     if (!valid || !memory_.validity.settled()) return unsettled_step(rate, valid);
     return {Rate::from_raw(bank_.step(rate.raw())), true};
   }
 
-  /// Whether the last output still stood for a time before the first sample.
+  /// Whether the last output was for a time before the first sample.
   bool filling() const { return filling_ > 0; }
 
   std::size_t delay() const { return bank_.line().length() - 1; }
@@ -69,10 +69,10 @@ class Denoiser {
     std::array<std::int16_t, denoise_waiting(kTaps, kLevels)> waiting;
   };
 
-  // At start-up and around samples that are not valid.
+  // At start-up and around invalid samples.
   [[gnu::noinline]] DenoiserOutput unsettled_step(Rate rate, bool valid) {
     const std::size_t length = bank_.line().length();
-    if (filling_ == length) {  // nothing valid yet
+    if (filling_ == length) {  // no valid sample yet
       if (!valid) return {};
       bank_.prime(rate.raw());
       --filling_;
@@ -89,12 +89,12 @@ class Denoiser {
     return {rate, memory_.validity.exchange(valid, length)};
   }
 
-  std::size_t filling_;  // samples until the line is full
+  std::size_t filling_;  // samples left until the line is full
   Memory memory_{};
   FilterBank<kTaps> bank_;
 };
 
-/// No levels: no delay. In place of a sample that is not valid, the last valid one.
+/// Without levels there is no delay; an invalid sample is replaced by the last valid one.
 template <std::size_t kTaps>
 class Denoiser<kTaps, 0> {
  public:

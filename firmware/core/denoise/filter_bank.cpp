@@ -9,8 +9,8 @@
 namespace fog {
 namespace {
 
-// The outlier gate's limit in LSB of Rate: twice the universal threshold of the finest level, which
-// is some five times the standard deviation of the samples.
+// Limit of the outlier gate in LSB of Rate: twice the universal threshold of the finest level,
+// about five standard deviations of the samples.
 std::uint32_t outlier_limit(std::uint32_t finest_threshold) {
   return floor_shift(finest_threshold, kDetailFraction - Rate::fractional_bits - 1);
 }
@@ -28,12 +28,13 @@ FilterBank<kTaps>::FilterBank(const DenoiseParameters& parameters, const BankMem
       coarser_(memory.coarser),
       coarser_end_(memory.coarser) {
   if (parameters.levels() == 0) return;
-  // What step() would find: sample 0 completes a pair on every level, and its details are 0.
+  // The state that step() would reach: sample 0 completes a pair on every level; its details are 0.
   const std::int32_t* expected = parameters.thresholds.begin();
   finest_.threshold.expected = static_cast<std::uint32_t>(*expected);
   adapt_finest(0);
   std::int16_t* slots = memory.waiting;
-  std::size_t pairs = (line_.length() - kTaps) / 2;  // that a level waits: the delay of those below
+  std::size_t pairs =
+      (line_.length() - kTaps) / 2;  // pairs that a level waits: delay of the levels below it
   CoarserLevel<kTaps>* level = memory.coarser;
   for (; ++expected != parameters.thresholds.end(); ++level) {
     level->threshold.expected = static_cast<std::uint32_t>(*expected);
@@ -53,18 +54,18 @@ void FilterBank<kTaps>::prime(std::int32_t sample) {
   for (auto* level = coarser_; level != coarser_end_; ++level) {
     for (std::int32_t& input : level->inputs) input = sample;
   }
-  samples_ = 1;  // sample 0 was this
+  samples_ = 1;  // sample 0 has been taken
 }
 
-// What thresholding takes away from a detail beyond the threshold.
+// Removed part of a detail that exceeds the threshold.
 template <std::size_t kTaps>
 std::int32_t FilterBank<kTaps>::removed_beyond(std::int32_t detail, std::int32_t threshold) const {
   if (mode_ == ThresholdMode::hard) return 0;
   return detail < 0 ? -threshold : threshold;
 }
 
-// What thresholding takes away from a detail. One comparison finds both ends: thresholds are below
-// 2^30 (noise_shift).
+// Removed part of a detail: the detail clipped to +-threshold. One comparison tests both ends,
+// because thresholds are below 2^30 (noise_shift).
 template <std::size_t kTaps>
 [[gnu::always_inline]] inline std::int32_t FilterBank<kTaps>::removed(
     std::int32_t detail, std::uint32_t threshold) const {
@@ -76,8 +77,8 @@ template <std::size_t kTaps>
   return floor_shift(detail + half, shift);
 }
 
-// The universal threshold follows the noise; how much of it counts, the level's own details.
-// Returns the universal one.
+// Scales the universal threshold with the noise and multiplies it by the share that the level's own
+// details select. Returns the universal threshold.
 template <std::size_t kTaps>
 std::uint32_t FilterBank<kTaps>::adapt_threshold(LevelThreshold& threshold,
                                                  std::uint32_t magnitude) {
@@ -97,8 +98,8 @@ void FilterBank<kTaps>::adapt_finest(std::uint32_t magnitude) {
   gate_.set_limit(outlier_limit(adapt_threshold(finest_.threshold, magnitude)));
 }
 
-// Once a sample, where the bank itself has little to do, and the finest level first: its next
-// detail is the first to come.
+// Once per sample, in one with little other work. The finest level is adapted first, because its
+// next detail comes first.
 template <std::size_t kTaps>
 void FilterBank<kTaps>::choose_threshold() {
   bool chosen = finest_.threshold.risk.choose();
@@ -125,8 +126,9 @@ std::int32_t FilterBank<kTaps>::step(std::int32_t sample) {
   return saturating_difference(line_.oldest(), floor_shift(fine, kNoiseBelowRate));
 }
 
-// Level l (from 0) gets an input at every 2^l-th sample, and every second of these, beginning with
-// the first, completes a pair: as many levels as the sample number has zeros at its end.
+// Level l (from 0) has an input at every 2^l-th sample; every second input, from the first on,
+// completes a pair. So the number of levels to run equals the trailing zero bits of the sample
+// number.
 template <std::size_t kTaps>
 [[gnu::always_inline]] inline std::int32_t FilterBank<kTaps>::noise_of_pair(std::uint32_t number) {
   const std::int32_t* const filters = filters_;

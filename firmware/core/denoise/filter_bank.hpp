@@ -14,29 +14,30 @@ namespace fog {
 /// One level of the bank.
 template <std::size_t kTaps>
 struct BankLevel {
-  /// Newest first: coarser noise in the lower half of a word, what is removed here in the upper.
+  /// Newest first: coarser noise in the lower half of a word, removed detail in the upper half.
   std::array<std::uint32_t, kTaps / 2> noise{};
   LevelThreshold threshold;
-  std::int16_t waiting_noise = 0;  ///< the odd one of the last pair
+  std::int16_t waiting_noise = 0;  ///< second value of the last pair
 };
 
-/// Slots for removed details that wait for the levels below: for every level but the finest, as
-/// many as pairs to wait, and one.
+/// Slots for removed details that wait for coarser levels: for every level but the finest, the
+/// pairs to wait plus one.
 constexpr std::size_t denoise_waiting(std::size_t taps, std::size_t levels) {
   std::size_t slots = 0;
   for (std::size_t below = 0; below + 1 < levels; ++below) slots += denoise_delay(taps, below) + 1;
   return slots;
 }
 
-/// Any but the finest: it has inputs of its own, and waits for the levels below it.
+/// Any level but the finest: it stores its own inputs, and its removed details wait for the coarser
+/// levels.
 template <std::size_t kTaps>
 struct CoarserLevel : BankLevel<kTaps> {
-  std::array<std::int32_t, kTaps + 1> inputs{};  ///< newest first; last, the one without a pair yet
+  std::array<std::int32_t, kTaps + 1> inputs{};  ///< newest first; the last one waits for its pair
   std::int16_t* removed_first = nullptr;  ///< ring of removed details in memory that somebody else
   std::int16_t* removed_end = nullptr;    ///< owns: as many as pairs to wait, and one
   std::int16_t* removed_next = nullptr;
 
-  /// Takes what is removed now, gives back what was as many pairs ago as it has to wait.
+  /// Stores `removed` and releases the value stored as many pairs ago as the level has to wait.
   [[gnu::always_inline]] void hold(std::int32_t removed) {
     *removed_next = static_cast<std::int16_t>(removed);
     removed_next = removed_next + 1 == removed_end ? removed_first : removed_next + 1;
@@ -44,40 +45,40 @@ struct CoarserLevel : BankLevel<kTaps> {
   std::int32_t removed() const { return *removed_next; }
 };
 
-/// Memory that a bank works in and that somebody else owns: zeros.
+/// Working memory of a bank, owned by somebody else, initially zero.
 template <std::size_t kTaps>
 struct BankMemory {
   std::int32_t* line = nullptr;            ///< SampleLine::memory(delay + 1, kTaps) values
-  CoarserLevel<kTaps>* coarser = nullptr;  ///< one less than there are levels
+  CoarserLevel<kTaps>* coarser = nullptr;  ///< one less than the levels
   std::int16_t* waiting = nullptr;         ///< denoise_waiting() slots
 };
 
-/// Splits the signal level by level, finds in the details what thresholding would remove, and puts
-/// the removed parts together to noise at the rate of the input, late by the delay of the bank.
+/// Decomposes the signal level by level, finds in the details what thresholding removes, and
+/// synthesises the removed parts to noise at the input's sample rate, delayed by the bank.
 ///
-/// Level 1 finds its details as late as they are needed, from the old end of the line of samples
-/// that is there anyway, instead of holding them back.
+/// Level 1 needs no memory for waiting details: it computes them as late as they are needed, from
+/// the old end of the sample line.
 ///
-/// kTaps: of the filter. An image links the one that it uses.
+/// kTaps: taps of the filter. An image links only its own length.
 template <std::size_t kTaps>
 class FilterBank {
  public:
-  /// `parameters` with kTaps taps, or without levels for a bank that must not be used. Their arrays
-  /// and the memory must outlive this.
+  /// `parameters` has kTaps taps, or no levels for a bank that must not be used. Its arrays and the
+  /// memory must outlive this object.
   FilterBank(const DenoiseParameters& parameters, const BankMemory<kTaps>& memory);
 
-  /// Takes the first sample, as if it had been the input for ever: no noise.
+  /// Takes the first sample as if it had been the input for ever: no noise.
   void prime(std::int32_t sample);
 
-  /// Takes a sample and returns the one of `delay` samples ago without its noise, LSB of Rate.
-  /// While the line still holds what prime() put there, prime_further() has to precede each.
+  /// Takes a sample; returns the one of `delay` samples ago without its noise, LSB of Rate. As long
+  /// as the line is being filled, prime_further() has to be called before each step.
   std::int32_t step(std::int32_t sample);
   void prime_further() { line_.fill_further(kTaps); }
 
-  /// Whether the details of level 1 count for the noise gain; at first they do not.
+  /// Whether the details of level 1 update the noise scale; initially they do not.
   void follow_noise(bool follow) { follow_noise_ = follow; }
 
-  /// The sample of the last step, for a next one that is missing.
+  /// Sample of the last step: substitute for a missing one.
   std::int32_t last() const { return gate_.last(line_); }
 
   const SampleLine& line() const { return line_; }
@@ -98,9 +99,10 @@ class FilterBank {
   ThresholdRule rule_;
   ThresholdMode mode_;
   int shift_;                   // noise_shift()
-  std::int32_t rounding_half_;  // of a shift by shift_
+  std::int32_t rounding_half_;  // half of 2^shift_
   CoarserLevel<kTaps>* coarser_;
-  CoarserLevel<kTaps>* coarser_end_;  // a count would have to be multiplied for each pair
+  CoarserLevel<kTaps>*
+      coarser_end_;  // a pointer, because a count would be multiplied for each pair
   BankLevel<kTaps> finest_{};
   NoiseScale threshold_scale_;
   bool follow_noise_ = false;

@@ -9,21 +9,20 @@
 #include "core/fixed_point/words.hpp"
 #include "core/signal/quantities.hpp"
 
-// The inner loops of the filter bank, unrolled for the number of taps. For filter_bank.cpp only,
-// which is compiled with options that suit it (core/CMakeLists.txt) and change no result:
-// -fno-tree-ter and -fno-tree-coalesce-vars leave reads of neighbours together as they are written
-// here, which become one instruction (LDRD); -fno-if-conversion2 leaves rare cases in branches
-// instead of passing through them conditionally. Each loop is a function of its own, because only
-// there GCC has registers enough for all its sums.
+// Inner loops of the filter bank, unrolled for the number of taps; for filter_bank.cpp only, which
+// is compiled with options that suit them (core/CMakeLists.txt) and change no result. -fno-tree-ter
+// and -fno-tree-coalesce-vars keep neighbouring reads together, so that they become one instruction
+// (LDRD). -fno-if-conversion2 keeps rare cases in branches. Each loop is a function of its own,
+// because only then GCC keeps all its sums in registers.
 namespace fog {
 
 // Input and approximation have the format of Rate; a detail is held finer.
 constexpr int kDetailShift = kTapFraction + Rate::fractional_bits - kDetailFraction;
 
-/// One step of a level: the approximation of the `newest` inputs, the detail of the `oldest` (kTaps
-/// each, newest first; the same window but on level 1). high[i] = (-1)^i low[taps - 1 - i], so that
-/// each tap is read once for both. Two neighbours are read at a time: the processor does that in
-/// one instruction. sum |tap| < 2 keeps all sums below 2^63.
+/// One step of a level: approximation of the `newest` inputs and detail of the `oldest` (kTaps
+/// each, newest first; the same window on all levels but 1). high[i] = (-1)^i low[taps - 1 - i], so
+/// each tap is read once for both. Two neighbours are read at a time, in one instruction. sum |tap|
+/// < 2 keeps all sums below 2^63.
 template <std::size_t kTaps>
 [[gnu::noinline]] std::uint64_t split(const std::int32_t* low, const std::int32_t* newest,
                                       const std::int32_t* oldest) {
@@ -47,7 +46,7 @@ template <std::size_t kTaps>
                           saturating_shift<kDetailShift>(even_sum - odd_sum));
 }
 
-/// Takes two inputs into `window` (kTaps values, newest first).
+/// Shifts two inputs into `window` (kTaps values, newest first).
 template <std::size_t kTaps>
 [[gnu::always_inline]] inline void push_pair(std::int32_t* window, std::int32_t newer,
                                              std::int32_t older) {
@@ -62,12 +61,12 @@ template <std::size_t kTaps>
   window[1] = older;
 }
 
-/// Takes `newest` (coarser noise in the lower half, removed detail in the upper) into `window`
-/// (kTaps / 2 such words, newest first), whose oldest word leaves; returns the two finer values,
-/// even and odd. The synthesis filters are the analysis filters backwards, times 2 for the
-/// normalisation: the shift drops one bit less than the taps have. Word taps - 1 - i holds the
-/// halves of word i crossed over, one of them negated, so that each word is read once for both.
-/// noise_shift() keeps every sum within 30 bits.
+/// Shifts `newest` (coarser noise in the lower half, removed detail in the upper) into `window`
+/// (kTaps / 2 such words, newest first) and returns the two finer values, even and odd. The
+/// synthesis filters are the analysis filters reversed, times 2 for the normalisation, so the shift
+/// is one less than the fraction of the taps. Word taps - 1 - i holds the halves of word i
+/// exchanged, one of them negated, so that each word is read once for both outputs. noise_shift()
+/// keeps every sum within 30 bits.
 template <std::size_t kTaps>
 [[gnu::noinline]] std::uint64_t merge(const std::int32_t* synthesis, std::uint32_t* window,
                                       std::uint32_t newest) {

@@ -6,11 +6,11 @@
 
 namespace fog {
 
-/// The denoiser of an image whose model is loaded: with filters of kTaps, or none at all.
+/// Denoiser of an image whose model is loaded: filters of kTaps taps, or none.
 template <std::size_t kTaps, std::size_t kLevels>
 class OptionalDenoiser {
  public:
-  /// Needs levels <= kLevels and exactly kTaps taps, or no levels (read_model checks).
+  /// Needs levels <= kLevels and exactly kTaps taps, or no levels (read_model checks this).
   explicit OptionalDenoiser(const DenoiseParameters& parameters)
       : present_(parameters.levels() > 0), denoiser_(parameters), none_(parameters) {}
 

@@ -3,12 +3,12 @@
 namespace fog {
 namespace {
 
-// Needs upper >= lower; has 32 bits.
+// upper - lower for upper >= lower; needs 32 bits.
 std::uint32_t distance(std::int32_t upper, std::int32_t lower) {
   return static_cast<std::uint32_t>(upper) - static_cast<std::uint32_t>(lower);
 }
 
-// Whether `rest` is more than `part`; if so, takes it off: a sum in its place could need 34 bits.
+// Whether `rest` exceeds `part`; if so, subtracts it. The sum of all parts could need 34 bits.
 bool exceeds(std::uint32_t& rest, std::uint32_t part) {
   if (rest <= part) return false;
   rest -= part;
@@ -35,7 +35,7 @@ bool OutlierGate::is_outlier(std::int32_t next, std::int32_t last) const {
 std::int32_t OutlierGate::judge(SampleLine& line, std::int32_t sample) {
   const std::int32_t newest = line.newest()[0];
   if (withholding()) {
-    // The newest in the line is the stand-in, which repeats the one before.
+    // The newest value in the line is the substitute, a copy of the one before.
     if (!is_outlier(sample, newest)) line.replace_newest(withheld_);
     span_ = 2 * limit_ + 1;
     return sample;

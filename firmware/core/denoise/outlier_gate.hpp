@@ -6,21 +6,21 @@
 
 namespace fog {
 
-/// Takes samples into a line and keeps outliers of one sample out of it, without delay: a sample
-/// that jumps is withheld, the one before standing in for it, until the next one tells. It is an
-/// outlier if it stands off both neighbours to the same side by more than
+/// Puts samples into a line and removes outliers of one sample, without delay. A sample that jumps
+/// is withheld, and the one before is its substitute, until the next sample shows which it was. It
+/// is an outlier if it differs from both neighbours, in the same direction, by more than
 ///   limit + |difference of the neighbours| + |difference of the two samples before|;
-/// then the stand-in stays. Otherwise the line gets the true sample back. Steps, ramps and
-/// oscillations are never outliers. Limit 0: every sample passes.
+/// then the substitute stays. Otherwise the true sample is put back. Steps, ramps and oscillations
+/// are never outliers. With limit 0 every sample passes.
 class OutlierGate {
  public:
-  /// Below 2^30; the samples' unit.
+  /// `limit` in the unit of the samples, below 2^30.
   [[gnu::always_inline]] void set_limit(std::uint32_t limit) {
     limit_ = limit;
     if (!withholding()) span_ = 2 * limit + 1;
   }
 
-  /// The sample that was pushed last.
+  /// The sample pushed last.
   std::int32_t last(const SampleLine& line) const {
     return withholding() ? withheld_ : line.newest()[0];
   }
@@ -35,15 +35,15 @@ class OutlierGate {
   }
 
  private:
-  // What goes into the line in place of a sample that jumps, or that follows one.
+  // The value to store for a sample that jumps, or that follows one.
   [[gnu::cold]] std::int32_t judge(SampleLine& line, std::int32_t sample);
   [[gnu::always_inline]] inline bool is_outlier(std::int32_t next, std::int32_t last) const;
   bool withholding() const { return span_ == 0; }
 
   std::uint32_t limit_ = 0;
-  std::uint32_t span_ = 1;  // -limit to limit; 0 while a sample is withheld: none passes
+  std::uint32_t span_ = 1;  // 2 limit + 1; 0 while a sample is withheld, so that no sample passes
   std::int32_t withheld_ = 0;
-  std::int32_t before_last_ = 0;  // two samples before the one withheld
+  std::int32_t before_last_ = 0;  // sample two before the withheld one
 };
 
 }  // namespace fog

@@ -5,16 +5,16 @@
 
 namespace fog {
 
-/// The latest `length` samples in memory that somebody else owns: a ring, filled downwards, whose
-/// first `window` slots are repeated behind its end, so that the newest `window` samples, and the
-/// oldest, can always be read as one array, newest first.
+/// The latest `length` samples in memory owned by somebody else: a ring, filled downwards. Its
+/// first `window` slots are repeated after its end, so that the newest and the oldest `window`
+/// samples can always be read as one array, newest first.
 class SampleLine {
  public:
   static constexpr std::size_t memory(std::size_t length, std::size_t window) {
     return length + window;
   }
 
-  /// `memory`: memory(length, window) values; 2 <= window <= length, or length 1 for one that
+  /// `memory` has memory(length, window) values; 2 <= window <= length, or length 1 for a line that
   /// must not be used.
   [[gnu::always_inline]] SampleLine(std::int32_t* memory, std::size_t length, std::size_t window)
       : first_(memory),
@@ -23,18 +23,18 @@ class SampleLine {
         repeated_end_(memory + window),
         length_(length) {}
 
-  /// As if `value` had come for ever, as far as the newest and the oldest `window` samples show it.
-  /// Until as many have been pushed as the line is long, fill_further() has to precede each: so
-  /// that no sample pays for the whole line.
+  /// Starts as if `value` had been the input for ever, as far as the newest and the oldest `window`
+  /// samples show it. fill_further() has to be called before each of the next `length` pushes; this
+  /// spreads the work of filling over the samples.
   [[gnu::always_inline]] void fill(std::int32_t value, std::size_t window) {
-    // The oldest stand at the end, and behind it what repeats the newest.
+    // The oldest samples are at the end, followed by the repeated newest ones.
     for (std::int32_t* at = last_ + 1 - window; at <= last_ + window; ++at) *at = value;
   }
   void fill_further(std::size_t window) {
     if (oldest_ >= first_ + window) *(oldest_ - window) = *oldest_;
   }
 
-  /// In place of the oldest.
+  /// Replaces the oldest sample.
   [[gnu::always_inline]] void push(std::int32_t value) {
     std::int32_t* const at = oldest_;
     write(at, value);
@@ -51,10 +51,10 @@ class SampleLine {
     return last - (window - 1);
   }
 
-  /// The oldest one, which the next to come will replace.
+  /// The oldest sample, which the next push replaces.
   std::int32_t oldest() const { return *oldest_; }
 
-  /// Corrects the newest.
+  /// Replaces the newest sample.
   void replace_newest(std::int32_t value) { write(oldest_ == last_ ? first_ : oldest_ + 1, value); }
 
   std::size_t length() const { return length_; }

@@ -6,13 +6,13 @@
 
 namespace fog::effects {
 
-/// Creep of glue and moisture: logarithmic in time, and linear as long as t is much less than t0,
-/// so that one shape covers both laws and what was fitted in hours does not run away over years.
-/// The regressor is ln(1 + t/t0) / 4: 4.4 after 68 years with t0 = 60 s.
+/// Creep of glue and moisture: logarithmic in time, linear for t much less than t0. So one shape
+/// covers both laws, and a fit of a few hours does not diverge over years. The regressor is ln(1 +
+/// t/t0) / 4: 4.4 after 68 years with t0 = 60 s.
 ///
-/// Time counts in blocks: ln(n + n0) - ln(n0) needs no division. n0 has 9 fractional bits; at 60
-/// blocks that is 1.6e-5 of it, which moves the logarithm by as much; the two logarithms add 2e-8.
-/// A t0 shorter than a block counts as one block.
+/// Time is counted in blocks; ln(n + n0) - ln(n0) needs no division. n0 has 9 fractional bits: for
+/// 60 blocks an error of 1.6e-5 of it, and as much in the logarithm. The two logarithms add 2e-8. A
+/// t0 shorter than a block counts as one block.
 template <class N>
 class Aging {
   static constexpr int kOnsetFraction = 9;
@@ -48,7 +48,7 @@ class Aging {
 
   std::size_t regressor_count() const { return 1; }
   void reset(const Signals<N>& /*signals*/) {}
-  // n + n0 < 2^32, so the logarithms stay below 22.2 of the format's 32.
+  // n + n0 < 2^32, so the logarithms stay below 22.2; their format holds 32.
   void step(const Signals<N>& signals, typename N::Regressor* regressors) {
     const auto logarithm =
         N::natural_logarithm(onset_ + wide(signals.block.elapsed)) - N::natural_logarithm(onset_);

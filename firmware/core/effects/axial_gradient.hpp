@@ -7,12 +7,12 @@
 
 namespace fog::effects {
 
-/// Gradient along the coil's axis, D = T2 - T, seen by a second sensor: its rate of change (what a
-/// quadrupolar winding cancels only to first order) and itself (strain of the clamped ends).
+/// Gradient along the coil's axis, D = T2 - T, from a second sensor. Regressors: its rate of change
+/// (which a quadrupolar winding cancels only to first order) and D itself (strain of the clamped
+/// ends).
 ///
-/// D is the difference of the block means as measured, not clamped: |D| <= 200 degC, as sensors
-/// read -70 to 130. Its derivative has the two lags of every derivative here, with a time constant
-/// of its own.
+/// D is the difference of the measured block means, not clamped: |D| <= 200 degC, as sensors read
+/// -70 to 130. Its derivative has two lags, like every derivative here, with its own time constant.
 template <class N>
 class AxialGradient {
  public:

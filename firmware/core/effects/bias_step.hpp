@@ -6,8 +6,8 @@
 
 namespace fog::effects {
 
-/// A jump of the bias at one moment of one recording: mode hop, stick-slip. A fit takes it out of
-/// the way of the other effects; it says nothing about the next recording.
+/// Jump of the bias at one time of one recording: mode hop, stick-slip. In a fit it keeps the jump
+/// out of the other effects; it predicts nothing for the next recording.
 template <class N>
 class BiasStep {
  public:

@@ -43,61 +43,60 @@
 
 namespace fog {
 
-/// All that host, documents and tests know of an effect. No board reads more of it than `id`,
-/// `needs` and `host_only`, and those while it is compiled: a description takes no flash.
+/// Description of an effect for host, documents and tests. A board uses only `id`, `needs` and
+/// `host_only`, at compile time, so a description takes no flash.
 struct EffectDescription {
   const char* name;   ///< as on the command line
   std::uint8_t id;    ///< its number in the model table: never reused, never changed
-  const char* title;  ///< what it is called in the literature
+  const char* title;  ///< name in the literature
   const char* equation;
   const char* typical;  ///< magnitude in a tactical or navigation gyro
-  /// One such gyro, for documents and tests: "tau=120 K=1", shape parameters and as many
-  /// coefficients as the effect then has, in their units.
+  /// Example for documents and tests, "tau=120 K=1": the shape parameters and all coefficients that
+  /// the effect then has, in their units.
   const char* example;
   const char* signature;  ///< how it shows in a residual
   const char* source;
   InputMask needs = 0;  ///< beside the coil's temperature
-  /// Why the board cannot have it; nullptr where it can.
+  /// Why the board cannot run the effect; nullptr if it can.
   const char* host_only = nullptr;
-  /// A step of the bias at its only parameter, a time: it belongs to one recording, not to the
-  /// gyro. A fit finds steps by change points.
+  /// Step of the bias at the time that is its only parameter: it belongs to one recording, not to
+  /// the gyro. A fit finds steps by change-point detection.
   bool event = false;
-  /// Its time goes on while the power is off: a board, which knows the time since power-on alone,
-  /// would set it back each time. `export` refuses it.
+  /// Its time continues while the power is off. A board knows only the time since power-on and
+  /// would restart the effect each time, so `export` refuses it.
   bool outlives_power = false;
 };
 
-/// Whether an effect is a function of the input rate now, beside the coil's temperature: it is
-/// computed anew for every sample, so that it is not late where the rate moves. All others stand
-/// for a block.
+/// Whether an effect depends on the present input rate and not only on block means. Such an effect
+/// is evaluated for every sample, so that it is not late when the rate changes.
 constexpr bool follows_input_rate(InputMask needs) {
   return needs == bit_of(Input::input_rate);
 }
 
-/// On which scale a fit searches the range of a shape parameter.
+/// Scale on which a fit searches the range of a shape parameter.
 enum class Scale : std::uint8_t {
   linear,
   logarithmic,  ///< both bounds are positive
-  frequency,    ///< that of 1 / value, of a period: what counts is how many turns the data hold
-  whole,        ///< whole numbers, which are given and never searched for
+  frequency,    ///< linear in 1 / value: for a period, turns within the data
+  whole,        ///< whole numbers: given, never searched for
 };
 
-/// What a shape parameter is where the user does not give it.
+/// Value of a shape parameter that the user does not give.
 enum class NotGiven : std::uint8_t {
-  identified,  ///< searched for, from its default on
+  identified,  ///< searched for, starting at its default
   kept,        ///< its default
-  /// 0, its default: without a second part of the effect like the one of the parameter before it.
-  /// It is searched for where that one is.
+  /// 0, its default: the effect has no second part. Where the parameter before it is searched for,
+  /// so is this one.
   left_out,
-  /// References that a fit takes from its rows once and the model keeps; their default is what they
-  /// are in no fit: the mean of the temperature, each row as important as the square of its input
-  /// rate, and the largest input rate, deg/s.
+  /// Reference values that a fit computes once from its rows and the model keeps: mean temperature,
+  /// each row weighted with the square of its input rate, and largest input rate, deg/s. Without a
+  /// fit the default is used.
   mean_temperature,
   largest_input_rate,
 };
 
-/// A shape parameter (order, time constant, period...). Bounds in thousandths of the unit, so that
-/// they are integers here and the same on both sides.
+/// A shape parameter (order, time constant, period...). Bounds in thousandths of the unit, because
+/// the core has only integers.
 struct ParameterDescription {
   const char* name;
   const char* unit;
@@ -105,19 +104,19 @@ struct ParameterDescription {
   std::int32_t max_milli;
   std::int32_t default_milli;
   Scale scale;
-  /// What does as well as the effect where a search ends at that bound; nullptr: nothing simpler.
+  /// What describes the data as well when a search ends at this bound; nullptr: nothing simpler.
   const char* at_least = nullptr;
   const char* at_most = nullptr;
   NotGiven not_given = NotGiven::identified;
 };
 
-/// What a coefficient multiplies.
+/// The quantity that a coefficient multiplies.
 enum class Multiplies : std::uint8_t {
   level,
-  temperature_rate,  ///< comes and goes with dT/dt, and is as late as its lags
+  temperature_rate,  ///< follows dT/dt, with the delay of its lags
 };
 
-/// The coefficient in front of one regressor. regressor = signal in `unit`'s denominator /
+/// The coefficient of one regressor. regressor = signal in the denominator of `unit` /
 /// 2^scale_log2, so the coefficient in natural units is coefficient / 2^scale_log2 * per_unit.
 struct CoefficientDescription {
   const char* symbol;
@@ -127,12 +126,13 @@ struct CoefficientDescription {
   std::int32_t per_unit = 1;  ///< natural units in one deg/h of the coefficient: 10^6 for ppm
 };
 
-/// Scale of regressors in proportion to the input rate: W / 2^18 deg/h is within +-8 for any rate.
+/// Scale of regressors proportional to the input rate: W / 2^18 deg/h is within +-8 for any rate.
 constexpr int kScaleFactorLog2 = 18;
 
-/// `error` within +-2^-kBits: the share of the rate that an effect may be. 1/2 for the constant
-/// one, 1/4 with temperature, 1/8 for the asymmetry and 5 * 3/256 for the nonlinearity are less
-/// than 1, so that their sum and the drift of the block stay within RateDrift.
+/// `error` clipped to +-2^-kBits, the largest part of the rate that an effect may be. Limits: 1/2
+/// for the constant scale factor error, 1/4 for its temperature dependence, 1/8 for the asymmetry,
+/// 5 * 3/256 for the nonlinearity. Their sum is below 1, so it and the drift of the block stay
+/// within RateDrift.
 template <class N, int kBits>
 typename N::ScaleFactorError held_within(typename N::ScaleFactorError error) {
   const auto one = from_integer<typename N::template Number<0>>(1);
@@ -140,19 +140,20 @@ typename N::ScaleFactorError held_within(typename N::ScaleFactorError error) {
   return clamp(error, -max, max);
 }
 
-/// The same of what a coefficient is of the rate, where its regressor is W / 2^18 deg/h.
+/// The same for a coefficient whose regressor is W / 2^18 deg/h: the part of the rate that it is.
 template <class N, int kBits>
 typename N::ScaleFactorError scale_factor_error(typename N::Coefficient coefficient) {
   return held_within<N, kBits>(saturate_to<typename N::ScaleFactorError>(
       divide_by_power_of_two<kScaleFactorLog2>(coefficient)));
 }
 
-/// Base of an effect whose shape has no parameters.
+/// Base class of effects without shape parameters.
 struct NoParameters {
   static constexpr std::array<ParameterDescription, 0> parameters{};
   static constexpr std::array<int, 0> constant_fractions{};
-  /// `parameters` in the units of their descriptions and the block period in seconds -> what
-  /// the constructor reads, each then held with the fractional bits of constant_fractions.
+  /// Converts `parameters` (units of their descriptions) and the block period (s) to the values
+  /// that the constructor reads; each is then stored with the fractional bits of
+  /// constant_fractions.
   template <class Real>
   static void board_constants(const Real* /*parameters*/, Real /*block_s*/, Real* /*constants*/) {}
   template <class Constant>

@@ -34,10 +34,10 @@ struct HasState<Effect,
 
 }  // namespace detail
 
-/// What an effect that the model leaves out is built from: every constructor accepts zeros.
+/// Constants of an effect that the model does not use: every constructor accepts zeros.
 inline constexpr std::array<std::int32_t, 16> kZeroConstants{};
 
-/// One effect as the model table gives it.
+/// One effect as stored in the model table.
 struct EffectParameters {
   const std::int32_t* constants = kZeroConstants.data();
   Span<const std::int32_t> coefficients;  ///< one per regressor; empty: the effect is off
@@ -45,7 +45,7 @@ struct EffectParameters {
   bool enabled() const { return coefficients.size != 0; }
 };
 
-/// Coefficients have the range of Rate at least, and whatever finer resolution their size allows.
+/// Fractional bits of coefficients: at least those of Rate, more if their size allows.
 constexpr int kMinCoefficientFraction = Rate::fractional_bits;
 constexpr int kMaxCoefficientFraction = 40;
 
@@ -62,8 +62,8 @@ struct EffectsParameters {
   }
 };
 
-/// The effects of a model and their sum. Only effects in kCompiled exist in the image; a model
-/// table that enables another one is refused before this is built (read_model).
+/// The effects of a model and their sum. Only effects in kCompiled exist in the image; read_model
+/// refuses a table that enables another one.
 template <EffectMask kCompiled>
 class EffectBank {
  public:
@@ -72,7 +72,7 @@ class EffectBank {
 
   explicit EffectBank(const EffectsParameters& parameters) : EffectBank(parameters, Registry{}) {}
 
-  /// Starts all states from these signals.
+  /// Starts all states from `signals`.
   void reset(const BoardSignals& signals) {
     for_each([&](auto& slot) {
       if constexpr (!follows<decltype(slot.effect)>) slot.effect.reset(signals);
@@ -82,8 +82,8 @@ class EffectBank {
   /// Whether an effect of the image follows the input rate.
   static constexpr bool follows_rate = (kCompiled & rate_effects(Registry{})) != 0;
 
-  /// Advances all states by one block and returns the drift of the effects that stand for a block:
-  /// with the others 32 sums, each below 2^48.
+  /// Advances all states by one block and returns the drift of the effects that depend on block
+  /// means. With expressions and network: 32 sums, each below 2^48.
   DriftSum step(const BoardSignals& signals) {
     DriftSum drift{};
     for_each([&](auto& slot) {
@@ -96,7 +96,7 @@ class EffectBank {
     return drift;
   }
 
-  /// Makes the effects that follow the input rate those of this block.
+  /// Evaluates the block part of the effects that follow the input rate.
   void set(const BoardSignals& signals) {
     for_each([&](auto& slot) {
       if constexpr (follows<decltype(slot.effect)>) {
@@ -111,7 +111,7 @@ class EffectBank {
       }
     });
   }
-  /// Their drift at this rate, added to `drift`; that of one that is off is 0.
+  /// Adds their drift at `rate` to `drift`; a disabled effect adds 0.
   RateDrift at(Rate rate, RateDrift drift) const {
     std::apply([&](const auto&... slots) { (add_at(slots, rate, drift), ...); }, slots_);
     return drift;
@@ -125,7 +125,7 @@ class EffectBank {
     });
   }
 
-  /// Whether no state depends on what was before the start any more.
+  /// Whether no state depends any more on what happened before the start.
   bool history_known() {
     bool known = true;
     for_each([&](auto& slot) {
@@ -147,7 +147,7 @@ class EffectBank {
     Effect effect;
     Span<const std::int32_t> coefficients;
   };
-  // An effect that this image leaves out: no state, no code.
+  // An effect that this image does not have: no state, no code.
   template <class Effect>
   struct NoSlot {
     explicit NoSlot(const EffectParameters& /*parameters*/) {}
@@ -180,7 +180,7 @@ class EffectBank {
   template <class Effect, class Function>
   static void visit(NoSlot<Effect>& /*slot*/, Function& /*function*/) {}
 
-  // Inlined, as are effects that take long: once per sample a call is a tenth of all of it.
+  // Always inlined, even long effects: a call per sample would cost a tenth of the time.
   template <class Effect>
   [[gnu::always_inline]] static void add_at(const Slot<Effect>& slot, Rate rate, RateDrift& drift) {
     if constexpr (follows<Effect>) drift += slot.effect.at(rate);

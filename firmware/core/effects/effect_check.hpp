@@ -8,8 +8,8 @@ namespace fog {
 
 namespace detail {
 
-// As many constants as the effect has, each within what its constructor accepts, and as many
-// coefficients as it then has regressors.
+// Checks the number of constants, their ranges (the effect's own check) and the number of
+// coefficients, which must equal that of the regressors.
 template <class Effect>
 bool fits(const EffectParameters& effect, std::size_t constant_count) {
   if (constant_count != Effect::constant_fractions.size()) return false;
@@ -17,7 +17,7 @@ bool fits(const EffectParameters& effect, std::size_t constant_count) {
   return Effect(effect.constants).regressor_count() == effect.coefficients.size;
 }
 
-// An effect that the image leaves out has no check either: the table is refused for having it.
+// An effect that the image does not have has no check: the table is refused for enabling it.
 template <EffectMask kCompiled, class Effect>
 bool fits_if_compiled(const EffectParameters& effect, std::size_t constant_count) {
   if constexpr ((kCompiled & bit_of(Effect::description)) != 0U) {
@@ -37,11 +37,11 @@ bool effect_fits(std::size_t id, const EffectParameters& effect, std::size_t con
 
 }  // namespace detail
 
-/// Whether an effect of a table can be built, as far as the image has that effect.
+/// Whether an effect of a table can be constructed in this image.
 using EffectCheck = bool (*)(std::size_t id, const EffectParameters& effect,
                              std::size_t constant_count);
 
-/// The check for an image with the effects in kCompiled.
+/// The check of an image with the effects in kCompiled.
 template <EffectMask kCompiled>
 bool effect_fits(std::size_t id, const EffectParameters& effect, std::size_t constant_count) {
   return detail::effect_fits<kCompiled>(id, effect, constant_count, Registry{});

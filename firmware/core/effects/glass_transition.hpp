@@ -7,8 +7,8 @@
 namespace fog::effects {
 
 /// Glass transition of adhesive, potting or coating: below Tg it is stiff, which shifts the bias
-/// and adds to the rate term. The share s((Tg - T) / w) that is glassy is the logistic function,
-/// within 1e-8; 1/w has 29 fractional bits and Tg 22, which moves it by less than 1e-7.
+/// and adds to the rate term. The glassy share s((Tg - T) / w) is the logistic function, within
+/// 1e-8. 1/w has 29 fractional bits and Tg has 22, which changes the share by less than 1e-7.
 template <class N>
 class GlassTransition {
  public:

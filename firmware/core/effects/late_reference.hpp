@@ -6,13 +6,13 @@
 
 namespace fog::effects {
 
-/// The clock of the input rate's record is behind the gyro's: the record says at t what the axis
-/// did at t - delay. A fault of the recording, which a fit keeps out of the scale factor's
-/// coefficients.
+/// The clock of the recorded input rate is late: the record at time t shows the rotation at t -
+/// delay. This is a fault of the recording; a fit uses the effect to keep it out of the scale
+/// factor's coefficients.
 ///
-/// The regressor is dW/dt / 2^19 deg/h/s, dW/dt of the middle of a block from its mean and the two
-/// before: (3 W0 - 4 W1 + W2) / 2, which is right for a parabola. The first block after a start has
-/// none, the second that of a straight line.
+/// The regressor is dW/dt / 2^19 deg/h/s, with dW/dt in the middle of a block from its mean and the
+/// two before: (3 W0 - 4 W1 + W2) / 2, exact for a parabola. The first block after a start has 0,
+/// the second the slope of a straight line.
 template <class N>
 class LateReference : public NoParameters {
  public:

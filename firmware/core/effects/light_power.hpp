@@ -6,11 +6,10 @@
 
 namespace fog::effects {
 
-/// Relative change of light power: a fixed electronic offset weighs more the less light there is.
-/// Written as ln P, of which (P - P0) / P0 and P0 / P - 1 are the two first-order forms: the
-/// nominal power then only shifts the bias, so that nobody has to know it and no fit looks for it
-/// in vain. The regressor is ln(P / 100 uW) / 2, within 1e-8, from -7.9 to 2.9; no light counts as
-/// 2^-16 uW, the LSB.
+/// Relative change of light power: the less light, the more a fixed electronic offset matters. Its
+/// form is ln P; (P - P0) / P0 and P0 / P - 1 are both its first-order form. The nominal power P0
+/// then only shifts the bias, so it need not be known or fitted. The regressor is ln(P / 100 uW) /
+/// 2, within 1e-8, from -7.9 to 2.9; no light counts as 2^-16 uW, the LSB.
 template <class N>
 class LightPower : public NoParameters {
  public:

@@ -7,13 +7,14 @@
 namespace fog::effects {
 
 /// Interference of light that couples between the polarisation axes of a birefringent path: a
-/// sinusoid in temperature, given by its cosine and sine parts so that a fit is linear in both. A
+/// sinusoid in temperature, with cosine and sine coefficients so that a fit is linear in both. A
 /// gyro has two such paths, the pigtails of its coil, of different lengths: hence the second
-/// period. Their birefringence does not fall in proportion to temperature: hence the chirp.
+/// period. Their birefringence is not linear in temperature: hence the chirp.
 ///
-/// (T - 20 degC) / P is exact but for 1/P, which has 31 fractional bits: at the end of the range,
-/// 110 degC away, 2.6e-8 turns. With sine_cosine's 5e-9 the regressors are within 1.7e-7; with a
-/// chirp of 0.2 %/degC, whose product with the temperature has as many bits, within 4e-7.
+/// (T - 20 degC) / P is exact but for 1/P, which has 31 fractional bits: 110 degC away, at the end
+/// of the range, an error of 2.6e-8 turns. With sine_cosine's 5e-9 the regressors are within
+/// 1.7e-7; with a chirp of 0.2 %/degC, whose product with the temperature has as many bits, within
+/// 4e-7.
 template <class N>
 class PolarizationRipple {
  public:
@@ -38,7 +39,7 @@ class PolarizationRipple {
   static constexpr std::array<CoefficientDescription, 4> coefficients{
       {{"Ac", "deg/h", 0}, {"As", "deg/h", 0}, {"Ac2", "deg/h", 0}, {"As2", "deg/h", 0}}};
 
-  // 1 / period of each, a second one that is shorter than the shortest counts as that; chirp,
+  // 1 / period of each (a second period below the minimum counts as the minimum), and the chirp,
   // 1/degC.
   static constexpr std::array<int, 3> constant_fractions{31, 31, 39};
   template <class Real>

@@ -31,7 +31,7 @@ namespace fog {
 template <template <class> class... Effects>
 struct EffectList {};
 
-/// Every effect there is. One line here makes an effect known to fit, export, replay and the board.
+/// All effects. A line here makes an effect known to fit, export, replay and the board.
 using Registry = EffectList<effects::Bias,                     //
                             effects::BiasTemperature,          //
                             effects::TemperatureRate,          //
@@ -54,7 +54,7 @@ using Registry = EffectList<effects::Bias,                     //
                             effects::LateReference,            //
                             effects::BiasStep>;
 
-/// The longest list of regressors that any effect has.
+/// Largest number of regressors of any effect.
 template <template <class> class... Effects>
 constexpr std::size_t max_regressors(EffectList<Effects...> /*list*/) {
   std::size_t max = 0;
@@ -77,7 +77,7 @@ constexpr EffectMask board_effects(EffectList<Effects...> /*list*/) {
           ...);
 }
 
-/// Those that follow the input rate.
+/// The effects that follow the input rate.
 template <template <class> class... Effects>
 constexpr EffectMask rate_effects(EffectList<Effects...> /*list*/) {
   return ((follows_input_rate(Effects<BoardNumbers>::description.needs)
@@ -86,7 +86,7 @@ constexpr EffectMask rate_effects(EffectList<Effects...> /*list*/) {
           ...);
 }
 
-/// What the effects in `mask` need beside the coil's temperature.
+/// Inputs that the effects in `mask` need beside the coil temperature.
 template <template <class> class... Effects>
 constexpr InputMask needs_of(EffectMask mask, EffectList<Effects...> /*list*/) {
   return (((mask & bit_of(Effects<BoardNumbers>::description)) != 0U
@@ -110,7 +110,7 @@ constexpr bool ids_differ(EffectList<Effects...> /*list*/) {
 static_assert(ids_differ(Registry{}), "two effects share an id");
 
 constexpr std::size_t kMaxRegressors = max_regressors(Registry{});
-/// All that a board can have.
+/// All effects that a board can run.
 constexpr EffectMask kAllEffects = board_effects(Registry{});
 
 }  // namespace fog

@@ -6,12 +6,11 @@
 
 namespace fog::effects {
 
-/// Scale factor that is another one for each sense of rotation: a drift in proportion to |W|, up to
-/// an eighth of it. The
-/// corner at rest is rounded over the dead band d, with a continuous slope: W^2 / 2d within it, |W|
-/// - d / 2 beyond. The regressor is that by 2^18 deg/h.
+/// Scale factor that differs between the two senses of rotation: a drift proportional to |W|, up to
+/// an eighth of it. The corner at rest is rounded over the dead band d with a continuous slope: W^2
+/// / 2d within it, |W| - d / 2 beyond. The regressor is that divided by 2^18 deg/h.
 ///
-/// 1 / 2d has 33 fractional bits: 4e-6 of itself at d = 10 deg/s.
+/// 1 / 2d has 33 fractional bits: a relative error of 4e-6 at d = 10 deg/s.
 template <class N>
 class ScaleFactorAsymmetry {
   static constexpr int kBandFraction = 10;  // as a rate has
@@ -46,8 +45,8 @@ class ScaleFactorAsymmetry {
     constants[1] = 1 / (2 * constants[0]);
   }
   static bool constants_valid(const typename N::Constant* constants) {
-    // What lies within the dead band is half of 1 at most; a foreign inverse has to keep it
-    // below 1.
+    // |W| / 2d is at most 1/2 within the dead band; with constants that do not match each other it
+    // must stay below 1.
     return constants[0] > 0 && constants[1] > 0 &&
            std::int64_t{constants[0]} * constants[1] <=
                3 * power_of_two<std::int64_t>(kBandFraction + kInverseFraction - 2);
@@ -67,7 +66,7 @@ class ScaleFactorAsymmetry {
  private:
   using Share = typename N::template Number<31>;
 
-  // The lowest rate has no opposite in its format.
+  // The lowest value of the format has no negative.
   static Rate absolute(Rate rate) {
     return rate < Rate{} ? N::saturating_difference({}, rate) : rate;
   }

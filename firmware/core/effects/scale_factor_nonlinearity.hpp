@@ -6,16 +6,16 @@
 
 namespace fog::effects {
 
-/// Scale factor that depends on the rate. With u = W / full_scale, held at +-1 beyond it, the
-/// columns are full_scale / 2^18 deg/h times Legendre polynomials of order 2 to 5, without their
-/// values at rest: 3 u^2 / 2, (5 u^3 - 3 u) / 2, (35 u^4 - 30 u^2) / 8, (63 u^5 - 70 u^3 + 15 u) /
-/// 8. At rest all are 0, so that a bias stays the bias; over rates up to full scale the odd ones
-/// have nothing of a constant scale factor error, nor the higher of the lower.
+/// Scale factor that depends on the rate. With u = W / full_scale, clipped to +-1, the regressors
+/// are full_scale / 2^18 deg/h times the Legendre polynomials of order 2 to 5 without their values
+/// at rest: 3 u^2 / 2, (5 u^3 - 3 u) / 2, (35 u^4 - 30 u^2) / 8, (63 u^5 - 70 u^3 + 15 u) / 8. All
+/// are 0 at rest, so they do not change the bias. Over rates up to full scale the odd ones are
+/// orthogonal to a constant scale factor error and to each other.
 ///
-/// Each has a factor u: together they are W, up to full scale, times one polynomial of the fourth
-/// order in u, which is a scale factor error. Its coefficients are summed once per block, to 2^-35,
-/// and held within 3/256 (that of e5 alone: 1340 ppm), so that no sum of the five leaves +-1/16.
-/// Each of Horner's four steps is rounded down to 2^-34: 5e-5 deg/h at 100 deg/s.
+/// Each contains a factor u: together they are W, up to full scale, times one polynomial of order 4
+/// in u, which is a scale factor error. Its coefficients are summed once per block, to 2^-35, and
+/// clipped to 3/256 (for e5 alone: 1340 ppm), so that the sum of the five is within +-1/16. Each of
+/// the four steps of Horner's rule is rounded down to 2^-34: 5e-5 deg/h at 100 deg/s.
 template <class N>
 class ScaleFactorNonlinearity {
   static constexpr int kFullScaleFraction = 10;  // as a rate has
@@ -78,7 +78,7 @@ class ScaleFactorNonlinearity {
     const auto step = [&](Power higher, Power own) {
       return own + round_to<Power>(high_product(higher, u));
     };
-    // Written out: a loop would cost ten instructions.
+    // Unrolled: a loop would cost ten instructions.
     const Power sum =
         step(step(step(step(powers_[4], powers_[3]), powers_[2]), powers_[1]), powers_[0]);
     return within * round_to<typename N::ScaleFactorError>(sum);
@@ -101,7 +101,7 @@ class ScaleFactorNonlinearity {
   std::size_t order_;
   typename N::Rate full_scale_;
   typename N::ShareOf share_of_full_scale_;
-  std::array<Power, 5> powers_{};  // of u, from the zeroth
+  std::array<Power, 5> powers_{};  // coefficients of u^0, u^1, ...
 };
 
 }  // namespace fog::effects

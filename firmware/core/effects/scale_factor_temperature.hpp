@@ -6,13 +6,12 @@
 
 namespace fog::effects {
 
-/// Scale factor that follows the source's wavelength and the coil's size: an error in proportion to
+/// Scale factor that follows the source's wavelength and the coil's size: an error proportional to
 /// the rate, up to a quarter of it. With x = T - reference the first regressor is W x / 2^25 deg/h
-/// degC, each further one the one before times x / 64 degC. In steps of 64 degC every coefficient
-/// is a scale factor error / 2^19, and their polynomial is summed by Horner's rule, once per block,
-/// to 2^-36.
+/// degC, each further one its predecessor times x / 64 degC. In steps of 64 degC every coefficient
+/// is a scale factor error / 2^19; Horner's rule sums their polynomial once per block, to 2^-36.
 ///
-/// About the reference of its rows the first order has nothing of a constant scale factor error.
+/// With the reference of its rows the first order is orthogonal to a constant scale factor error.
 template <class N>
 class ScaleFactorTemperature {
   static constexpr std::int32_t kLsbsPerDegc = 1 << 16;
@@ -44,8 +43,8 @@ class ScaleFactorTemperature {
   template <class Real>
   static void board_constants(const Real* given, Real /*block_s*/, Real* constants) {
     constants[0] = given[0];
-    // As the board holds it, for the fit too: half an LSB at 300 ppm/degC and 280 deg/s would be
-    // 0.002 deg/h, all that the integers may be off.
+    // The constant as the board stores it, for the fit as well: half an LSB at 300 ppm/degC and 280
+    // deg/s would be 0.002 deg/h, the whole error allowed to the integers.
     const Real lsbs = given[1] * kLsbsPerDegc;
     constants[1] =
         static_cast<Real>(static_cast<std::int64_t>(lsbs + (lsbs < 0 ? -1 : 1) / Real{2})) /
@@ -74,7 +73,7 @@ class ScaleFactorTemperature {
   typename N::RateDrift at(typename N::Rate rate) const { return rate * error_; }
 
  private:
-  // Held within 1; times x, below 386 / 64, that is 2^61.
+  // Clipped to 1; times x, below 386 / 64, it is below 2^61.
   using Partial = typename N::template Wide<36>;
   static Partial held_within_one(Partial sum) {
     return clamp(sum, -from_integer<Partial>(1), from_integer<Partial>(1));

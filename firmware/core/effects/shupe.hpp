@@ -7,12 +7,12 @@
 
 namespace fog::effects {
 
-/// Pure Shupe effect: the rate at which the gradient through the winding changes. With the inside
-/// of the coil a first-order lag behind the sensor, d(T - Tc)/dt is dT/dt less the lagged dT/dt.
+/// Pure Shupe effect: rate of change of the gradient through the winding. The inside of the coil
+/// follows the sensor with a first-order lag, so d(T - Tc)/dt is dT/dt less the lagged dT/dt.
 ///
-/// State: bounded and without drift as in ThermalLag. The regressor is the difference / (8
-/// degC/min): two rates within +-32 degC/min are at most 64 apart. With one tau, temperature_rate =
-/// shupe + thermal_lag: a fit can have two of the three.
+/// State: bounded and free of drift, as in ThermalLag. The regressor is the difference / (8
+/// degC/min): two rates within +-32 degC/min differ by at most 64. With equal tau, temperature_rate
+/// = shupe + thermal_lag: a fit can have two of the three.
 template <class N>
 class Shupe {
  public:

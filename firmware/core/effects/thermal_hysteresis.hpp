@@ -8,13 +8,13 @@
 namespace fog::effects {
 
 /// Thermal hysteresis after Prandtl and Ishlinskii: one or two play operators on the temperature.
-/// The regressor is (T - play) / radius: +1 on the warming branch, -1 on the cooling one, so that
-/// the coefficient is half the loop's width and all that is single-valued in T stays with
+/// The regressor is (T - play) / radius: +1 on the warming branch, -1 on the cooling one. So the
+/// coefficient is half the width of the loop, and single-valued functions of T are left to
 /// bias_temperature.
 ///
-/// After power-on nobody knows on which branch the coil is: the operators start centred, and the
-/// first excursion of twice the radius puts that right. Until then the error is up to |h|, and the
-/// board says history_unknown.
+/// After power-on the branch is unknown. The operators start centred; the first excursion of twice
+/// the radius makes them right. Until then the error is up to |h| and the status has
+/// history_unknown.
 template <class N>
 class ThermalHysteresis {
  public:
@@ -35,8 +35,8 @@ class ThermalHysteresis {
   static constexpr std::array<CoefficientDescription, 2> coefficients{
       {{"h1", "deg/h", 0}, {"h2", "deg/h", 0}}};
 
-  // Radius and its reciprocal, of each. Below half a degree sensors, not coils, have hysteresis: a
-  // smaller radius counts as that.
+  // Radius and its reciprocal, of each operator. A radius below half a degree counts as half a
+  // degree: so small a hysteresis is the sensor's, not the coil's.
   static constexpr std::array<int, 4> constant_fractions{22, 29, 22, 29};
   template <class Real>
   static void board_constants(const Real* given, Real /*block_s*/, Real* constants) {

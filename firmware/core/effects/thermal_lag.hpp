@@ -7,11 +7,11 @@
 
 namespace fog::effects {
 
-/// The rate term of a coil that follows its sensor late: dT/dt through one further first-order lag.
-/// Lag and derivative commute, so that the state is the lagged rate itself.
+/// Rate term of a coil that follows its sensor late: dT/dt through a further first-order lag. Lag
+/// and derivative commute, so the state is the lagged rate itself.
 ///
-/// State: |rate| <= 32 degC/min bounds it, as a lag never leaves the range of its input. It stands
-/// still where |rate - state| < 2^-23 degC/min (FirstOrderLag), so it neither drifts nor rings.
+/// State: bounded by |rate| <= 32 degC/min, as a lag never leaves the range of its input. It rests
+/// where |rate - state| < 2^-23 degC/min (FirstOrderLag), so it neither drifts nor rings.
 template <class N>
 class ThermalLag {
  public:

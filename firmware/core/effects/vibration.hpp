@@ -6,8 +6,8 @@
 
 namespace fog::effects {
 
-/// Vibration rectification: vibration modulates power and phase at once, and their product has a
-/// mean. The regressor is (g / 16)^2; it clips at 45 g rms.
+/// Vibration rectification: vibration modulates power and phase together, and their product has a
+/// non-zero mean. The regressor is (g / 16)^2; it clips at 45 g rms.
 template <class N>
 class Vibration : public NoParameters {
  public:

@@ -6,15 +6,15 @@
 
 namespace fog::effects {
 
-/// What decays after power-on: self-heating of source and electronics. Computed from the time since
-/// power-on rather than carried as a state: nothing accumulates, and a restart of the thermal state
-/// does not warm the gyro up again.
+/// Decay after power-on: self-heating of source and electronics. A function of the time since
+/// power-on, not a state: no error accumulates, and a restart of the thermal state does not repeat
+/// the warm-up.
 ///
-/// tau ends at 5 h: what is slower is the housing's own temperature, which the sensor sees, and
-/// would pass for ageing.
+/// tau is at most 5 h. Slower decays are those of the housing's temperature, which the sensor
+/// measures, and would be confused with ageing.
 ///
-/// blocks / tau: the ratio has 31 fractional bits, 6.3e-6 of it at the longest tau, which changes
-/// the exponential by at most 2.3e-6. A tau shorter than a block counts as one block.
+/// blocks / tau has 31 fractional bits: a relative error of 6.3e-6 at the longest tau, which
+/// changes the exponential by at most 2.3e-6. A tau shorter than a block counts as one block.
 template <class N>
 class WarmUp {
  public:
@@ -45,7 +45,7 @@ class WarmUp {
   std::size_t regressor_count() const { return 1; }
   void reset(const Signals<N>& /*signals*/) {}
   void step(const Signals<N>& signals, typename N::Regressor* regressors) {
-    using Exponent = typename N::template Number<26>;  // clips at 32: exp(-32) is nothing
+    using Exponent = typename N::template Number<26>;  // clips at 32; exp(-32) is 0
     const auto exponent = saturate_to<Exponent>(signals.block.elapsed * per_tau_);
     regressors[0] = round_to<typename N::Regressor>(N::exponential_decay(exponent));
   }

@@ -17,9 +17,8 @@
 
 namespace fog {
 
-/// Runs the expressions of a model, once per block. Operations and signals that are not in
-/// kCompiled have no code in the image; a table with one is refused before this is built
-/// (read_model).
+/// Runs the expressions of a model, once per block. Operations and signals outside kCompiled have
+/// no code in the image; read_model refuses a table that uses one.
 template <ExpressionMask kCompiled>
 class ExpressionBank {
  public:
@@ -28,16 +27,16 @@ class ExpressionBank {
   ExpressionBank(const ExpressionParameters& parameters, int coefficient_fraction)
       : parameters_(parameters), coefficient_fraction_(coefficient_fraction) {}
 
-  /// Starts all states from these signals.
+  /// Starts all states from `signals`.
   void reset(const BoardSignals& signals) { run(signals, true); }
 
-  /// Advances all states by one block and returns the expressions' drift.
+  /// Advances all states by one block and returns the drift of the expressions.
   DriftSum step(const BoardSignals& signals) {
     run(signals, false);
     return weighted_sum(parameters_.coefficients, regressors_.data(), coefficient_fraction_);
   }
 
-  /// Whether no play depends on what was before the start any more.
+  /// Whether no play operator depends any more on what happened before the start.
   bool history_known() const { return history_known_; }
 
   void carry(StateCarrier& state) {
@@ -46,7 +45,7 @@ class ExpressionBank {
     }
   }
 
-  /// What the last run gave, for the host's check of the export.
+  /// Results of the last run, for the host's check of an export.
   const std::array<Regressor, kMaxExpressions>& regressors() const { return regressors_; }
 
  private:
@@ -55,8 +54,8 @@ class ExpressionBank {
   using Lag = FirstOrderLag<BoardNumbers>;
   using Play = fog::Play<BoardNumbers>;
 
-  // Lag and play are homogeneous: whatever format the values have, these may take them for theirs,
-  // which has 22 fractional bits.
+  // Lag and play are homogeneous, so they accept values in any format as if these had the 22
+  // fractional bits of a temperature.
   struct State {
     Lag lag{Lag::Decay{}};
     Play play{Play::Value{}};
@@ -85,7 +84,7 @@ class ExpressionBank {
         static_cast<std::uint32_t>(round_shift(radians * kTurnsPerRadian, fraction)));
   }
 
-  static std::int32_t lag_of(State& state, std::int32_t x, std::int32_t decay, bool restart) {
+  static std::int32_t step_lag(State& state, std::int32_t x, std::int32_t decay, bool restart) {
     const auto input = round_to<Lag::State>(Play::Value::from_raw(x));
     if (restart) {
       state.lag = Lag(Lag::Decay::from_raw(decay));
@@ -106,7 +105,7 @@ class ExpressionBank {
     return y;
   }
 
-  // expressions_fit() has seen to it that neither words nor stack nor states run out.
+  // expressions_fit() has checked that words, stack and states suffice.
   void run(const BoardSignals& signals, bool restart) {
     std::array<std::int32_t, kMaxExpressionStack + 1> stack;  // the top is in `x`
     std::int32_t* below = stack.data();
@@ -183,7 +182,7 @@ class ExpressionBank {
           if constexpr (has(Op::tanh)) x = hyperbolic_tangent(ActivationInput::from_raw(x)).raw();
           break;
         case Op::lag:
-          if constexpr (has(Op::lag)) x = lag_of(*state++, x, *word++, restart);
+          if constexpr (has(Op::lag)) x = step_lag(*state++, x, *word++, restart);
           break;
         case Op::play:
           if constexpr (has(Op::play)) x = play(*state++, x, *word++, restart);
@@ -203,7 +202,7 @@ class ExpressionBank {
   std::array<State, has(Op::lag) || has(Op::play) ? kMaxExpressionStates : 1> states_{};
 };
 
-/// An image without expressions: no state, no code.
+/// Image without expressions: no state, no code.
 template <>
 class ExpressionBank<0> {
  public:

@@ -5,7 +5,7 @@
 namespace fog {
 namespace {
 
-// What an operation does with the stack: values it takes, values it leaves.
+// Effect of an operation on the stack: values removed, values added.
 struct Effect {
   std::size_t takes;
   std::size_t leaves;

@@ -12,8 +12,8 @@
 
 namespace fog {
 
-/// One word: operation + 256 * argument (-62 to 62), then the words named here. `bits`: the
-/// argument.
+/// One word: operation + 256 * argument (-62 to 62), followed by the words named here. `bits` is
+/// the argument.
 enum class ExpressionOp : std::uint8_t {
   signal = 0,     ///< + min, max: pushes the Input of number `bits`, clamped, in its format
   constant = 1,   ///< + value
@@ -44,7 +44,7 @@ constexpr std::size_t kMaxExpressionStates = 8;  ///< lags and plays
 constexpr std::size_t kMaxExpressionStack = 16;
 constexpr std::size_t kMaxExpressionWords = 512;
 
-/// Operations and, above them, inputs that a program has; 0: no expressions.
+/// Operations and, in the bits above them, inputs of a program; 0: no expressions.
 using ExpressionMask = std::uint32_t;
 constexpr ExpressionMask bit_of(ExpressionOp op) {
   return ExpressionMask{1} << static_cast<unsigned>(op);
@@ -60,7 +60,7 @@ constexpr InputMask inputs_of_expressions(ExpressionMask mask) {
   return mask >> kExpressionOps;
 }
 
-/// The expressions of a model: one program with an output for each coefficient.
+/// The expressions of a model: one program with one output per coefficient.
 struct ExpressionParameters {
   Span<const std::int32_t> program;
   Span<const std::int32_t> coefficients;  ///< deg/h, EffectsParameters::coefficient_fraction bits
@@ -68,26 +68,26 @@ struct ExpressionParameters {
   ExpressionMask used = 0;  ///< by the program; set by the check
 };
 
-/// Whether a program can be run as far as the image has expressions. Sets `used`.
+/// Checks whether this image can run a program. Sets `used`.
 using ExpressionCheck = bool (*)(ExpressionParameters& expressions);
 
-/// For images with expressions: known operations with their words and arguments in range, a stack
-/// that neither runs empty nor over, states in number, as many outputs as coefficients.
+/// Check of images with expressions: known operations with arguments in range and all their words,
+/// no stack underflow or overflow, few enough states, as many outputs as coefficients.
 bool expressions_fit(ExpressionParameters& expressions);
 
-/// For images without: whatever is there needs more than there is.
+/// Stub for images built without expressions: rejects every program.
 inline bool expressions_unknown(ExpressionParameters& expressions) {
   expressions.used = expressions.program.size == 0 ? 0U : kAllExpressions;
   return expressions.program.size != 0 || expressions.coefficients.size == 0;
 }
 
-/// The check for an image with kCompiled.
+/// The check of an image with kCompiled.
 template <ExpressionMask kCompiled>
 constexpr ExpressionCheck expression_check() {
   return kCompiled == 0U ? expressions_unknown : expressions_fit;
 }
 
-/// Words of an operation, its own included.
+/// Words of an operation, including its own.
 std::size_t words_of(ExpressionOp op);
 
 constexpr ExpressionOp op_of(std::int32_t word) {

@@ -4,8 +4,8 @@
 
 namespace fog {
 
-// Products of the halves of two words, signed; the caller keeps the sum within 32 bits. One
-// instruction (SMLAD, SMLSDX) where the processor has it, which no compiler finds by itself.
+// Products of the signed halves of two words; the caller keeps the sum within 32 bits. A single
+// instruction (SMLAD, SMLSDX) if the processor has it; compilers do not generate it by themselves.
 
 #if defined(__ARM_FEATURE_SIMD32)
 /// sum + a.low * b.low + a.high * b.high

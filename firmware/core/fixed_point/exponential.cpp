@@ -38,7 +38,7 @@ Value exponential_decay(Fixed<std::int32_t, 26> x) {
   series = kOne - product(z, series);
   const Value fraction = product(Value::from_raw(kExponentialTable[nodes % kNodes]), series);
   const auto halvings = static_cast<int>(nodes / kNodes);
-  constexpr int kMaxHalvings = 31;  // then nothing is left of 2^30
+  constexpr int kMaxHalvings = 31;  // beyond it 2^30 is shifted to 0
   return halvings > kMaxHalvings ? Value{} : Value::from_raw(round_shift(fraction.raw(), halvings));
 }
 

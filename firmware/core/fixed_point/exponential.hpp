@@ -6,8 +6,8 @@
 
 namespace fog {
 
-/// exp(-x) for x from 0 to 32; 1 for x below 0. Error at most 3e-9; never rises (test: a sweep of
-/// the range).
+/// exp(-x) for x from 0 to 32; 1 for x below 0. Error at most 3e-9; monotonic (test: sweep of the
+/// range).
 Fixed<std::int32_t, 30> exponential_decay(Fixed<std::int32_t, 26> x);
 
 }  // namespace fog

@@ -9,18 +9,18 @@
 
 namespace fog {
 
-/// A real number held as raw * 2^-fractional_bits. The format is part of the type, so that a shift
-/// can neither be forgotten nor done twice:
+/// A real number stored as raw * 2^-fractional_bits. The format is part of the type, so that a
+/// shift can be neither forgotten nor done twice:
 ///  * sums need equal formats; a product has the sum of both fractions and is exact;
-///  * round_to<To>() and saturate_to<To>() change the format; nothing else does;
-///  * + - and round_to must fit (checked builds report where not); saturate_to clips.
+///  * only round_to<To>(), floor_to<To>() and saturate_to<To>() change the format;
+///  * results of + - and round_to must fit (checked builds report overflow); saturate_to clips.
 template <typename RawType, int kFractionalBits>
 class Fixed {
  public:
   using Raw = RawType;
   static constexpr int fractional_bits = kFractionalBits;
   static_assert(std::is_same_v<Raw, std::int32_t> || std::is_same_v<Raw, std::int64_t>);
-  // May be more than Raw has bits: of small numbers, such as the distance to a table's node.
+  // Fractions may exceed the bits of Raw: for small numbers, such as the distance to a table node.
   static_assert(kFractionalBits >= 0 && kFractionalBits < 64);
 
   constexpr Fixed() = default;
@@ -59,15 +59,14 @@ class Fixed {
   Raw raw_ = 0;
 };
 
-/// Exact: 32 x 32 bits give 64. The only pair that leaves the range is lowest * lowest at 2^62,
-/// which still fits.
+/// Exact: 32 x 32 bits give 64. The largest magnitude, lowest * lowest = 2^62, fits as well.
 template <int kA, int kB>
 constexpr Fixed<std::int64_t, kA + kB> operator*(Fixed<std::int32_t, kA> a,
                                                  Fixed<std::int32_t, kB> b) {
   return Fixed<std::int64_t, kA + kB>::from_raw(std::int64_t{a.raw()} * b.raw());
 }
 
-/// The product must fit 64 bits (checked builds report where not).
+/// The product must fit 64 bits (checked builds report overflow).
 template <int kA, int kB>
 constexpr Fixed<std::int64_t, kA + kB> operator*(Fixed<std::int64_t, kA> a,
                                                  Fixed<std::int32_t, kB> b) {
@@ -84,8 +83,7 @@ constexpr Fixed<std::int32_t, kA + kB - 32> high_product(Fixed<std::int32_t, kA>
       static_cast<std::int32_t>(floor_shift(std::int64_t{a.raw()} * b.raw(), 32)));
 }
 
-/// `value` in the format To, rounded down: a shift that costs nothing beside an addition, where
-/// half an LSB does not matter.
+/// `value` in the format To, rounded down: a shift, for uses where half an LSB does not matter.
 template <class To, int kBits>
 constexpr To floor_to(Fixed<std::int32_t, kBits> value) {
   return To::from_raw(floor_shift(value.raw(), kBits - To::fractional_bits));
@@ -98,7 +96,7 @@ struct IsFixed<Fixed<Raw, kBits>> : std::true_type {};
 
 namespace detail {
 
-// The raw value in To's fraction, still as wide as the wider of the two.
+// The raw value with To's fraction, in the wider of the two raw types.
 template <class To, class From>
 constexpr auto change_fraction(From value) {
   using Wide = std::conditional_t<(sizeof(typename From::Raw) > sizeof(typename To::Raw)),
@@ -113,8 +111,8 @@ constexpr auto change_fraction(From value) {
 
 }  // namespace detail
 
-// The functions below also take plain numbers (the host instantiates the effects with its own real
-// type); there a change of format is the number itself.
+// The functions below also accept plain numbers, because the host instantiates the effects with its
+// own real type. There a change of format does nothing.
 
 /// The product.
 template <class Number, std::enable_if_t<!IsFixed<Number>::value, int> = 0>
@@ -159,7 +157,7 @@ constexpr T from_integer(std::int32_t integer) {
   }
 }
 
-/// value / 2^kBits, exactly: the same raw number with more of it behind the point.
+/// value / 2^kBits, exact: the same raw number with kBits more fractional bits.
 template <int kBits, class T>
 constexpr auto divide_by_power_of_two(T value) {
   if constexpr (IsFixed<T>::value) {

@@ -9,11 +9,11 @@ namespace fog {
 using ActivationInput = Fixed<std::int32_t, 27>;   ///< +-16
 using ActivationOutput = Fixed<std::int32_t, 30>;  ///< +-2, used within +-1
 
-/// logistic(node / 8) - 1/2 with 31 fractional bits, -128 <= node <= 128. A pointer that the
-/// compiler does not see through: it makes an addition of 128 for each read of an array's middle.
+/// logistic(node / 8) - 1/2 with 31 fractional bits, -128 <= node <= 128. Opaque pointer: keeps the
+/// compiler from adding the centre offset (128) at every table read.
 extern const std::int32_t* const kLogisticNodes;
 
-/// An argument of which the upper word counts nodes and the lower one says where between two.
+/// Argument: the upper word is the nearest node, the lower word the signed distance to it.
 using NodePlace = Fixed<std::int64_t, 35>;
 
 constexpr std::int32_t nearest_node(NodePlace x) {
@@ -22,8 +22,8 @@ constexpr std::int32_t nearest_node(NodePlace x) {
 
 namespace detail {
 
-// tanh(x / 2) = 2 logistic(x) - 1 near a node: of x only the lower word counts, which is the
-// distance d to the nearest node, signed, at most 1/16.
+// tanh(x / 2) = 2 logistic(x) - 1 near a node. Only the lower word of x is used: the signed
+// distance d to the nearest node, at most 1/16.
 //
 // With h = logistic - 1/2 there, all derivatives follow from h^2 and the slope s = 1/4 - h^2:
 // h + d s (1 + d (d (h^2 - 1/12 + d h (1/6 - h^2)) - h)) is Taylor's series up to d^4. The first
@@ -36,7 +36,8 @@ template <int kOrder>
   using Square = Fixed<std::int32_t, 30>;
   constexpr auto kQuarter = Square::from_raw(1 << 28);
   constexpr auto kSixth = Square::from_raw(0x0AAAAAAB);
-  // The cubic's is 1.6e-4 more, by which its result is off by 2e-8: one instruction takes it off.
+  // The cubic's constant is 1.6e-4 above 1/12, an error of 2e-8 in the result, so that it is an
+  // immediate operand.
   constexpr auto kTwelfth = Square::from_raw(kOrder == 3 ? 0x05580000 : 0x05555555);
 
   const auto d =
@@ -56,19 +57,19 @@ template <int kOrder>
 
 }  // namespace detail
 
-/// tanh(x / 2) for networks: within 2e-7, beyond |x| = 16 within 3e-7 (test: a sweep). Always the
-/// same number of instructions, 14.
+/// tanh(x / 2) for networks: error at most 2e-7, beyond |x| = 16 at most 3e-7 (test: a sweep).
+/// Always 14 instructions.
 [[gnu::always_inline]] inline ActivationOutput symmetric_logistic(NodePlace x) {
-  // Beyond the last node it is taken, whatever the distance.
+  // Beyond the last node that node is used with any distance.
   return detail::symmetric_logistic_near<3>(clamp<std::int32_t>(nearest_node(x), -128, 127), x);
 }
 
 /// 1 / (1 + exp(-x)), MATLAB's logsig. Error at most 1e-8 (test: a sweep of its range); monotonic
-/// to within it.
+/// within that error.
 ActivationOutput logistic(ActivationInput x);
 
 /// tanh(x), MATLAB's tansig, as 2 logistic(2x) - 1. Error at most 2e-8 for |x| <= 8; beyond, where
-/// the result stays what it is at 8, 2.3e-7 (test: a sweep of its range).
+/// the result is constant, 2.3e-7 (test: a sweep of its range).
 ActivationOutput hyperbolic_tangent(ActivationInput x);
 
 }  // namespace fog

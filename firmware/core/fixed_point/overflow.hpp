@@ -4,11 +4,10 @@
 
 namespace fog {
 
-/// What a checked build (-DFOG_CHECKED_FIXED) does where a fixed-point operation leaves its range:
-/// it counts, and keeps the place of the first one. Overflow is a programmer's mistake: every bound
-/// in core is derived where the arithmetic is, and the tests run in this build to prove it. In the
-/// flash image nothing is checked and arithmetic wraps (it is done on unsigned integers), so host
-/// and board agree even then.
+/// What a checked build (-DFOG_CHECKED_FIXED) does on fixed-point overflow: it counts, and records
+/// the place of the first one. Overflow is a programming error: every bound in core is derived next
+/// to the arithmetic, and the tests run in this build to confirm it. The flash image checks nothing
+/// and wraps (on unsigned integers), so even then host and board agree.
 #if defined(FOG_CHECKED_FIXED)
 struct OverflowLog {
   std::uint32_t count = 0;

@@ -4,10 +4,10 @@
 
 namespace fog {
 
-// One instruction (QSUB) where the processor has it, which no compiler finds by itself.
+// A single instruction (QSUB) if the processor has it; compilers do not generate it by themselves.
 
 #if defined(__ARM_FEATURE_DSP)
-/// The nearest value to a - b that 32 bits hold.
+/// a - b, clipped to 32 bits.
 inline std::int32_t saturating_difference(std::int32_t a, std::int32_t b) {
   return __builtin_arm_qsub(a, b);
 }

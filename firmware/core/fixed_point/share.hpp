@@ -6,15 +6,15 @@
 
 namespace fog {
 
-/// Parts of one whole: a division that is paid for once, when the whole is given.
+/// Fractions of a constant whole: one division in the constructor, then products.
 class ShareOf {
  public:
-  /// `whole` > 0; what is not counts as one LSB.
+  /// `whole` > 0; other values count as one LSB.
   template <int kBits>
   explicit ShareOf(Fixed<std::int32_t, kBits> whole) : ShareOf(whole.raw() > 0 ? whole.raw() : 1) {}
 
-  /// part / whole, rounded down, for |part| <= whole in the whole's format; 1 itself is the highest
-  /// value below it. Off by less than 3 LSBs: the inverse has 31 significant bits.
+  /// part / whole, rounded down, for |part| <= whole in the format of whole; 1 itself gives the
+  /// highest value below it. Error below 3 LSB: the inverse has 31 significant bits.
   template <int kBits>
   Fixed<std::int32_t, 31> operator()(Fixed<std::int32_t, kBits> part) const {
     const auto scaled = static_cast<std::int32_t>(static_cast<std::uint32_t>(part.raw()) << shift_);
@@ -25,7 +25,7 @@ class ShareOf {
  private:
   static constexpr int kInverseLog2 = 61;
 
-  // The inverse of the scaled whole, 2^30 to 2^31 - 1: rounded down, so that no share is 1.
+  // Inverse of the scaled whole, 2^30 to 2^31 - 1: rounded down, so that no fraction reaches 1.
   explicit ShareOf(std::int32_t whole)
       : shift_(__builtin_clz(static_cast<std::uint32_t>(whole)) - 1),
         inverse_(static_cast<std::int32_t>(divide(power_of_two<std::uint64_t>(kInverseLog2) - 1,

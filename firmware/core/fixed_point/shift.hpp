@@ -8,8 +8,8 @@
 
 namespace fog {
 
-// Numbers are shifted by these; what else shifts moves bits (masks, bytes of a frame). Right shifts
-// of negative numbers are arithmetic on every compiler that C++20 allows, and on GCC.
+// All shifts of numbers; other shifts only move bits (masks, bytes of a frame). Right shifts of
+// negative numbers are arithmetic in C++20 and in GCC.
 
 /// 2^bits. 0 <= bits < width of Int, one less if Int is signed.
 template <typename Int>
@@ -24,24 +24,24 @@ template <typename Int>
 constexpr Int round_shift(Int value, int bits) {
   static_assert(std::is_signed_v<Int>);
   if (bits == 0) return value;
-  // The bit below the cut is the half that is added: no intermediate sum that could overflow.
+  // The highest dropped bit is the half that is added: no intermediate sum can overflow.
   return static_cast<Int>((value >> bits) + ((value >> (bits - 1)) & 1));
 }
 
-/// value / 2^bits, rounded down (towards -infinity). 0 <= bits < width of Int; no overflow. Of a
-/// sum that began with rounding_half() it is what round_shift is of the rest.
+/// value / 2^bits, rounded down (towards -infinity). 0 <= bits < width of Int; no overflow. For a
+/// sum that started with rounding_half() this equals round_shift of the rest.
 template <typename Int>
 constexpr Int floor_shift(Int value, int bits) {
   return static_cast<Int>(value >> bits);
 }
 
-/// Half of 2^bits: what a sum begins with that floor_shift is to round. 1 <= bits.
+/// Half of 2^bits: start value of a sum that floor_shift is to round. 1 <= bits.
 template <typename Int>
 constexpr Int rounding_half(int bits) {
   return power_of_two<Int>(bits - 1);
 }
 
-/// value * 2^bits. Wraps; a checked build reports what does not fit.
+/// value * 2^bits. Wraps; a checked build reports overflow.
 template <typename Int>
 constexpr Int shift_left(Int value, int bits) {
   using Unsigned = std::make_unsigned_t<Int>;
@@ -59,8 +59,8 @@ constexpr Narrow saturate(Wide value) {
   return value < 0 ? std::numeric_limits<Narrow>::min() : std::numeric_limits<Narrow>::max();
 }
 
-/// saturate<std::int32_t>(floor_shift(value, kBits)), 0 < kBits < 32, in few instructions: what is
-/// below the upper word's highest bits is not looked at twice.
+/// saturate<std::int32_t>(floor_shift(value, kBits)), 0 < kBits < 32, in few instructions: one test
+/// of the upper word's highest bits.
 template <int kBits>
 [[gnu::always_inline]] constexpr std::int32_t saturating_shift(std::int64_t value) {
   static_assert(kBits > 0 && kBits < 32);
@@ -72,17 +72,17 @@ template <int kBits>
   return std::numeric_limits<std::int32_t>::max() ^ (upper >> 31);  // min where negative
 }
 
-/// numerator / denominator, rounded down; denominator > 0. Made of divisions that a 32-bit
-/// processor has: the compiler's own takes 850 bytes. Two digits of 16 bits, after Knuth (The Art
-/// of Computer Programming, vol. 2, 4.3.1, algorithm D); the upper half of the quotient comes
-/// before them.
+/// numerator / denominator, rounded down; denominator > 0. Uses the 32-bit divisions of the
+/// processor, because the compiler's 64-bit division takes 850 bytes. Two digits of 16 bits, Knuth
+/// (The Art of Computer Programming, vol. 2, 4.3.1, algorithm D), after the upper half of the
+/// quotient.
 constexpr std::uint64_t divide(std::uint64_t numerator, std::uint32_t denominator) {
   constexpr std::uint32_t kDigit = 1U << 16U;
   const auto upper = static_cast<std::uint32_t>(numerator >> 32U);
   const int shift = __builtin_clz(denominator);
   const std::uint64_t rest =
       (std::uint64_t{upper % denominator} << 32U | static_cast<std::uint32_t>(numerator)) << shift;
-  denominator <<= shift;  // its highest bit is set: an estimate is too large by 2 at most
+  denominator <<= shift;  // its highest bit is set, so an estimate exceeds the digit by at most 2
   std::uint64_t quotient = upper / (denominator >> shift);
   auto remainder = static_cast<std::uint32_t>(rest >> 32U);
   for (int digit = 1; digit >= 0; --digit) {

@@ -14,7 +14,7 @@ struct SineCosine {
 /// Sine and cosine of phase * 2^-32 turns. Error of each at most 5e-9 (test: a sweep of the turn).
 SineCosine sine_cosine(std::uint32_t phase);
 
-/// The same for an angle in turns; whole turns drop out, the rest is rounded to 2^-32.
+/// The same for an angle in turns; whole turns are dropped, the rest is rounded to 2^-32.
 template <int kFractionalBits>
 SineCosine sine_cosine_of_turns(Fixed<std::int64_t, kFractionalBits> turns) {
   static_assert(kFractionalBits >= 32);

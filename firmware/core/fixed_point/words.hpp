@@ -4,38 +4,38 @@
 
 namespace fog {
 
-// Numbers that share a word, and words that share 64 bits. Nothing here rounds but upper_word().
+// Numbers that share a word, and words that share 64 bits. Only upper_word() rounds.
 
-/// |value|, also of the lowest, whose magnitude only an unsigned word holds.
+/// |value|, unsigned, so that it also holds the magnitude of the lowest value.
 constexpr std::uint32_t magnitude_of(std::int32_t value) {
   const auto bits = static_cast<std::uint32_t>(value);
   return value < 0 ? 0U - bits : bits;
 }
 
-/// The lower 16 bits, as they stand.
+/// The lower 16 bits, unsigned.
 constexpr std::uint32_t lower_half(std::int32_t word) {
   return static_cast<std::uint16_t>(word);
 }
 
-/// `upper` (its lower 16 bits) above `lower` (below 2^16) in one word.
+/// One word: the lower 16 bits of `upper` above `lower` (below 2^16).
 constexpr std::uint32_t pack_halves(std::uint32_t lower, std::int32_t upper) {
   return (static_cast<std::uint32_t>(upper) << 16U) | lower;
 }
 
-/// A sum of products whose result is its upper word: begins at upper * 2^32, and with half of the
-/// upper word's LSB below, so that upper_word() of it is rounded to nearest, halves upwards.
+/// Start value of a sum of products whose result is its upper word: upper * 2^32 plus half an LSB
+/// of the upper word, so that upper_word() of the sum rounds to nearest, halves upwards.
 constexpr std::int64_t sum_of_upper_word(std::int32_t upper) {
   const auto bits = static_cast<std::uint32_t>(upper);
   return static_cast<std::int64_t>((std::uint64_t{bits} << 32U) | (std::uint64_t{1} << 31U));
 }
 
-/// sum / 2^32, rounded down; fits always. Shifted unsigned: from a signed shift GCC would take the
-/// result to have 64 bits, and multiply so.
+/// sum / 2^32, rounded down; always fits. Shifted as unsigned: after a signed shift GCC takes the
+/// result for 64 bits wide and multiplies accordingly.
 constexpr std::int32_t upper_word(std::int64_t sum) {
   return static_cast<std::int32_t>(static_cast<std::uint64_t>(sum) >> 32U);
 }
 
-/// Two words that a function returns in two registers; a struct of two would go through memory.
+/// Two words that a function returns in two registers; a struct would be returned in memory.
 class RegisterPair {
  public:
   static constexpr std::uint64_t of(std::int32_t first, std::int32_t second) {

@@ -22,7 +22,8 @@ std::uint16_t frame_crc(const std::uint8_t* bytes, std::uint16_t start) {
   return crc16(bytes + kSequence, kCrc - kSequence, start);
 }
 
-// As in kvh_frame.cpp. Of 32 bits that are all set both halves are, and so is what both have.
+// As in kvh_frame.cpp. Both halves of an intact image CRC (32 ones) are all ones, and so is their
+// AND.
 FOG_OPAQUE std::uint16_t sealed_crc(const std::uint8_t* bytes, std::uint32_t image_crc) {
   const auto status = static_cast<Status>(load_le32(bytes + kStatus));
   const auto start = static_cast<std::uint16_t>(image_crc & (image_crc >> 16U));

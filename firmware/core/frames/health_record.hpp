@@ -8,27 +8,27 @@
 
 namespace fog {
 
-/// The words of a health record, in the order in which they are sent.
+/// Words of a health record in their order in the frame.
 enum class HealthWord : std::uint8_t {
-  model,            ///< CRC-32 of the model file that the weights come from
-  image,            ///< the seal of the image, by which it is known: no two images have the same
-  samples,          ///< answered since the start, modulo 2^32, as all counts
-  invalid_rates,    ///< of these, without a valid undelayed rate
-  sequence_gaps,    ///< of these, after lost samples, late, or repeated
-  status_last,      ///< Status of the last sample
-  status_seen,      ///< of all samples together
-  discarded_bytes,  ///< of the sensor stream: part of no good frame
-  image_passes,     ///< checks of the whole image since the start
-  memory_passes,    ///< tests of the whole memory since the start
-  stack,            ///< bytes of it; from bit 16 on, of these never written since the start
-  version,          ///< of the firmware: 1.2.3 is 010203
-  sources,          ///< 32 bits of the SHA-256 of what the image was built from, but for the model
-  processor,        ///< three words: the number that no other processor has, or 0
-  serial = processor + 3,  ///< four: that of the gyro, ASCII, padded with 0, at least one
+  model,                   ///< CRC-32 of the model file that the weights come from
+  image,                   ///< seal of the image, unique to it
+  samples,                 ///< answered since the start, modulo 2^32, as all counts
+  invalid_rates,           ///< of these, without a valid undelayed rate
+  sequence_gaps,           ///< of these, after lost samples, late, or repeated
+  status_last,             ///< Status of the last sample
+  status_seen,             ///< of all samples together
+  discarded_bytes,         ///< of the sensor stream: part of no good frame
+  image_passes,            ///< checks of the whole image since the start
+  memory_passes,           ///< tests of the whole memory since the start
+  stack,                   ///< size in bytes; from bit 16 on: bytes never written since the start
+  version,                 ///< of the firmware: 1.2.3 is 010203
+  sources,                 ///< 32 bits of the SHA-256 of the image's sources, without the model
+  processor,               ///< three words: unique number of the processor, or 0
+  serial = processor + 3,  ///< four: of the gyro; ASCII, padded with at least one 0
   count = serial + 4
 };
 
-/// What is counted of the samples: words of the record.
+/// Counters of samples: words of the record.
 struct SampleCounts {
   std::uint32_t samples = 0;
   std::uint32_t invalid_rates = 0;
@@ -46,9 +46,9 @@ struct SampleCounts {
   }
 };
 
-/// What a board knows about itself (SPEC.md, "Health record").
+/// State of a board for diagnosis (SPEC.md, "Health record").
 struct HealthRecord {
-  bool image_intact = false;     ///< at the start; what is found later ends in a restart
+  bool image_intact = false;     ///< at the start; later failures cause a restart
   bool memory_good = false;      ///< likewise
   std::uint8_t model_error = 0;  ///< a ModelError
   std::array<std::uint32_t, static_cast<std::size_t>(HealthWord::count)> words{};
@@ -65,8 +65,8 @@ using HealthResponse = std::array<std::uint8_t, kHealthResponseBytes>;
 
 HealthResponse encode_health_response(const HealthRecord& record);
 
-/// Reads kHealthResponseBytes bytes; false, with nothing changed, unless sync, layout and CRC are
-/// right, all other flags are 0, and serial number and reset cause end.
+/// Reads kHealthResponseBytes bytes. Returns false, and changes nothing, unless sync, layout and
+/// CRC are right, all other flags are 0, and serial number and reset cause are terminated.
 bool decode_health_response(const std::uint8_t* bytes, HealthRecord& record);
 
 }  // namespace fog

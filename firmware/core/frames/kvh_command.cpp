@@ -45,7 +45,7 @@ char upper_case(std::uint8_t byte) {
 
 std::size_t KvhCommands::feed(std::uint8_t byte, std::uint8_t* out) {
   if (byte == '=' || byte == '?') {
-    size_ = 0;  // no command has one within
+    size_ = 0;  // starts a command; these characters do not occur within one
   } else if (byte == '\r' || byte == '\n') {
     const bool whole = size_ > 1 && size_ < kMaxLine;
     line_[whole ? size_ : 0] = '\0';
@@ -62,7 +62,7 @@ std::size_t KvhCommands::feed(std::uint8_t byte, std::uint8_t* out) {
   return 0;
 }
 
-// A command is answered by itself without the first character, a query by that and its value.
+// A command is answered by itself without its first character, a query by that and its value.
 std::size_t KvhCommands::answer(std::uint8_t* out) {
   Line line(out);
   const char* const command = line_.data();
@@ -72,7 +72,7 @@ std::size_t KvhCommands::answer(std::uint8_t* out) {
   }
   if (!configuring_) return 0;
   if (equal(command, "=CONFIG,0")) {
-    configuring_ = false;  // by itself the only command without an answer
+    configuring_ = false;  // the only command without an answer
     return 0;
   }
   struct Setting {
@@ -90,7 +90,7 @@ std::size_t KvhCommands::answer(std::uint8_t* out) {
     const std::size_t size = known.end();
     std::size_t same = 0;
     while (command[1 + same] == static_cast<char>(out[same])) ++same;
-    // A query ends where the value begins, a command where the answer does.
+    // A query ends where the value begins, a command where the answer ends.
     const char next = static_cast<char>(out[same]);
     if (command[1 + same] == '\0' && next == (command[0] == '?' ? ',' : '\r')) return size;
   }

@@ -6,21 +6,21 @@
 
 namespace fog {
 
-/// What a board that is asked as a KVH gyro is asked says of itself.
+/// Settings that a board reports to the KVH query commands.
 struct KvhSettings {
   std::uint32_t sample_rate_hz = 0;
   bool delta_angle = false;
 };
 
-/// The commands that drivers of KVH's gyros send at start-up (SPEC.md, "KVH commands"): lines of
-/// ASCII, ended by CR or LF. What a header has chosen they cannot change: a value that is another
-/// is refused.
+/// The commands that drivers of KVH gyros send at start-up (SPEC.md, "KVH commands"): lines of
+/// ASCII, terminated by CR or LF. They cannot change what the header has selected: another value is
+/// refused.
 class KvhCommands {
  public:
   explicit KvhCommands(const KvhSettings& settings) : settings_(settings) {}
 
-  /// Takes a byte. Where it ends a line that is to be answered: writes the answer to `out` (room
-  /// for kMaxAnswer) and returns its size; else returns 0.
+  /// Takes a byte. If it completes a line that has an answer, writes the answer to `out` (at least
+  /// kMaxAnswer bytes) and returns its size; else returns 0.
   std::size_t feed(std::uint8_t byte, std::uint8_t* out);
 
   /// Whether the user has entered the configuration mode, in which no frames are sent.
@@ -34,7 +34,7 @@ class KvhCommands {
 
   KvhSettings settings_;
   bool configuring_ = false;
-  std::size_t size_ = 0;  // of line_; 0: not within a command; kMaxLine: too long for any
+  std::size_t size_ = 0;  // of line_; 0: not within a command; kMaxLine: too long for any command
   std::array<char, kMaxLine> line_{};
 };
 

@@ -17,8 +17,8 @@ constexpr std::size_t kCrc = 32;
 constexpr std::uint8_t kRotationZValid = 1U << 2U;
 constexpr std::uint32_t kSequenceMask = 0x7F;
 
-// Looks at the bytes as they will be sent: what the code that wrote them meant does not count. Kept
-// out of line, so that the compiler cannot take the one for the other.
+// Decides by the bytes that are sent, not by the variables they were made from. Not inline and
+// opaque, so that the compiler cannot replace one by the other.
 FOG_OPAQUE std::uint32_t frame_crc(const std::uint8_t* frame, std::uint32_t image_crc) {
   const bool marks_valid = frame[kStatus] != 0;
   return crc32(frame, kCrc, marks_valid ? image_crc : kCrc32Initial);

@@ -6,16 +6,16 @@
 
 namespace fog {
 
-// How a model table gets into a slot of a board over its command port (SPEC.md, "Loading a table"):
-// a message, its answer, the next message.
+// Protocol that writes a model table into a slot of a board through its command port (SPEC.md,
+// "Loading a table"): each message is answered before the next one is sent.
 
 enum class LoadStep : std::uint8_t {
-  begin,  ///< the first words of the slot: whether the rest may come; erases
+  begin,  ///< first words of the slot: asks whether the rest may come; erases
   block,  ///< the next words
-  end,    ///< all have come: verifies them, and makes them a slot
+  end,    ///< verifies the words and makes the slot valid
 };
 
-/// Why a board refuses a step. Numbers up to other_board are those of ModelError.
+/// Reasons for which a board refuses a step. Numbers up to other_board are those of ModelError.
 enum class LoadRefusal : std::uint8_t {
   none,
   not_a_model,
@@ -24,10 +24,10 @@ enum class LoadRefusal : std::uint8_t {
   out_of_range,
   not_in_image,
   other_board,
-  other_gyro,    ///< the table in use is of another one
+  other_gyro,    ///< the table in use belongs to another gyro
   not_newer,     ///< than the table in use: it would not be used
-  strap_open,    ///< nobody has closed the board's service strap
-  flash_failed,  ///< does not hold what is written to it
+  strap_open,    ///< the board's service strap is open
+  flash_failed,  ///< does not keep what is written to it
   not_expected,  ///< a step that does not follow the last one
 };
 
@@ -40,7 +40,7 @@ struct LoadMessage {
   std::array<std::uint32_t, kMaxLoadWords> words{};
 };
 
-/// Bits of `at` of a begin.
+/// Bits of `at` in a `begin` message.
 constexpr std::uint32_t kMayBeAnotherGyro = 1;
 
 struct LoadAnswer {
@@ -54,17 +54,17 @@ constexpr std::size_t kMaxLoadBytes = kLoadHeaderBytes + 4 * kMaxLoadWords + 4;
 constexpr std::size_t kLoadAnswerBytes = 12;
 using LoadAnswerBytes = std::array<std::uint8_t, kLoadAnswerBytes>;
 
-/// Writes a message to `out`, room for kMaxLoadBytes, and returns its size in bytes.
+/// Writes a message to `out`, at least kMaxLoadBytes, and returns its size in bytes.
 std::size_t encode_load_message(const LoadMessage& message, std::uint8_t* out);
 
 LoadAnswerBytes encode_load_answer(const LoadAnswer& answer);
 
-/// Reads kLoadAnswerBytes bytes; false, with nothing changed, unless sync, numbers and CRC are
-/// right.
+/// Reads kLoadAnswerBytes bytes. Returns false, and changes nothing, unless sync, numbers and CRC
+/// are right.
 bool decode_load_answer(const std::uint8_t* bytes, LoadAnswer& answer);
 
-/// Finds messages in what comes in. After damage it may miss the next one: whoever gets no answer
-/// sends it again.
+/// Finds messages in a byte stream. After damage it may miss the next one: a sender that gets no
+/// answer repeats the message.
 class LoadParser {
  public:
   /// Whether this byte completes a message with a right CRC.

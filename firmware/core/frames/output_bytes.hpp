@@ -7,7 +7,7 @@
 
 namespace fog {
 
-/// Most bytes that one sensor sample causes to be sent: both frames.
+/// Largest number of bytes sent per sensor sample: both frames.
 constexpr std::size_t kMaxOutputBytes = kKvhFrameBytes + kCompactFrameBytes;
 
 }  // namespace fog

@@ -3,7 +3,7 @@
 namespace fog {
 namespace {
 
-// One deg/h is pi / 648000 rad/s: round(2^49 * pi / 648000). The test RateFloat recomputes it.
+// 1 deg/h = pi / 648000 rad/s: round(2^49 * pi / 648000). The test RateFloat recomputes it.
 constexpr std::uint64_t kRadiansPerDegreePerHour = 2729258392U;
 constexpr int kConstantFraction = 49;
 
@@ -13,7 +13,7 @@ std::uint32_t rate_as_radians_float(Rate rate) {
   const std::int64_t raw = rate.raw();
   if (raw == 0) return 0;
   const std::uint64_t magnitude = static_cast<std::uint64_t>(raw < 0 ? -raw : raw);
-  // Below 2^31 * 2^32, at least 2^31: the top bit lies above the mantissa and the number is normal.
+  // Between 2^31 and 2^63: the top bit is above the mantissa and the number is normal.
   const std::uint64_t product = magnitude * kRadiansPerDegreePerHour;
   const int top_bit = 63 - __builtin_clzll(product);
   const int dropped = top_bit - kMantissaBits;

@@ -6,7 +6,7 @@
 
 namespace fog {
 
-/// One sample as the demodulator sends it (SPEC.md, "Sensor stream"): raw, nothing calibrated.
+/// One raw, uncalibrated sample from the demodulator (SPEC.md, "Sensor stream").
 struct SensorSample {
   std::uint16_t sequence = 0;
   std::int32_t rate_counts = 0;
@@ -20,11 +20,11 @@ constexpr std::uint8_t kSensorSync0 = 0xA5;
 constexpr std::uint8_t kSensorSync1 = 0x5A;
 using SensorFrame = std::array<std::uint8_t, kSensorFrameBytes>;
 
-/// The 16 bytes of a sample, CRC included. Used by the host to make streams, and by tests.
+/// Encodes a sample: 16 bytes, CRC included. For the host's streams and tests.
 SensorFrame encode_sensor_frame(const SensorSample& sample);
 
-/// Reads 16 bytes. Returns false, and leaves `sample` alone, unless sync, CRC, the reserved byte
-/// and the unused status bits are all as they must be.
+/// Reads 16 bytes. Returns false, and leaves `sample` unchanged, unless sync, CRC, reserved byte
+/// and unused status bits are valid.
 bool decode_sensor_frame(const std::uint8_t* bytes, SensorSample& sample);
 
 }  // namespace fog

@@ -6,7 +6,7 @@
 
 namespace fog {
 
-/// What lies in a slot that a model is loaded into.
+/// Contents of a model slot.
 struct SlotRecord {
   std::uint8_t error = 0;                 ///< a ModelError: why it cannot be used; none: it can
   std::uint32_t sequence = 0;             ///< of two the newer has the higher
@@ -15,7 +15,7 @@ struct SlotRecord {
   std::array<std::uint32_t, 4> serial{};  ///< of the gyro, ASCII, padded with 0
 };
 
-/// What a board says of both (SPEC.md, "Slots record").
+/// Contents of both slots, as the board reports them (SPEC.md, "Slots record").
 struct SlotsRecord {
   static constexpr std::uint8_t kNone = 2;
   std::uint8_t used = kNone;  ///< 0, 1
@@ -27,8 +27,8 @@ using SlotsResponse = std::array<std::uint8_t, kSlotsResponseBytes>;
 
 SlotsResponse encode_slots_response(const SlotsRecord& record);
 
-/// Reads kSlotsResponseBytes bytes; false, with nothing changed, unless sync, layout and CRC are
-/// right, `used` is possible and the serial numbers end.
+/// Reads kSlotsResponseBytes bytes. Returns false, and changes nothing, unless sync, layout and CRC
+/// are right, `used` is a possible value and the serial numbers are terminated.
 bool decode_slots_response(const std::uint8_t* bytes, SlotsRecord& record);
 
 }  // namespace fog

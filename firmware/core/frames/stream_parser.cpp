@@ -4,12 +4,13 @@ namespace fog {
 
 static_assert(2 * kExtensionFrameBytes > kSensorFrameBytes);
 
-// The window begins with a candidate, or holds nothing. A candidate that fails gives up its first
-// byte only: a record may lie whole within the 15 bytes that are left, but not two, so a byte
-// completes at most one frame.
+// The window starts with a candidate or is empty. When a candidate fails, only its first byte is
+// dropped. The 15 bytes left may contain one whole record, but not two, so a byte completes at most
+// one frame.
 StreamParser::Found StreamParser::feed(std::uint8_t byte) {
   window_[filled_++] = byte;
-  if (filled_ > 2 && filled_ < candidate_bytes()) return Found::nothing;  // the same candidate
+  if (filled_ > 2 && filled_ < candidate_bytes())
+    return Found::nothing;  // candidate still incomplete
   for (;;) {
     while (filled_ > 0 && !starts_like_a_frame()) {
       drop(1);

@@ -10,20 +10,20 @@
 namespace fog {
 
 /// Finds the frames in a byte stream. Self-synchronising: after lost, added or damaged bytes it is
-/// back within one good frame, because bytes of a candidate that fails are searched again rather
-/// than thrown away; and it accepts no frame whose CRC is wrong.
+/// back within one good frame, because the bytes of a failed candidate are searched again. It
+/// accepts no frame whose CRC is wrong.
 class StreamParser {
  public:
   enum class Found : std::uint8_t { nothing, sample, extension };
 
-  /// Takes one byte. Says what it completes: a sample, then in sample(), or an extension record,
-  /// then in extension().
+  /// Takes one byte and returns what it completes: a sample, available in sample(), or an extension
+  /// record, available in extension().
   Found feed(std::uint8_t byte);
 
   const SensorSample& sample() const { return sample_; }
   const ExtensionRecord& extension() const { return extension_; }
 
-  /// Bytes that were part of no good frame, modulo 2^32.
+  /// Bytes that belonged to no good frame, modulo 2^32.
   std::uint32_t discarded_bytes() const { return discarded_; }
 
  private:

@@ -6,30 +6,30 @@
 
 namespace fog {
 
-/// Result of the latest check of the image, with a limited life: each sample uses up a part of it.
-/// When it has ended, the result published meanwhile takes its place; if there is none, the token
-/// is bad. So code that has no part in the check notices a check that has stopped or whose result
-/// never arrives. The result is kept twice, for two uses that must not share a load or an
-/// operation: one flipped bit in the code can make a bad CRC look good once, not twice.
+/// Result of the latest check of the image, with a limited life counted in samples. When it
+/// expires, the result published in the meantime replaces it; without one the token is bad. So code
+/// outside the check notices a check that has stopped or whose result never arrives. The result is
+/// stored twice, for two uses that must not share a load or an operation: one flipped bit in the
+/// code can make a bad CRC look good in one use, not in both.
 class IntegrityToken {
  public:
-  /// A published CRC lasts for `samples` (>= 1).
+  /// A published CRC is valid for `samples` (>= 1) samples.
   explicit IntegrityToken(std::uint32_t samples) : samples_(samples) {}
 
-  /// For a computer that has no image to check: always kIntactImage.
+  /// Token of a computer that has no image to check: always kIntactImage.
   static IntegrityToken not_needed() {
     IntegrityToken token(kForEver);
     token.publish(kIntactImage, kIntactImage);
     return token;
   }
 
-  /// The CRC that a check has computed, good or bad, read twice.
+  /// Publishes the CRC that a check has computed, good or bad; the caller reads it twice.
   void publish(std::uint32_t for_status, std::uint32_t for_frames) {
     next_status_ = for_status;
     next_frames_ = for_frames;
   }
 
-  /// Before the next sample.
+  /// To be called before each sample.
   void consume() {
     if (left_ == 0) {
       status_ = next_status_;

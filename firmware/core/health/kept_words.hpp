@@ -8,24 +8,23 @@
 
 namespace fog {
 
-/// Words in memory that start-up leaves alone. After a reset that memory holds what was there, or
-/// anything, so the words count only with their own CRC, and only for their owner: a number that
-/// nobody else has.
+/// Words in memory that start-up does not initialise. After a reset they may hold the old or random
+/// values, so they are valid only with their own CRC and for their owner, a unique number.
 template <std::size_t kCapacity>
 class KeptWords {
  public:
   static constexpr std::size_t capacity = kCapacity;
 
   std::uint32_t* words() { return words_.data(); }
-  /// That the first `size` of the words are written; 0: that there are none.
+  /// Marks the first `size` words as written; 0 marks none.
   void seal(std::size_t size, std::uint32_t owner) {
     size_ = static_cast<std::uint32_t>(size);
     crc_ = crc(owner);
   }
   void forget() { size_ = 0; }
-  /// How many are written; only where they are intact.
+  /// Number of words written; valid only if are_intact().
   std::size_t size() const { return size_; }
-  /// Whether there are any, as they were sealed.
+  /// Whether there are words and they are as sealed by `owner`.
   bool are_intact(std::uint32_t owner) const {
     return size_ - 1U < kCapacity && crc_ == crc(owner);
   }

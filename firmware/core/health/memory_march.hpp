@@ -6,15 +6,15 @@
 
 namespace fog {
 
-/// What the words of a memory are filled with, and their complement: 1 bit of 2, 4, ... 32, so that
-/// any two bits of a word differ in one of them at least.
+/// Patterns for the test of a memory; each is used with its complement. Any two bits of a word
+/// differ in at least one pattern.
 constexpr std::array<std::uint32_t, 6> kMarchPatterns{0x00000000U, 0x55555555U, 0x33333333U,
                                                       0x0F0F0F0FU, 0x00FF00FFU, 0x0000FFFFU};
 
-/// March C- over `words` words: finds every cell that is stuck or cannot change, and every cell
-/// that a write to another of these words disturbs (for bits of one word: with all kMarchPatterns).
-/// What the words held is lost. `Memory` reads and writes words by index; every call is one access.
-/// Returns whether all read back what was written.
+/// March C- over `words` words. Finds every cell that is stuck or cannot change, and every cell
+/// disturbed by a write to another of these words (for bits of one word: with all kMarchPatterns).
+/// Destroys the contents. `Memory` reads and writes words by index; every call is one access.
+/// Returns whether all reads gave what was written.
 template <class Memory>
 bool march(Memory& memory, std::size_t words, std::uint32_t pattern) {
   const std::uint32_t inverse = ~pattern;
@@ -32,7 +32,7 @@ bool march(Memory& memory, std::size_t words, std::uint32_t pattern) {
   return good;
 }
 
-/// The same over a few words that keep what they held. Nothing else may look at them meanwhile.
+/// The same for a few words, whose contents are restored. Nothing else may access them meanwhile.
 template <std::size_t kWords, class Memory>
 bool march_and_restore(Memory& memory, std::uint32_t pattern) {
   std::array<std::uint32_t, kWords> held;

@@ -8,7 +8,7 @@
 
 namespace fog {
 
-/// Words in use that a test writes to and restores: an access is an access.
+/// Words in use that a test overwrites and restores; volatile keeps every access.
 struct LiveWords {
   volatile std::uint32_t* words;
 
@@ -16,18 +16,18 @@ struct LiveWords {
   void write(std::size_t i, std::uint32_t value) { words[i] = value; }
 };
 
-/// Marches over a memory in use, a block of kBlockWords at a time, with another pattern each pass.
-/// `Words`: how it is read and written.
+/// Runs the march test over a memory in use, one block of kBlockWords per step, with another
+/// pattern in each pass. `Words`: how the memory is read and written.
 template <class Words = LiveWords>
 class MemoryScan {
  public:
   static constexpr std::size_t kBlockWords = 4;
 
-  /// A whole number of blocks is tested: `memory` less up to 3 words.
+  /// Only whole blocks are tested: up to 3 words of `memory` are not.
   explicit MemoryScan(Span<volatile std::uint32_t> memory) : memory_(memory) {}
 
-  /// Tests the next block, unless a word of it lies within `in_use`, which is what this call and
-  /// its callers stand on. Returns false where a cell failed. Interrupts must be held off.
+  /// Tests the next block, unless it overlaps `in_use`, the stack of this call and its callers.
+  /// Returns false if a cell failed. Interrupts must be disabled.
   bool step(Span<volatile std::uint32_t> in_use) {
     const Span<volatile std::uint32_t> block{memory_.data + position_, kBlockWords};
     bool good = true;

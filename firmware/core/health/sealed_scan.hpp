@@ -10,9 +10,9 @@
 
 namespace fog {
 
-/// Goes over the image, then over what else is not to change (constants in RAM, a model in flash),
-/// again and again, a few bytes at a time. All parts are sealed, so that the CRC is kIntactImage at
-/// the end of each.
+/// Computes the CRC of the image, then of everything else that must not change (constants in RAM, a
+/// model in flash), repeatedly, a few bytes at a time. All parts are sealed, so that the CRC is
+/// kIntactImage at the end of each.
 template <std::size_t kParts>
 class SealedScan {
  public:
@@ -26,11 +26,12 @@ class SealedScan {
     return parts_[0].size + parts_[1].size + (kParts > 2 ? parts_[kParts - 1].size : 0);
   }
 
-  /// Takes the next `bytes` (>= 1), fewer at the end. Returns whether that was the end; `crc` is
-  /// then that of the whole pass, and the next call begins anew. No finished CRC is kept: it could
-  /// be read again by a scan that has stopped.
+  /// Takes the next `bytes` (>= 1), fewer at the end. Returns whether the pass is complete; `crc`
+  /// is then its CRC, and the next call starts a new pass. No finished CRC is kept: a scan that has
+  /// stopped could be read again.
   bool step(std::size_t bytes, volatile std::uint32_t& crc) {
-    if (position_ == size()) position_ = 0;  // not beside crc_, or one spoilt store would keep both
+    if (position_ == size())
+      position_ = 0;  // apart from crc_, or one corrupted store would keep both
     while (bytes > 0 && position_ < size()) bytes -= take(bytes);
     if (position_ != size()) return false;
     crc = crc_;
@@ -39,7 +40,7 @@ class SealedScan {
   }
 
  private:
-  // Returns how many bytes it took, all of them from one part.
+  // Returns the number of bytes taken, all of one part.
   std::size_t take(std::size_t bytes) {
     const bool in_first = position_ < parts_[0].size;
     std::size_t from = in_first ? position_ : position_ - parts_[0].size;

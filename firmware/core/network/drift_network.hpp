@@ -12,8 +12,8 @@ namespace fog {
 
 namespace detail {
 
-// The lags behind lagged temperatures, one per place in the list of inputs. Their state stays
-// within the trained range, as a lag never leaves the range of its input.
+// Lags for the inputs `lagged temperature`, one per position in the list of inputs. Their states
+// stay within the trained range, as a lag never leaves the range of its input.
 template <bool kUsed>
 class InputLags {
  public:
@@ -28,7 +28,7 @@ class InputLags {
   void carry(StateCarrier& state) {
     for (Lag& lag : lags_) lag.carry(state);
   }
-  // Without calls: 12 instructions less of 50, 64 bytes more.
+  // Inlined: saves 12 of 50 instructions and costs 64 bytes.
   [[gnu::flatten]] Temperature step(std::size_t input, Temperature temperature) {
     return round_to<Temperature>(lags_[input].step(round_to<Lag::State>(temperature)));
   }
@@ -48,9 +48,8 @@ class InputLags<false> {
 
 }  // namespace detail
 
-/// The network of a model with the signals that it sees, once per block. Only inputs in kCompiled
-/// exist in the image; a model table with another one is refused before this is built
-/// (read_model). Its parameters must outlive it.
+/// The network of a model with its input signals, run once per block. Only inputs in kCompiled
+/// exist in the image; read_model refuses a table with another one. Its parameters must outlive it.
 template <NetworkInputMask kCompiled>
 class DriftNetwork {
  public:
@@ -59,11 +58,11 @@ class DriftNetwork {
   explicit DriftNetwork(const NetworkParameters& parameters)
       : parameters_(parameters), lags_(parameters) {}
 
-  /// Starts all states from these signals.
+  /// Starts all states from `signals`.
   void reset(const BoardSignals& signals) { lags_.reset(signals.temperature); }
   void carry(StateCarrier& state) { lags_.carry(state); }
 
-  /// Advances all states by one block and returns the network's drift, 0 without a network.
+  /// Advances all states by one block and returns the network's drift; 0 without a network.
   DriftSum step(const BoardSignals& signals) {
     if (!parameters_.present()) return {};
     for (std::size_t i = 0; i < parameters_.input_count; ++i) {
@@ -75,7 +74,7 @@ class DriftNetwork {
  private:
   static constexpr bool compiled(NetworkInput input) { return (kCompiled & bit_of(input)) != 0U; }
 
-  // The raw number, in the format of its signal.
+  // Raw value of an input in the format of its signal.
   std::int32_t value(std::size_t input, const BoardSignals& signals) {
     const NetworkInput signal = parameters_.inputs[input].signal;
     if constexpr (compiled(NetworkInput::lagged_temperature)) {
@@ -83,18 +82,18 @@ class DriftNetwork {
         return lags_.step(input, signals.temperature).raw();
       }
     }
-    // Below the lagged temperature the numbers are those of the inputs.
+    // Before the lagged temperature the numbers of NetworkInput are those of Input.
     constexpr bool kRenumbered = kCompiled >= bit_of(NetworkInput::elapsed);
     return raw_value<inputs_of_network(kCompiled)>(
         signals, kRenumbered ? input_of(signal) : static_cast<Input>(signal));
   }
 
   const NetworkParameters& parameters_;
-  ScaledInputs inputs_{};  // what the network does not have stays 0
+  ScaledInputs inputs_{};  // inputs that the network does not have stay 0
   detail::InputLags<compiled(NetworkInput::lagged_temperature)> lags_;
 };
 
-/// An image without a network: no state, no code.
+/// Image without a network: no state, no code.
 template <>
 class DriftNetwork<0> {
  public:

@@ -9,8 +9,8 @@ std::int64_t product(std::int32_t weight, std::int32_t input) {
   return std::int64_t{weight} * input;
 }
 
-// What makes a NodePlace of the upper word of a layer's sums. A product instead of a shift: count
-// of nodes and distance come out in two registers.
+// Factor that turns the upper word of a layer's sum into a NodePlace. A product instead of a shift:
+// node and distance come out in two registers.
 std::int32_t places_per_sum(int layer_shift) {
   return power_of_two<std::int32_t>(NodePlace::fractional_bits - ActivationInput::fractional_bits +
                                     layer_shift);
@@ -27,14 +27,14 @@ ActivationOutput linear(std::int64_t sum, int layer_shift) {
   return ActivationOutput::from_raw(shift_left(clip(upper_word(sum), max), shift));
 }
 
-// In raw.
+// In raw units.
 bool sum_fits(std::uint64_t weights, std::int32_t bias) {
   return weights + 2 * std::uint64_t{magnitude_of(bias)} < UINT32_MAX;
 }
 
-// The output's sum. Weights are read two at a time and in this order, which the compiler keeps
-// (core/CMakeLists.txt has its options): one instruction for both. A fourth input would cost
-// those that do not have it a tenth of the time, mostly because there are no registers for it.
+// Sum of the output neuron. Weights are read in pairs and in this order, one instruction each;
+// compiler options preserve it (core/CMakeLists.txt). A fourth input would cost networks without it
+// a tenth of their time, because registers run out; hence the template.
 template <std::size_t kInputs>
 std::int64_t output_sum(const NetworkParameters& network, const ScaledInputs& inputs) {
   static_assert(kMaxNetworkInputs == 4 && kNeuronWords == 6);

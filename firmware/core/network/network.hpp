@@ -14,33 +14,34 @@
 
 namespace fog {
 
-/// What a model may ask for. The board has one activation, tanh(z / 2); the factors in which logsig
-/// and tansig differ from it go into weights and biases when the table is written.
+/// Activations of a model. The board computes only tanh(z / 2); when the table is written, weights
+/// and biases absorb the factors in which logsig and tansig differ from it.
 enum class Activation : std::int32_t { logsig = 0, tansig = 1, linear = 2 };
 
 constexpr std::size_t kMaxHidden = 32;
 
-/// Fractional bits of weights, less the layer's shift; biases and sums have two less.
+/// Fractional bits of weights, less the shift of the layer; biases and sums have two fewer.
 constexpr int kWeightFraction = 29;
 constexpr int kMaxWeightShift = 16;
 
 using NetworkDrift = Fixed<std::int32_t, 16>;  ///< deg/h, +-32768
 
-/// x -> (x - centre, clipped to +-reach) * 2^shift: the min-max normalisation of training but for a
-/// factor between 1 and 2, which is in the weights. Exact.
+/// x -> (x - centre, clipped to +-half_range) * 2^shift: the min-max normalisation of training up
+/// to a factor between 1 and 2, which the weights include. Exact.
 struct InputScaling {
   NetworkInput signal{};
   FirstOrderLag<BoardNumbers>::Decay decay{};  ///< of lagged_temperature; 0 for the others
   std::int32_t centre = 0;                     ///< in the format of the signal
   std::int32_t half_range = 0;                 ///< the same; 0: no input
-  int shift = 0;                               ///< reach * 2^shift is below 2^31
+  int shift = 0;                               ///< half_range * 2^shift is below 2^31
 };
 
-/// A hidden neuron is so many words of the model table: its bias, its weights (0 for inputs that
-/// the network does not have) and its weight in the output's sum.
+/// Words of a hidden neuron in the model table: bias, weights (0 for inputs that the network does
+/// not have), weight in the sum of the output.
 constexpr std::size_t kNeuronWords = 1 + kMaxNetworkInputs + 1;
 
-/// inputs -> hidden -> one output y; drift = centre + amplitude * y. No hidden neurons: no network.
+/// inputs -> hidden -> one output y; drift = centre + amplitude * y. Without hidden neurons: no
+/// network.
 struct NetworkParameters {
   std::array<InputScaling, kMaxNetworkInputs> inputs{};
   std::size_t input_count = 0;
@@ -62,23 +63,23 @@ struct NetworkParameters {
 
 using ScaledInputs = std::array<std::int32_t, kMaxNetworkInputs>;  ///< 0 where there is none
 
-/// The nearest value within +-reach; no branch, on the board neither.
+/// `value` clipped to +-half_range; without a branch, on the board as well.
 inline std::int32_t clip(std::int32_t value, std::int32_t half_range) {
   value = value < half_range ? value : half_range;
   return value > -half_range ? value : -half_range;
 }
 
-/// The raw value of a signal as the network takes it.
+/// Raw value of a signal, scaled as the network expects it.
 inline std::int32_t scaled_input(std::int32_t raw, const InputScaling& scaling) {
   const std::int32_t difference = saturating_difference(raw, scaling.centre);
   return shift_left(clip(difference, scaling.half_range), scaling.shift);
 }
 
-/// The drift of a network that is present. Stateless; always the same number of instructions for a
-/// number of neurons, with four inputs some more than with fewer.
+/// Drift of a network with hidden neurons. Stateless; the number of instructions depends only on
+/// the number of neurons and on whether there are four inputs.
 DriftSum network_drift(const NetworkParameters& network, const ScaledInputs& inputs);
 
-/// Whether no sum can leave 64 bits, whatever the inputs: in raw, sum |weight| + 2 |bias| < 2^32 -
+/// Whether no sum can leave 64 bits for any inputs: in raw units, sum |weight| + 2 |bias| < 2^32 -
 /// 1 for every neuron, the output included.
 bool network_fits(const NetworkParameters& network);
 

@@ -7,8 +7,8 @@
 
 namespace fog {
 
-/// What a network can have as input; its number in the model table. These are the inputs in their
-/// order, but for number 2.
+/// Possible inputs of a network; their numbers in the model table. In the order of Input, but for
+/// number 2.
 enum class NetworkInput : std::int32_t {
   temperature = 0,
   temperature_rate = 1,
@@ -22,14 +22,14 @@ constexpr NetworkInput network_input(Input input) {
   const auto number = static_cast<std::int32_t>(input);
   return static_cast<NetworkInput>(input < Input::elapsed ? number : number + 1);
 }
-/// What it is made of.
+/// The signal that the input is derived from.
 constexpr Input input_of(NetworkInput input) {
   if (input == NetworkInput::lagged_temperature) return Input::temperature;
   const auto number = static_cast<std::int32_t>(input);
   return static_cast<Input>(input < NetworkInput::lagged_temperature ? number : number - 1);
 }
 
-/// As many as one network takes.
+/// Largest number of inputs of a network.
 constexpr std::size_t kMaxNetworkInputs = 4;
 
 using NetworkInputMask = std::uint32_t;  ///< bit = NetworkInput; 0: no network
@@ -38,7 +38,7 @@ constexpr NetworkInputMask bit_of(NetworkInput input) {
   return NetworkInputMask{1} << static_cast<unsigned>(input);
 }
 
-/// The inputs that a network with this mask uses beside the temperature, which is always there.
+/// Inputs that a network with this mask uses beside the temperature, which is always available.
 constexpr InputMask inputs_of_network(NetworkInputMask mask) {
   constexpr NetworkInputMask kBefore = bit_of(NetworkInput::lagged_temperature) - 1U;
   return (mask & kBefore) | (mask / 2U & ~kBefore);

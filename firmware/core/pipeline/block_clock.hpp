@@ -7,13 +7,13 @@
 
 namespace fog {
 
-/// Divides the sample count into blocks, and counts the blocks since power-on.
+/// Divides the samples into blocks and counts the blocks since power-on.
 class BlockClock {
  public:
   /// samples_per_block from 1 to 2^31 - 1.
   explicit BlockClock(std::uint32_t samples_per_block) : samples_per_block_(samples_per_block) {}
 
-  /// Lets `samples` (below 2^31) pass; returns how many blocks they completed.
+  /// Advances by `samples` (below 2^31); returns how many blocks they completed.
   std::uint32_t advance(std::uint32_t samples) {
     const std::uint32_t position = now_.position + samples;
     if (position < samples_per_block_) {
@@ -29,13 +29,13 @@ class BlockClock {
 
   void carry(StateCarrier& state) { state(now_); }
 
-  /// Blocks completed so far; stays at its highest value after 68 years.
+  /// Blocks completed so far; saturates after 68 years.
   Elapsed elapsed() const { return Elapsed::from_raw(static_cast<std::int32_t>(now_.elapsed)); }
 
  private:
   std::uint32_t samples_per_block_;
   struct {
-    std::uint32_t position = 0;  // in the block, samples
+    std::uint32_t position = 0;  // samples of the current block
     std::uint32_t elapsed = 0;   // blocks
   } now_;
 };

@@ -26,7 +26,7 @@
 
 namespace fog {
 
-/// Z rotation of the KVH frames: the rate or, where the header has chosen so, its angle.
+/// Z rotation of the KVH frames: the rate or, if the header says so, the angle per sample.
 template <bool kMayBeAngle>
 class Rotation {
  public:
@@ -52,11 +52,11 @@ class Rotation<true> {
   DeltaAngle angle_;
 };
 
-/// The whole pipeline: bytes of the sensor stream in, bytes of the output stream out. The order of
-/// the stages is that of process(). Shape limits are template parameters so that an image holds
-/// just what its model needs: `kEffects` of the registry, `kExpressions`, a network of
-/// `kNetworkInputs`, filters up to `kTaps` x `kLevels`, `kOutput` frames or, with both, any, with
-/// `kOptions` of theirs.
+/// The whole pipeline: bytes of the sensor stream in, bytes of the output stream out; process()
+/// shows the order of the stages. Template parameters limit the model, so that an image contains
+/// only what it needs: effects `kEffects`, expressions `kExpressions`, a network of
+/// `kNetworkInputs`, filters up to `kTaps` x `kLevels`, frames `kOutput` (with both: any selection)
+/// and their options `kOptions`.
 template <EffectMask kEffects, ExpressionMask kExpressions, NetworkInputMask kNetworkInputs,
           std::size_t kTaps, std::size_t kLevels, OutputSelection kOutput = OutputSelection::both,
           OutputOptions kOptions = kAllOutputOptions>
@@ -74,9 +74,9 @@ class Compensator {
                                        kOutput,
                                        kOptions};
 
-  /// `parameters` must have been read with this class's room; parameters of a refused table make a
-  /// pipeline that answers every sample and marks none valid. `proof` of the image's integrity is
-  /// asked for at every sample.
+  /// `parameters` must have been read with this class's capacity. Parameters of a refused table
+  /// make a pipeline that answers every sample and marks none valid. `token`: result of the image
+  /// check, used at every sample.
   Compensator(const ModelParameters& parameters, const IntegrityToken& token)
       : fault_(parameters.fault),
         token_(token),
@@ -95,15 +95,15 @@ class Compensator {
         catch_up_steps_(steps_per_sample(parameters)),
         denoiser_(parameters.denoise) {}
 
-  /// Takes one byte of the sensor stream. Where it completes a sample, writes the frames that
-  /// answer it to `out` (room for kMaxOutputBytes) and returns their size; else returns 0.
+  /// Takes one byte of the sensor stream. If it completes a sample, writes the frames that answer
+  /// it to `out` (at least kMaxOutputBytes) and returns their size; else returns 0.
   std::size_t feed(std::uint8_t byte, std::uint8_t* out) {
     return feed(byte, out,
                 [](const SensorSample& sample) -> const SensorSample& { return sample; });
   }
 
-  /// The same for a board that knows better than the stream: what is judged is `amend(sample)`, at
-  /// the time `clock()` (SampleTime).
+  /// The same for a board with data of its own: judges `amend(sample)` at the time `clock()`
+  /// (SampleTime).
   template <class Amend, class Clock = NoClock>
   std::size_t feed(std::uint8_t byte, std::uint8_t* out, Amend amend, Clock clock = {}) {
     switch (parser_.feed(byte)) {
@@ -119,8 +119,8 @@ class Compensator {
     return encode(last_, out);
   }
 
-  /// Where no sample has come: writes frames that say so to `out` and returns their size. Nothing
-  /// else changes; the time that has passed comes with the next sample.
+  /// Writes frames without a valid rate to `out`, because no sample has come, and returns their
+  /// size. Changes nothing else; the elapsed time is accounted for with the next sample.
   std::size_t answer_silence(std::uint8_t* out) {
     begin_answer();
     last_.status |= fault_ | Status::no_samples | Status::rate_refused | Status::denoised_refused |
@@ -128,12 +128,12 @@ class Compensator {
     return encode(last_, out);
   }
 
-  /// A value that belongs to the next sample. One that no sensor can mean is as good as none; one
-  /// that shows that those before it were wrong makes an end of what came of them.
+  /// Takes a value that belongs to the next sample. An impossible value counts as missing. A value
+  /// that shows that its predecessors were wrong discards the state built on them.
   void take(const ExtensionRecord& record) {
     const ReadingUse use = extension_monitor_.judge(record);
     if (use == ReadingUse::none) return;
-    if (use == ReadingUse::good_anew) {
+    if (use == ReadingUse::good_new_history) {
       drift_model_.stop();
       collector_.forget(record.input);
       pending_.forget(record.input);
@@ -141,23 +141,22 @@ class Compensator {
     pending_.add(record.input, record.value);
   }
 
-  /// Where the checks of the image leave what they came to: unless that is kIntactImage, and
-  /// lately, no rate is valid. A frame that says otherwise, because the code that should know
-  /// better is itself damaged, has a wrong CRC.
+  /// Result of the latest image check. A rate is valid only if it is recent and equals
+  /// kIntactImage. If damaged code sets a frame valid in spite of it, the frame's CRC is wrong.
   IntegrityToken& integrity_token() { return token_; }
 
-  /// The values behind the frames last written.
+  /// Values in the frames written last.
   const OutputSample& last() const { return last_; }
 
-  /// Bytes of the sensor stream that were part of no good frame, modulo 2^32.
+  /// Bytes of the sensor stream that belonged to no good frame, modulo 2^32.
   std::uint32_t discarded_bytes() const { return parser_.discarded_bytes(); }
 
-  /// Whether a block ended with the last sample: keep() has something new to write.
+  /// Whether a block ended with the last sample, so that keep() has new state.
   bool ended_block() const { return ended_block_; }
 
-  /// What a restart of the board must not lose: thermal state, history, time since power-on. Writes
-  /// it to `words`, room for kMaxStateWords, and returns how many they are; 0 where there is
-  /// nothing worth it.
+  /// Saves the state that a restart of the board must not lose: thermal state, history, time since
+  /// power-on. Writes it to `words` (at least kMaxStateWords) and returns the number of words; 0 if
+  /// there is no state worth saving.
   std::size_t keep(std::uint32_t* words) {
     if (has_any(last_.status, Status::drift_given_up) || !drift_model_.has_caught_up()) return 0;
     StateCarrier state(StateCarrier::Way::to_words, words);
@@ -167,35 +166,31 @@ class Compensator {
   static constexpr std::size_t kMaxStateWords =
       (sizeof(Drift) + sizeof(BlockClock)) / sizeof(std::uint32_t) + 1;
 
-  /// Goes on where `words`, that keep() has written for this very model, left off; before the first
-  /// sample. The time since then is a gap in the samples' numbers like any other. Where it may have
-  /// been longer than these can show (`was_short` false) the thermal state starts anew, and only
-  /// the time since power-on goes on.
+  /// Continues from `words`, written by keep() for the same model; to be called before the first
+  /// sample. The time since then is treated as a gap in the sequence numbers. If it may have been
+  /// longer than these can show (`was_short` false), the thermal state starts anew and only the
+  /// time since power-on continues.
   void resume(std::uint32_t* words, bool was_short) {
     StateCarrier state(StateCarrier::Way::to_members, words);
     carry(state);
     if (!was_short) drift_model_.stop();
     extension_monitor_.resume(drift_model_.last_block().extension);
   }
-  /// The same where a clock that the reset did not stop says when the newest sample of `words`
-  /// came, by the clock that the next ones come with: then the gap is as long as it says.
+  /// The same if a clock has outlasted the reset: `newest` is the arrival time of the newest sample
+  /// of `words`, by the clock of the next samples; it gives the length of the gap.
   void resume_after(std::uint32_t* words, SampleTime newest) {
     resume(words, newest.known);
-    monitor_.newest_came(newest);
+    monitor_.set_newest_time(newest);
   }
 
-  /// One sample, which came `now`, through all stages.
+  /// Passes one sample, which arrived at `now`, through all stages.
   OutputSample process(const SensorSample& sample, SampleTime now = {}) {
     begin_answer();
     const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
     const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured, now);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
     const bool temperature_good = prepare_drift_model(verdict, temperature, measured);
-    if (has_any(verdict.status, kRateInvalid)) {
-      drift_model_.see_none();
-    } else {
-      drift_model_.see(measured);
-    }
+    drift_model_.update_rate(measured, !has_any(verdict.status, kRateInvalid));
 
     OutputSample& result = last_;
     result.sequence = sample.sequence;
@@ -206,7 +201,7 @@ class Compensator {
                     status_if(token_.for_status() != kIntactImage, Status::self_test_failed);
     result.compensated = BoardNumbers::saturating_difference(measured, result.drift);
 
-    // A late sample is answered, but time stands: it has no place in what runs at the sample rate.
+    // A late sample is answered, but does not advance the time of the stages.
     const bool measured_well = !has_any(result.status, kRateInvalid);
     result.status |= status_if(has_any(result.status, invalidating_), Status::rate_refused);
     if (!verdict.late) {
@@ -224,7 +219,7 @@ class Compensator {
     if (verdict.late) return result;
 
     extension_monitor_.advance(verdict.missing + 1);
-    finish_blocks(block_clock_.advance(verdict.missing));  // lost samples are time that passes
+    finish_blocks(block_clock_.advance(verdict.missing));  // lost samples are elapsed time
     if (temperature_good) collector_.add_temperature(temperature);
     if (measured_well) collector_.add_rate(result.compensated);
     end_sample();
@@ -251,7 +246,7 @@ class Compensator {
     rotation_.step(denoised_.rate);
   }
 
-  // What the extension records said, and the time of one sample.
+  // Collects the extension records and advances the time by one sample.
   void end_sample() {
     collector_.add_extension(pending_);
     pending_.clear();
@@ -259,16 +254,16 @@ class Compensator {
     for (std::uint32_t i = 0; i < catch_up_steps_; ++i) drift_model_.catch_up();
   }
 
-  // Steps of the drift model for each sample, so that it has caught up with any hold before the
-  // next block ends: one where a block has more samples than there are blocks in a hold.
+  // Steps of the drift model per sample, so that it has caught up with any hold before the next
+  // block ends. One, if a block has more samples than a hold has blocks.
   static std::uint32_t steps_per_sample(const ModelParameters& parameters) {
     constexpr std::uint32_t kMax = 64;
     const std::uint32_t steps = parameters.policy.hold_blocks / parameters.samples_per_block;
     return steps < kMax ? steps + 1 : kMax;
   }
 
-  // A rate that is refused though it was measured well is not replaced in the denoiser. So from the
-  // first of them to the delay after the last the denoised rate is not valid.
+  // A rate that is refused although it was measured well is not replaced in the denoiser. So the
+  // denoised rate is not valid from the first such rate until the delay after the last one.
   void count_refused(bool refused) {
     if (refused) {
       samples_after_refused_ = denoiser_.delay() + 1;
@@ -278,12 +273,11 @@ class Compensator {
   }
 
   // Returns whether the sample's temperature may be used: without time there is no temperature
-  // rate. Starts the model if it has to be, before a block is full: the sample's own values stand
-  // for its means.
+  // rate. If necessary starts the model before a block is full, with the sample's values as means.
   bool prepare_drift_model(const SampleMonitor::Verdict& verdict, Temperature temperature,
                            Rate measured) {
     const bool timed = !has_any(verdict.status, Status::sample_rate);
-    if (verdict.temperature == ReadingUse::good_anew || !timed) {
+    if (verdict.temperature == ReadingUse::good_new_history || !timed) {
       drift_model_.stop();
       collector_.forget_temperature();
     }
@@ -294,8 +288,8 @@ class Compensator {
     return good;
   }
 
-  // What was collected belongs to the first of these blocks, at whose end the clock stood at
-  // elapsed - (blocks - 1). Its drift holds from the next sample on.
+  // The values collected belong to the first of these blocks, at whose end the clock was elapsed -
+  // (blocks - 1). Its drift is valid from the next sample on.
   void finish_blocks(std::uint32_t blocks) {
     if (blocks == 0) return;
     ended_block_ = true;
@@ -345,7 +339,7 @@ class Compensator {
   ExtensionMonitor<Drift::inputs & kAllExtensionInputs> extension_monitor_;
   BlockClock block_clock_;
   Collector collector_;
-  typename Collector::Extension pending_;  // what came since the last sample
+  typename Collector::Extension pending_;  // received since the last sample
   Status input_missing_ = Status::none;
   Drift drift_model_;
   std::uint32_t catch_up_steps_;

@@ -52,13 +52,13 @@ void read_thermal(TableReader& table, ModelParameters& parameters) {
   parameters.policy.settle_blocks = static_cast<std::uint32_t>(table.next(0, kMax32));
 }
 
-// Whether there are enough of them finds whoever needs them.
+// Their number is checked by the stages that use them.
 void read_input_limits(TableReader& table, AcquisitionParameters& acquisition) {
   acquisition.input_limits =
       table.next_words(kInputLimitWords * next_count(table, kExtensionInputs));
 }
 
-// Returns which effects the table enables.
+// Returns the effects that the table enables.
 EffectMask read_effects(TableReader& table, EffectCheck effect_fits, EffectsParameters& effects) {
   effects.coefficient_fraction = table.next(kMinCoefficientFraction, kMaxCoefficientFraction);
   EffectMask enabled = 0;
@@ -114,7 +114,7 @@ void read_network(TableReader& table, NetworkParameters& network) {
 }
 
 // Whether the low-pass filter passes a constant exactly, the sums over its taps stay below 2^63,
-// and the other two arrays are the same filters again.
+// and the other two arrays repeat the same filters.
 bool filters_fit(const DenoiseParameters& denoise) {
   constexpr std::int64_t kHalf = std::int64_t{1} << (kTapFraction - 1);
   constexpr std::int32_t kSynthesisHalf = std::int32_t{1} << (kSynthesisTapFraction - 1);
@@ -163,7 +163,8 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& capacity,
   constexpr std::size_t kHeaderWords = kProcessorAt + kProcessorWords;
   if (words.size <= kHeaderWords) return ModelError::out_of_range;
   TableReader table({words.data + kHeaderWords, words.size - kHeaderWords - 1});
-  table.require(static_cast<std::uint32_t>(words[kProcessorAt - 1]) < 1U << 24U);  // it ends
+  table.require(static_cast<std::uint32_t>(words[kProcessorAt - 1]) <
+                1U << 24U);  // it is terminated
   read_calibration(table, parameters);
   read_thermal(table, parameters);
   read_input_limits(table, parameters.acquisition);
@@ -190,7 +191,7 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& capacity,
   return ModelError::none;
 }
 
-// In its place: a second one would be a fifth of the stack.
+// In place: a second object would take a fifth of the stack.
 void reset(ModelParameters& parameters) {
   static_assert(std::is_trivially_destructible_v<ModelParameters>);
   new (&parameters) ModelParameters();

@@ -17,10 +17,10 @@
 
 namespace fog {
 
-/// Frames that are sent for each sample.
+/// Frames sent for each sample.
 enum class OutputSelection : std::uint8_t { kvh = 0, compact = 1, both = 2 };
 
-/// What the header has chosen of KVH's frames beside, bits of the same word of the table.
+/// Options of the KVH frames: bits of the same word of the table.
 using OutputOptions = std::uint8_t;
 constexpr OutputOptions kRotationIsAngle = 4;  ///< Z rotation is the angle of a sample, not a rate
 constexpr OutputOptions kAnswersKvhCommands = 8;
@@ -30,7 +30,7 @@ constexpr std::int32_t kModelMagic = 0x464F474D;  ///< "FOGM"
 constexpr std::int32_t kModelLayout = 6;          ///< of the table; SPEC.md, "Model table"
 constexpr std::size_t kMaxModelWords = 4096;
 
-/// What an image has room for: fixed by the header that it is built with.
+/// Capacity of an image, fixed by the header that it is built with.
 struct ModelShape {
   EffectMask effects = 0;
   ExpressionMask expressions = 0;
@@ -43,19 +43,19 @@ struct ModelShape {
   OutputOptions output_options = kAllOutputOptions;
 };
 
-/// Room for any model.
+/// Capacity for any model.
 constexpr ModelShape kAnyModel{kAllEffects, kAllExpressions, kAllNetworkInputs,
                                filters_of(kAnyTaps), kMaxLevels};
 
-/// Whose model it is, from word kIdentityAt of the table on: four words of the gyro's serial
-/// number, ASCII padded with 0, at least one; three of the number of the processor that it is bound
-/// to, all 0: to none.
+/// The owner of a model, from word kIdentityAt of the table on: four words of the gyro's serial
+/// number, ASCII padded with 0, terminated by at least one 0; three words of the number of the
+/// processor that it is bound to, all 0 if it is not bound.
 constexpr std::size_t kIdentityAt = 4;
 constexpr std::size_t kSerialWords = 4;
 constexpr std::size_t kProcessorWords = 3;
 constexpr std::size_t kProcessorAt = kIdentityAt + kSerialWords;
 
-/// Whether a table is bound, and not to this processor.
+/// Whether a table is bound to another processor than this one.
 inline bool is_bound_elsewhere(const std::int32_t* bound,
                                const std::array<std::uint32_t, kProcessorWords>& processor) {
   std::uint32_t any = 0;
@@ -67,12 +67,12 @@ inline bool is_bound_elsewhere(const std::int32_t* bound,
   return any != 0 && difference != 0;
 }
 
-/// A model table taken apart. Arrays stay in the table, which must outlive this.
-/// As constructed it is the parameters of a board without a usable model: no rate is valid.
+/// A decoded model table. Arrays stay in the table, which must outlive this object. By default the
+/// parameters of a board without a usable model: no rate is valid.
 struct ModelParameters {
-  ModelParameters();  // out of line: 130 bytes less of flash
+  ModelParameters();  // not inline: saves 130 bytes of flash
 
-  Status fault = Status::model_refused;  ///< goes into the status of every sample
+  Status fault = Status::model_refused;  ///< part of the status of every sample
   std::uint32_t provenance = 0;          ///< CRC-32 of the model file that it was made from
   std::uint32_t samples_per_block = 1;
   CalibrationParameters calibration;
@@ -85,9 +85,9 @@ struct ModelParameters {
   DenoiseParameters denoise;
   OutputSelection output = OutputSelection::kvh;
   OutputOptions output_options = 0;
-  Status invalidating = kRateInvalid;  ///< any of these makes a rate not valid
+  Status invalidating = kRateInvalid;  ///< any of these flags makes a rate invalid
 
-  /// What the model needs beside the coil's temperature.
+  /// Inputs that the model needs beside the coil temperature.
   InputMask needs() const {
     return beside_temperature(needs_of(effects.enabled()) |
                               inputs_of_expressions(expressions.used) |
@@ -95,7 +95,7 @@ struct ModelParameters {
   }
 };
 
-/// Why a table was refused.
+/// Reasons to refuse a table.
 enum class ModelError : std::uint8_t {
   none,
   not_a_model,   ///< no magic number, or too short or long
@@ -107,7 +107,7 @@ enum class ModelError : std::uint8_t {
   other_board,   ///< bound to another processor
 };
 
-/// What the last word of a table must be: the CRC-32 of those before it.
+/// The last word of a table: CRC-32 of the words before it.
 std::uint32_t model_table_crc(Span<const std::int32_t> table);
 
 /// Checks everything once, so that the pipeline need not: CRC, layout, ranges, and sums that must
@@ -115,7 +115,7 @@ std::uint32_t model_table_crc(Span<const std::int32_t> table);
 ModelError read_model(Span<const std::int32_t> table, const ModelShape& capacity,
                       ModelParameters& parameters);
 
-/// For the boot message and the host's errors.
+/// Text for the boot message and the host's errors.
 const char* describe(ModelError error);
 
 }  // namespace fog

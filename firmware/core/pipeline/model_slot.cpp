@@ -19,7 +19,8 @@ ModelError read_for(const SlotContents& slot, const ModelShape& capacity,
   const ModelError error = read_model(slot.table, capacity, parameters);
   if (error != ModelError::none) return error;
   if (!is_bound_elsewhere(slot.table.data + kProcessorAt, processor)) return ModelError::none;
-  read_model({}, capacity, parameters);  // none: a second one would be a fifth of the stack
+  read_model({}, capacity,
+             parameters);  // resets it in place: a second object would take a fifth of the stack
   return ModelError::other_board;
 }
 

@@ -9,10 +9,10 @@
 
 namespace fog {
 
-/// A model table that is loaded lies in one of two slots of flash (SPEC.md, "Model slots"):
+/// A loaded model table is stored in one of two slots of flash (SPEC.md, "Model slots"):
 ///   "FOGS" | slot layout | sequence | words of the table | the table | seal
-/// each an int32, little-endian. With the seal the CRC-32 over all of it, begun with kIntactImage,
-/// comes to kIntactImage, so that the self-test goes on from the image through it.
+/// each field an int32, little-endian. With the seal the CRC-32 over the whole slot, started with
+/// kIntactImage, is kIntactImage, so that the self-test continues from the image through the slot.
 constexpr std::int32_t kSlotMagic = 0x53474F46;
 constexpr std::int32_t kSlotLayout = 1;
 constexpr std::size_t kSlotHeaderWords = 4;
@@ -20,8 +20,8 @@ constexpr std::size_t kSlotBytes = 16384;  ///< a sector of the smallest flash t
 constexpr std::size_t kMaxSlotWords = kSlotBytes / sizeof(std::int32_t) - kSlotHeaderWords - 1;
 constexpr std::size_t kModelSlots = 2;
 
-/// What the generic image, into which a model is loaded, has room for: everything but a denoiser
-/// of other filters or more levels.
+/// Capacity of the generic image, into which a model is loaded: everything but denoisers with other
+/// filters or more levels.
 constexpr std::size_t kGenericTaps = kOrNone + 16;  ///< sym8, db8
 constexpr std::size_t kGenericLevels = 6;           ///< 3.8 KiB of RAM; each more doubles it
 constexpr ModelShape kGenericImage{kAllEffects, kAllExpressions, kAllNetworkInputs,
@@ -32,25 +32,26 @@ using SlotMemory = Span<const std::int32_t>;  ///< kSlotBytes
 struct SlotContents {
   ModelError error = ModelError::not_a_model;  ///< of the slot alone; none: it is intact
   std::uint32_t sequence = 0;                  ///< the higher, the newer; wraps
-  Span<const std::int32_t> table;              ///< where it is intact
-  Span<const std::uint8_t> sealed;             ///< all of it, with its seal
+  Span<const std::int32_t> table;              ///< empty unless intact
+  Span<const std::uint8_t> sealed;             ///< the whole slot, with its seal
 };
 SlotContents read_slot(SlotMemory memory);
-/// The same of one whose first word is to be written yet; of at least kSlotHeaderWords words.
+/// The same for a slot whose first word has not been written yet; at least kSlotHeaderWords words.
 SlotContents read_slot_behind_magic(SlotMemory memory);
 
-/// What a board makes of its slots.
+/// Result of the choice between the slots.
 struct SlotChoice {
-  ModelError error = ModelError::not_a_model;  ///< none: `slot` is used; else why the newest is not
+  ModelError error =
+      ModelError::not_a_model;  ///< none: `slot` is used; else the error of the newest
   std::size_t slot = kModelSlots;
-  /// What lies in each; its error is of the model too, as far as that was looked at.
+  /// Contents of each slot, with the error of its model, if that was checked.
   std::array<SlotContents, kModelSlots> slots;
 
-  const SlotContents& used() const { return slots[slot % kModelSlots]; }  ///< where one is
+  const SlotContents& used() const { return slots[slot % kModelSlots]; }  ///< if one is used
 };
 
-/// The newest intact slot whose model an image with this `room` on this processor can have; it is
-/// taken apart into `parameters`, which without one are those of a refused model.
+/// Chooses the newest intact slot whose model an image of this `capacity` on this processor can
+/// run, and decodes it into `parameters`. Without one these are the parameters of a refused model.
 SlotChoice choose_slot(const std::array<SlotMemory, kModelSlots>& slots, const ModelShape& capacity,
                        const std::array<std::uint32_t, kProcessorWords>& processor,
                        ModelParameters& parameters);

@@ -4,9 +4,9 @@
 
 namespace fog {
 
-/// Says when a frame is due that no sample has caused: two sample periods after the last sample,
-/// then one a period, so that whoever flies by the frames goes on getting them and sees at once
-/// that they are not valid.
+/// Tells when a frame without a sample is due: two sample periods after the last sample, then once
+/// per period. So a user who navigates by the frames keeps getting them and sees at once that they
+/// are not valid.
 class SilenceClock {
  public:
   /// `sample_period_us` >= 1.
@@ -15,7 +15,7 @@ class SilenceClock {
     restart(now_ms);
   }
 
-  /// A sample has come.
+  /// To be called when a sample has come.
   void restart(std::uint32_t now_ms) {
     due_ms_ = now_ms;
     due_us_ = 0;
@@ -23,8 +23,8 @@ class SilenceClock {
     put_off();
   }
 
-  /// Whether a frame is due, which is then taken to be sent. Wants to be asked again until it says
-  /// no. Times wrap: within 24 days of the one before.
+  /// Whether a frame is due; it then counts as sent. To be called until it returns false. Times
+  /// wrap: calls must be less than 24 days apart.
   bool due(std::uint32_t now_ms) {
     if (static_cast<std::int32_t>(now_ms - due_ms_) < 0) return false;
     put_off();
@@ -40,7 +40,7 @@ class SilenceClock {
 
   std::uint32_t period_us_;
   std::uint32_t due_ms_ = 0;
-  std::uint32_t due_us_ = 0;  // behind due_ms_, below 1000
+  std::uint32_t due_us_ = 0;  // fraction of due_ms_, below 1000
 };
 
 }  // namespace fog

@@ -9,7 +9,7 @@ LoadRefusal refusal_of(ModelError error) {
 static_assert(static_cast<int>(LoadRefusal::other_board) ==
               static_cast<int>(ModelError::other_board));
 
-// A table without a serial number is of any gyro.
+// A table without a serial number fits any gyro.
 bool is_of_another(const std::uint32_t* serial, const LoadTarget& target) {
   bool any = false;
   bool any_here = false;

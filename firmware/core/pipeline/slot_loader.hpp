@@ -9,33 +9,33 @@
 
 namespace fog {
 
-/// What a board has when a table is to be loaded into it.
+/// The board into which a table is to be loaded.
 struct LoadTarget {
   std::size_t used = kModelSlots;                    ///< slot in use; kModelSlots: none
   std::uint32_t sequence = 0;                        ///< of the slot in use
   std::array<std::uint32_t, kSerialWords> serial{};  ///< of its gyro; all 0: none
   std::array<std::uint32_t, kProcessorWords> processor{};
 
-  /// Where the next table goes: never where the one in use is.
+  /// Slot for the next table: never the one in use.
   std::size_t slot() const { return used == 0 ? 1 : 0; }
 };
 
-/// The first words of a slot, by which a board judges whether the rest may come: the slot's header,
-/// and the table's up to whose it is.
+/// First words of a slot, by which a board decides whether to accept the rest: the slot's header
+/// and the table's words up to its owner.
 constexpr std::size_t kLoadHeadWords = kSlotHeaderWords + kProcessorAt + kProcessorWords;
 
-/// Why a slot that begins with these words is not for this board, which the tool asks before it
-/// sends anything. `options`: kMayBeAnotherGyro.
+/// Reason to refuse a slot that begins with `head`, sent by the tool before anything else.
+/// `options`: kMayBeAnotherGyro.
 LoadRefusal refusal_of_head(const std::uint32_t* head, const LoadTarget& target,
                             std::uint32_t options);
 
-/// Whether a slot whose first word is still missing would be a good one in an image with this
-/// `room`: seal, table, ranges.
+/// Whether a slot without its first word would be valid in an image of this `capacity`: seal,
+/// table, ranges.
 LoadRefusal refusal_of_body(SlotMemory memory, const ModelShape& capacity);
 
-/// Loads a table into the slot that is not in use. Its first word, without which it is none, is
-/// written last, when all behind it has been read back and checked. So whenever the power goes, the
-/// slot in use is as it was, and the other is either none or good.
+/// Loads a table into the slot that is not in use. The first word, which makes it valid, is written
+/// last, after all others have been read back and checked. So whenever the power fails, the slot in
+/// use is unchanged and the other is either empty or valid.
 ///
 /// `Flash` has `bool erase(slot)`, `bool program(slot, at, words, count)`, in words, and
 /// `SlotMemory memory(slot)`.
@@ -48,7 +48,8 @@ class SlotLoader {
   LoadAnswer take(const LoadMessage& message, bool strap_closed) {
     return {message.step, strap_closed ? step(message) : LoadRefusal::strap_open, next_};
   }
-  /// From a begin that was accepted on: samples are not answered, whatever comes of it.
+  /// Whether a `begin` has been accepted: from then on samples are not answered, even after an
+  /// error.
   bool has_begun() const { return has_begun_; }
   bool has_ended() const { return has_ended_; }
 
@@ -77,7 +78,7 @@ class SlotLoader {
     return write(message.words.data() + 1, kLoadHeadWords - 1);
   }
 
-  // One that was written, and whose answer was lost, comes again.
+  // A block that was written, but whose answer was lost, comes again.
   LoadRefusal block(const LoadMessage& message) {
     if (next_ == 0 || has_ended_ || message.size > total_) return LoadRefusal::not_expected;
     if (message.at < next_ && message.at + message.size == next_) {
@@ -103,7 +104,7 @@ class SlotLoader {
 
   LoadRefusal write(const std::uint32_t* words, std::size_t count) {
     if (!flash_.program(target_.slot(), next_, words, count) || !holds(next_, words, count)) {
-      next_ = 0;  // what is spoilt has to be erased
+      next_ = 0;  // a damaged slot has to be erased
       return LoadRefusal::flash_failed;
     }
     next_ += static_cast<std::uint32_t>(count);
@@ -121,8 +122,8 @@ class SlotLoader {
   Flash& flash_;
   LoadTarget target_;
   const ModelShape& room_;
-  std::uint32_t total_ = 0;  // words of the slot that is coming
-  std::uint32_t next_ = 0;   // of them are there; 0: none, begin first
+  std::uint32_t total_ = 0;  // words of the slot to be loaded
+  std::uint32_t next_ = 0;   // words written so far; 0: a `begin` is needed
   bool has_begun_ = false;
   bool has_ended_ = false;
 };

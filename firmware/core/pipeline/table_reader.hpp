@@ -7,8 +7,8 @@
 
 namespace fog {
 
-/// Takes words from a table in order. Remembers if it was asked for more than there is, or for a
-/// value outside its range, instead of making every caller ask.
+/// Reads words from a table in order. Remembers a read past the end or a value out of range, so
+/// that callers need not test each read.
 class TableReader {
  public:
   explicit TableReader(Span<const std::int32_t> table) : rest_(table) {}
@@ -23,7 +23,7 @@ class TableReader {
     return word;
   }
 
-  /// A word within [min, max]; `min` where it is not.
+  /// Next word if within [min, max], else `min`.
   std::int32_t next(std::int32_t min, std::int32_t max) {
     const std::int32_t word = next();
     if (word >= min && word <= max) return word;
@@ -43,7 +43,7 @@ class TableReader {
 
   void require(bool condition) { good_ = good_ && condition; }
 
-  /// Whether all words so far were there and in range.
+  /// Whether all words so far were present and in range.
   bool good() const { return good_; }
   bool at_end() const { return rest_.size == 0; }
 

@@ -8,15 +8,15 @@
 
 namespace fog {
 
-/// What a drift model can depend on: effects, expressions and the network. The numbers are part of
-/// extension records and model tables (SPEC.md): add at the end, with a row in kInputTable, and
-/// never move one.
+/// Everything that a drift model can depend on: inputs of effects, expressions and the network. The
+/// numbers are part of extension records and model tables (SPEC.md): add at the end, with a row in
+/// kInputTable, and never change one.
 enum class Input : std::uint8_t {
   temperature,       ///< coil sensor, in the trained range
   temperature_rate,  ///< its filtered derivative
   elapsed,           ///< time since power-on
-  input_rate,        ///< about the axis; on the board, what the gyro itself measures
-  // From here on they reach the board in extension records, numbered from 0.
+  input_rate,        ///< about the axis; on the board, the rate that the gyro measures
+  // From here on extension records carry the inputs, numbered from 0.
   temperature2,  ///< a second sensor
   magnetic,      ///< the field along the sensitive direction
   light_power,   ///< at the detector
@@ -25,30 +25,31 @@ enum class Input : std::uint8_t {
 };
 constexpr std::size_t kFirstExtensionInput = static_cast<std::size_t>(Input::temperature2);
 
-/// The sinusoid that an extension input goes through in the check of an export; that of a second
-/// temperature is the difference from the first.
+/// Sinusoid of an extension input in the check of an export; for a second temperature, of its
+/// difference from the first.
 struct InputSwing {
   std::int32_t middle_milli;
   std::int32_t amplitude_milli;
   std::int32_t period_s;
 };
 
-/// Everything about an input that has to be said. Costs nothing in an image: it is for the host,
-/// and for constants. Real numbers are in thousandths, as the core has integers only.
+/// Description of an input. Costs nothing in an image: it is for the host and for constants. Real
+/// numbers are in thousandths, because the core has only integers.
 struct InputDescription {
   Input input;
-  const char* name;    ///< in lists: `fit --inputs`, `simulate --columns`
-  const char* column;  ///< of a recording, with the unit at its end; "": in no recording
+  const char* name;    ///< in option values: `fit --inputs`, `simulate --columns`
+  const char* column;  ///< of a recording, ends with the unit; "": in no recording
   const char* symbol;  ///< in an expression
   const char* title;
   const char* unit;
   int fraction;  ///< fractional bits on the board
-  /// Decimals in a CSV: finer than any sensor of the quantity. 1 us of time numbers samples up to
-  /// 500 kHz; 1e-5 degC is below half an LSB of the sensor stream (2^-16 degC), and 1e-6 deg/h
-  /// below a thousandth of its rate LSB (2^-10 deg/h), so stream -> CSV -> stream gives back the
+  /// Decimals in a CSV: finer than any sensor of the quantity. Time to 1 us numbers samples up to
+  /// 500 kHz. 1e-5 degC is below half an LSB of the sensor stream (2^-16 degC), and 1e-6 deg/h
+  /// below a thousandth of its rate LSB (2^-10 deg/h), so stream -> CSV -> stream restores the
+  /// counts.
   /// counts.
   int decimals;
-  /// What a sensor can mean; beyond lies a wrong unit, or a mark for "no value" such as -999.
+  /// Lowest possible value; below it is a wrong unit, or a mark for "no value" such as -999.
   std::int64_t min_milli;
   std::int64_t max_milli;
   InputSwing swing;
@@ -113,7 +114,7 @@ constexpr bool has(InputMask mask, Input input) {
 constexpr InputMask kAllInputs = (InputMask{1} << kInputs) - 1U;
 constexpr InputMask kAllExtensionInputs = kAllInputs & ~(bit_of(Input::temperature2) - 1U);
 
-/// What of `mask` is there beside the coil's temperature.
+/// Inputs of `mask` beside the coil temperature.
 constexpr InputMask beside_temperature(InputMask mask) {
   return mask & ~(bit_of(Input::temperature) | bit_of(Input::temperature_rate));
 }

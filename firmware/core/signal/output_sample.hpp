@@ -7,12 +7,12 @@
 
 namespace fog {
 
-/// What the pipeline makes of one sensor sample.
+/// Result of the pipeline for one sensor sample.
 struct OutputSample {
   std::uint16_t sequence = 0;  ///< of the sensor sample that caused it
   Rate compensated{};          ///< measured - drift, undelayed
   Rate denoised{};             ///< the same, denoised and late by the denoiser's delay
-  Rate drift{};                ///< what was subtracted from `compensated`
+  Rate drift{};                ///< drift subtracted from the measured rate
   Temperature temperature{};   ///< last good one
   Status status = Status::none;
 

@@ -20,9 +20,8 @@ using Regressor = Fixed<std::int32_t, 28>;        ///< dimensionless, +-8
 using ExtensionValue = Fixed<std::int32_t, 16>;   ///< in the input's unit, +-32768
 using Elapsed = Fixed<std::int32_t, 0>;           ///< blocks since power-on: 68 years of 1 s
 
-/// The number types of the board, for templates that the host also instantiates with its real type
-/// (BoardNumbers here, RealNumbers there): the same source is the model that is fitted and the
-/// model that is flashed.
+/// Number types of the board, for templates that the host instantiates with real numbers
+/// (RealNumbers): the fitted model and the flashed model have the same source.
 struct BoardNumbers {
   using Rate = fog::Rate;
   using Temperature = fog::Temperature;
@@ -35,8 +34,8 @@ struct BoardNumbers {
   /// A slow state: 64 bits, so that a lag of 10^5 s still moves.
   template <int kFractionalBits>
   using Wide = Fixed<std::int64_t, kFractionalBits>;
-  /// Of effects that follow the input rate: a coefficient in deg/h, what it is of the rate, and
-  /// what that makes of a rate, exactly.
+  /// For effects that follow the input rate: a coefficient in deg/h, the same as a fraction of the
+  /// rate, and their exact product with a rate.
   using Coefficient = Fixed<std::int64_t, 40>;
   using ScaleFactorError = Fixed<std::int32_t, 31>;
   using RateDrift = Fixed<std::int64_t, 41>;
@@ -44,7 +43,7 @@ struct BoardNumbers {
   static Rate saturating_difference(Rate a, Rate b) {
     return Rate::from_raw(fog::saturating_difference(a.raw(), b.raw()));
   }
-  /// How the model table holds a constant: the raw integer.
+  /// A constant as the model table stores it: the raw integer.
   using Constant = std::int32_t;
   template <int kFractionalBits>
   static constexpr Number<kFractionalBits> number(Constant constant) {
@@ -53,7 +52,7 @@ struct BoardNumbers {
   /// A constant that is a plain integer (an order, a count).
   static constexpr std::int32_t integer(Constant constant) { return constant; }
 
-  // The functions that effects are made of.
+  // Functions used by the effects.
   static Number<30> logistic(Number<27> x) { return fog::logistic(x); }
   static Number<30> exponential_decay(Number<26> x) { return fog::exponential_decay(x); }
   template <int kFractionalBits>

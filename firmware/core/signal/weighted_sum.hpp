@@ -8,11 +8,11 @@
 
 namespace fog {
 
-/// Drift while it is being summed: 10 bits finer than the Rate it is rounded to, once, at the end.
+/// Drift during summation: 10 bits finer than Rate, to which it is rounded once, at the end.
 using DriftSum = Fixed<std::int64_t, 20>;
 
-/// Sum of coefficient * regressor, each product rounded to DriftSum. A function of its own, so that
-/// every effect's code calls it instead of containing it.
+/// Sum of coefficient * regressor, each product rounded to DriftSum. Not inline: all effects share
+/// its code.
 ///
 /// Overflow: |coefficient * regressor| <= 2^62. With at least 10 fractional bits in the
 /// coefficients each product loses 18 or more before it is added: the sum of 9 stays below 2^48.

@@ -8,8 +8,8 @@
 
 namespace fog {
 
-/// Gathers what the samples of a block bring into BlockMeans. Of the inputs that an image's effects
-/// can need, kPossible, only those that the model needs are waited for.
+/// Averages the samples of a block to BlockMeans. Of the inputs that the image supports
+/// (kPossible), only those that the model needs are required.
 template <InputMask kPossible>
 class BlockCollector {
  public:
@@ -21,15 +21,15 @@ class BlockCollector {
   void add_rate(Rate rate) {
     if constexpr (has(kPossible, Input::input_rate)) rate_.add(rate);
   }
-  /// What came with one sample.
+  /// Adds the extension values that belong to one sample.
   void add_extension(const Extension& values) { extension_.add_means(values); }
 
   bool has_temperature() const { return !temperature_.empty(); }
-  /// Whether every input that comes from outside and that the model needs had a good value.
+  /// Whether every extension input that the model needs had a good value.
   bool has_inputs() const { return extension_.has_all(); }
 
-  /// The means; not without a temperature and the inputs. Without a single valid rate in the block,
-  /// that of the last one that had some.
+  /// The means; requires a temperature and all needed inputs. If no rate in the block was valid,
+  /// the mean of the last block with valid rates is used.
   BlockMeans<BoardNumbers> means(Elapsed elapsed) {
     if constexpr (has(kPossible, Input::input_rate)) {
       if (!rate_.empty()) last_rate_ = rate_.mean();
@@ -37,7 +37,7 @@ class BlockCollector {
     return {temperature_.mean(), last_rate_, elapsed, extension_.means()};
   }
 
-  /// What was gathered of it so far in this block was wrong.
+  /// Discards the temperatures of this block: they were wrong.
   void forget_temperature() { temperature_.clear(); }
   void forget(Input input) { extension_.forget(input); }
 

@@ -6,8 +6,8 @@
 
 namespace fog {
 
-/// What was measured during one block, as means over its good samples; unclamped, unfiltered.
-/// Inputs that the model does not need stay 0.
+/// Means of one block over its good samples; not clamped, not filtered. Inputs that the model does
+/// not need stay 0.
 template <class N>
 struct BlockMeans {
   typename N::Temperature temperature{};  ///< coil sensor
@@ -15,7 +15,7 @@ struct BlockMeans {
   typename N::Elapsed elapsed{};          ///< blocks from power-on to the end of this one
   std::array<typename N::template Number<16>, kExtensionInputs> extension{};
 
-  /// One of the inputs that come in extension records, in its unit.
+  /// Value of an extension input, in its unit.
   typename N::template Number<16> operator[](Input input) const {
     return extension[extension_number(input)];
   }

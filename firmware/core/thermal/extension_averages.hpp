@@ -9,8 +9,8 @@
 
 namespace fog {
 
-/// Means of the inputs that come in extension records and that a model needs, out of kPossible.
-/// What is not needed is not kept; where nothing is possible there is neither code nor memory.
+/// Means of the extension inputs that a model needs; kPossible are those that the image supports.
+/// Other inputs are not stored; an empty kPossible takes neither code nor memory.
 template <InputMask kPossible>
 class ExtensionAverages {
  public:
@@ -39,14 +39,14 @@ class ExtensionAverages {
     return means;
   }
 
-  /// Takes the means of `other` as one value each.
+  /// Adds the means of `other` as one value each.
   void add_means(const ExtensionAverages& other) {
     for (std::size_t i = 0; i < kExtensionInputs; ++i) {
       if (!other.averages_[i].empty()) averages_[i].add(other.averages_[i].mean());
     }
   }
 
-  /// What was gathered of an input was wrong.
+  /// Discards the values of an input: they were wrong.
   void forget(Input input) { averages_[extension_number(input)].clear(); }
   void clear() { averages_ = {}; }
 

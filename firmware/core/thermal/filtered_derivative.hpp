@@ -7,7 +7,7 @@
 
 namespace fog {
 
-/// Faster than any chamber heats a coil: what is beyond comes from a sensor, not from the coil.
+/// No chamber heats a coil faster: a higher rate is a fault of the sensor.
 constexpr std::int32_t kMaxRateDegcPerMin = 32;
 
 /// Time constant of a FilteredDerivative, per block.
@@ -17,10 +17,10 @@ struct DerivativeParameters {
   typename N::template Number<24> rate_gain{};  ///< decay * blocks per minute
 };
 
-/// Derivative of a temperature, degC/min, after two equal first-order lags: a sensor resolution of
-/// 0.0625 degC differenced at 10 s would be 0.4 degC/min of noise. Two stages, because one alone
-/// still jumps by step/tau at every step of the sensor. In a steady ramp the derivative is exact;
-/// it is late by two time constants.
+/// Derivative of a temperature, degC/min, after two equal first-order lags. Without them a
+/// resolution of 0.0625 degC, differenced over 10 s, would be 0.4 degC/min of noise; one lag alone
+/// would still jump by step/tau at every step of the sensor. In a steady ramp the derivative is
+/// exact, with a delay of two time constants.
 template <class N>
 class FilteredDerivative {
  public:
@@ -30,17 +30,17 @@ class FilteredDerivative {
   explicit FilteredDerivative(const DerivativeParameters<N>& parameters)
       : rate_gain_(parameters.rate_gain), first_(parameters.decay), second_(parameters.decay) {}
 
-  /// Starts as if the temperature had been this one for ever: rate 0.
+  /// Starts as if `temperature` had been constant for ever: rate 0.
   void reset(Temperature temperature) {
     first_.reset(round_to<State>(temperature));
     second_.reset(round_to<State>(temperature));
   }
 
-  /// Advances by one block whose mean temperature is given.
+  /// Advances by one block with mean temperature `temperature`.
   TemperatureRate step(Temperature temperature) {
     first_.step(round_to<State>(temperature));
-    // The second lag is about to move by this times its decay: the change per block. Rounded to
-    // 2^-27 degC (1.5e-8 degC/min at 30 s), clipped at +-32 degC, which clips no rate up to 60 s.
+    // Change of the second lag in this block, before its decay. Rounded to 2^-27 degC (1.5e-8
+    // degC/min at 30 s), clipped at +-32 degC, which clips no rate for time constants up to 60 s.
     const auto ahead =
         saturate_to<typename N::template Number<26>>(first_.value() - second_.value());
     second_.step(first_.value());

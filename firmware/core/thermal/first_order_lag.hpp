@@ -20,7 +20,7 @@ class FirstOrderLag {
 
   explicit FirstOrderLag(Decay decay) : decay_(decay) {}
 
-  /// Settled at x.
+  /// Starts in the steady state at x.
   void reset(State x) { y_ = x; }
 
   /// Advances by one block with input x and returns the new y.

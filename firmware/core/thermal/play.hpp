@@ -5,8 +5,9 @@
 
 namespace fog {
 
-/// Play operator: follows x only when x has moved it by more than the radius. Rate-independent:
-/// holds for ever at constant x, so it cannot drift; clamping is exact, so it cannot round away.
+/// Play operator: follows x only when x has moved it by more than the radius. Rate-independent. At
+/// constant x it does not change, so it cannot drift; clamping is exact, so no rounding
+/// accumulates.
 template <class N>
 class Play {
  public:
@@ -19,7 +20,7 @@ class Play {
     lowest_ = x - radius_;
     highest_ = x + radius_;
   }
-  /// x - y after x: between - and + radius, the whole radius on the branches of a loop.
+  /// Takes x and returns x - y: within +-radius, the whole radius on the branches of a loop.
   Value step(Value x) {
     const Value low = x - radius_;
     const Value high = x + radius_;
@@ -29,8 +30,7 @@ class Play {
     return x - y_;
   }
 
-  /// Whether y is what it would be wherever it had been when it was centred: x has gone through
-  /// twice the radius since.
+  /// Whether y no longer depends on its initial value: x has moved through twice the radius since.
   bool history_known() const { return lowest_ == highest_; }
 
   void carry(StateCarrier& state) {
@@ -42,7 +42,7 @@ class Play {
  private:
   Value radius_;
   Value y_{};
-  Value lowest_{};  // what y can be
+  Value lowest_{};  // range of possible y
   Value highest_{};
 };
 

@@ -5,7 +5,7 @@
 
 namespace fog {
 
-/// What every effect and the network see, once per block.
+/// Signals of one block that every effect and the network can use.
 template <class N>
 struct Signals {
   typename N::Temperature temperature{};  ///< coil sensor, block mean, in the trained range
@@ -13,7 +13,7 @@ struct Signals {
   BlockMeans<N> block{};                           ///< as measured
 };
 
-/// `use` of the value of an input, which is one of kPossible: others have no code.
+/// Calls `use` with the value of an input of kPossible; other inputs have no code.
 template <InputMask kPossible, class N, class Use>
 constexpr auto use_value(const Signals<N>& signals, Input input, Use use) {
   const auto is = [input](Input other) { return has(kPossible, other) && input == other; };
@@ -26,7 +26,7 @@ constexpr auto use_value(const Signals<N>& signals, Input input, Use use) {
   return use(signals.temperature);
 }
 
-/// The raw number, in the format of its input.
+/// Raw value, in the format of the input.
 template <InputMask kPossible>
 constexpr std::int32_t raw_value(const Signals<BoardNumbers>& signals, Input input) {
   return use_value<kPossible>(signals, input, [](auto value) { return value.raw(); });

@@ -6,7 +6,7 @@
 
 namespace fog {
 
-/// Numbers that the thermal stage takes from the model table.
+/// Thermal parameters from the model table.
 template <class N>
 struct ThermalParameters {
   DerivativeParameters<N> derivative;
@@ -14,7 +14,7 @@ struct ThermalParameters {
   typename N::Temperature max{};
 };
 
-/// Block means -> Signals. Before the derivative, temperature is not clamped: the rate stays right
+/// Block means -> Signals. The derivative uses the unclamped temperature, so the rate stays right
 /// outside the trained range.
 template <class N>
 class ThermalState {
@@ -22,7 +22,7 @@ class ThermalState {
   explicit ThermalState(const ThermalParameters<N>& parameters)
       : min_(parameters.min), max_(parameters.max), derivative_(parameters.derivative) {}
 
-  /// Starts as if the temperature had been this one for ever: rate 0.
+  /// Starts as if the temperature of `block` had been constant for ever: rate 0.
   Signals<N> reset(const BlockMeans<N>& block) {
     derivative_.reset(block.temperature);
     return {clamp(block.temperature, min_, max_), {}, block};

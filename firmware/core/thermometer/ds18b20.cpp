@@ -12,8 +12,8 @@ constexpr std::uint8_t kWriteScratchpad = 0x4E;
 constexpr std::uint8_t kConvert = 0x44;
 constexpr std::uint8_t kReadScratchpad = 0xBE;
 
-// The alarm registers are no alarm here but a mark: neither the factory's values (4B 46) nor
-// anything one would write. They are not copied to the sensor's EEPROM, so a power-on undoes them.
+// The alarm registers serve as a mark: neither the factory values (4B 46) nor plausible alarms.
+// They are not copied to the sensor's EEPROM, so a power-on resets them.
 constexpr std::uint8_t kMarkHigh = 0x5F;
 constexpr std::uint8_t kMarkLow = 0xA6;
 constexpr std::uint8_t kTwelveBits = 0x7F;
@@ -23,7 +23,7 @@ constexpr std::array<std::uint8_t, 5> kConfigureCommand{kSkipRom, kWriteScratchp
 constexpr std::array<std::uint8_t, 2> kConvertCommand{kSkipRom, kConvert};
 constexpr std::array<std::uint8_t, 2> kReadCommand{kSkipRom, kReadScratchpad};
 
-// Twelve bits take 750 ms at most; the rest is the time that slots take.
+// A 12-bit conversion takes at most 750 ms; the rest is for the time slots.
 constexpr std::uint32_t kLongestConversionMs = 1000;
 
 bool bit_of(Span<const std::uint8_t> bytes, std::size_t bit) {
@@ -36,7 +36,7 @@ bool decode_scratchpad(const Scratchpad& scratchpad, Temperature& temperature) {
   if (crc8(scratchpad.data(), kScratchpadBytes - 1) != scratchpad[kScratchpadBytes - 1]) {
     return false;
   }
-  // All bytes 0, as from a line that is short, have a good CRC: the marks refuse them as well.
+  // A shorted line reads all zeros, which have a good CRC: the mark refuses them as well.
   if (scratchpad[2] != kMarkHigh || scratchpad[3] != kMarkLow || scratchpad[4] != kTwelveBits) {
     return false;
   }
@@ -59,7 +59,7 @@ void Ds18b20::slot_made(bool line, std::uint32_t now_ms) {
   latest_.age(now_ms);
   if (!present_) {
     if (line) present_ = true;
-    return;  // no sensor: the next reset asks again
+    return;  // no sensor: the next reset tries again
   }
   if (phase_ == Phase::wait) return check_ready(line, now_ms);
   constexpr std::size_t kReadCommandBits = 8U * kReadCommand.size();
@@ -79,12 +79,12 @@ void Ds18b20::line_failed(std::uint32_t now_ms) {
 
 void Ds18b20::start(Phase phase) {
   phase_ = phase;
-  present_ = phase == Phase::wait;  // which goes on from the command without a reset
+  present_ = phase == Phase::wait;  // the phase `wait` continues without a reset
   seen_busy_ = false;
   bit_ = 0;
 }
 
-// Goes on to the next phase once all bits of this one are through.
+// Starts the next phase once all bits of this one have been sent.
 void Ds18b20::command_sent(std::uint32_t now_ms) {
   switch (phase_) {
     case Phase::configure:
@@ -103,7 +103,7 @@ void Ds18b20::command_sent(std::uint32_t now_ms) {
   }
 }
 
-// A sensor that is ready at once has not understood the command: its register holds an old value.
+// A sensor that is ready at once has not understood the command: its register has an old value.
 void Ds18b20::check_ready(bool ready, std::uint32_t now_ms) {
   if (ready) return start(seen_busy_ ? Phase::read : Phase::configure);
   seen_busy_ = true;

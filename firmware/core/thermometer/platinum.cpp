@@ -8,7 +8,7 @@ namespace {
 using Celsius = Fixed<std::int32_t, 18>;
 using Slope = Fixed<std::int32_t, 36>;
 
-// Each with the fraction that its sum needs: C t (t - 100) is added to B, that times t to A.
+// Each with the fraction that its sum needs: C t (t - 100) is added to B, the result times t to A.
 constexpr auto kA = Slope::from_raw(268576331);                    // 3.9083e-3
 constexpr auto kB = Fixed<std::int32_t, 44>::from_raw(-10159487);  // -5.775e-7
 constexpr auto kTwiceB = Fixed<std::int32_t, 43>::from_raw(-10159487);
@@ -42,9 +42,9 @@ Celsius divide(ResistanceRatio residual, Slope slope) {
 
 }  // namespace
 
-// From the straight line's answer, 6 degC off at worst, each step leaves less than a hundredth of
-// the error: Newton's own convergence above 0 degC, and below, where C is left out of the slope,
-// the 1 % by which that is off.
+// Starts from the straight line, at most 6 degC off. Each step leaves less than a hundredth of the
+// error: above 0 degC by Newton's convergence; below, C is left out of the slope, which is off by
+// at most 1 %.
 Temperature platinum_temperature(ResistanceRatio ratio) {
   const ResistanceRatio known = clamp(ratio, kMinRatio, kMaxRatio);
   Celsius t = divide(known - kOne, kA);

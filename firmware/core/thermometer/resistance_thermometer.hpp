@@ -7,9 +7,9 @@
 
 namespace fog {
 
-/// A platinum thermometer on an ADC: means of many codes, because one code of 12 bits is a quarter
-/// of a degree and the drift of a gyro is a matter of hundredths. The converter's own noise, of
-/// about a code, is what makes the mean finer than a code.
+/// A platinum thermometer on an ADC. It averages many codes, because one 12-bit code is a quarter
+/// of a degree and the model needs hundredths. The converter's noise, about one code, makes the
+/// mean finer than a code.
 class ResistanceThermometer {
  public:
   static constexpr std::uint32_t kCodes = 512;  ///< of one reading
@@ -23,14 +23,14 @@ class ResistanceThermometer {
     sum_ += code;
     if (++count_ < kCodes) return;
     const ResistanceRatio ratio = divider_ratio(sum_, full_scale_, reference_);
-    // Beyond what the standard is used for here, the sensor is broken or short: no temperature.
+    // Outside this range the sensor is open or shorted: no temperature.
     const bool valid = ratio > kShort && ratio < kBroken;
     latest_.take({platinum_temperature(ratio), valid}, now_ms);
     sum_ = 0;
     count_ = 0;
   }
 
-  /// There was no code. This or add() must be called as long as readings are asked for.
+  /// No code was read. This or add() must be called as long as readings are wanted.
   void wait(std::uint32_t now_ms) { latest_.age(now_ms); }
 
   TemperatureReading reading(std::uint32_t now_ms) const { return latest_.at(now_ms); }

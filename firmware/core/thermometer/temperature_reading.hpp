@@ -6,16 +6,16 @@
 
 namespace fog {
 
-/// What a thermometer of the board's own says, in place of the sensor stream's temperature.
+/// Reading of a thermometer on the board, used instead of the sensor stream's temperature.
 struct TemperatureReading {
   Temperature temperature{};
   bool valid = false;
 };
 
-/// A reading that is older is not valid: three conversions of the slowest sensor may fail before.
+/// Oldest valid reading: three conversions of the slowest sensor may fail before.
 constexpr std::uint32_t kOldestReadingMs = 3000;
 
-/// The last reading of a thermometer, while it is young.
+/// The last reading of a thermometer, until it is too old.
 class LatestReading {
  public:
   void take(TemperatureReading reading, std::uint32_t now_ms) {
@@ -23,8 +23,8 @@ class LatestReading {
     taken_at_ms_ = now_ms;
   }
 
-  /// Forgets a reading that has become too old. To be called now and then: the clock wraps after
-  /// 49.7 days, and what is not forgotten would be young again.
+  /// Discards a reading that has become too old. To be called regularly: the clock wraps after 49.7
+  /// days, and an old reading would become valid again.
   void age(std::uint32_t now_ms) { reading_ = at(now_ms); }
 
   TemperatureReading at(std::uint32_t now_ms) const {

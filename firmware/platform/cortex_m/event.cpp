@@ -16,11 +16,10 @@ void signal_event() {
 
 }  // namespace platform
 
-// WFE would do all of this in one instruction, but QEMU runs on at WFE, at full load, and starves
-// its own serial ports. WFI alone would sleep through an interrupt that came between the caller's
-// last look and here; so interrupts are held off until asleep, which they end all the same, and the
-// flag tells of those that came before. It is cleared last, because the caller looks again after
-// this.
+// WFE alone would do this, but QEMU does not sleep on WFE and starves its own serial ports. WFI
+// alone would miss an interrupt between the caller's last check and this call. So interrupts are
+// disabled until the processor sleeps (they still wake it), and the flag shows those that came
+// before. It is cleared last, because the caller checks again afterwards.
 void hal::wait_for_event() {
   asm volatile("cpsid i" ::: "memory");
   if (!platform::signalled) asm volatile("wfi" ::: "memory");

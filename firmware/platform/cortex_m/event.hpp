@@ -2,8 +2,8 @@
 
 namespace fog::platform {
 
-/// Ends wait_for_event() of hal/clock.hpp, or the next one if the main loop is not waiting now:
-/// what every interrupt handler does that has something for the main loop.
+/// Ends the present wait_for_event() of hal/clock.hpp, or the next one. To be called by every
+/// interrupt handler that has data for the main loop.
 void signal_event();
 
 }  // namespace fog::platform

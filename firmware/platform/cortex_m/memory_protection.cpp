@@ -10,8 +10,8 @@ namespace {
 
 using Mpu = MemoryProtectionUnit;
 
-/// A region from `start`, which must be a multiple of its size. Where regions overlap, the higher
-/// number rules.
+/// A region from `start`, a multiple of its size. Where regions overlap, the higher number has
+/// priority.
 void set_region(std::uint32_t number, const void* start, std::uint32_t attributes) {
   const auto address = static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(start));
   memory_protection_unit().region_base.write(address | Mpu::kRegionValid | number);
@@ -22,17 +22,17 @@ constexpr std::uint32_t attributes(std::uint32_t access) {
   return access | Mpu::kNormalMemory | Mpu::kEnable;
 }
 
-/// With the size of a memory of the linker script; an offset, so that the linker adds it.
+/// `region_size`: linker symbol whose address is the size field; added by the linker.
 std::uint32_t attributes(std::uint32_t access, const std::uint8_t* region_size) {
   return reinterpret_cast<std::uintptr_t>(region_size + attributes(access));
 }
 
-constexpr std::uint32_t kLog2GuardBytes = 5;  // the smallest region there is
+constexpr std::uint32_t kLog2GuardBytes = 5;  // smallest possible region
 
 }  // namespace
 
 // Peripherals keep the default map, which never executes from them. The trap handler runs without
-// protection (kEnable alone, not for hard faults), so that the guard cannot stop its report.
+// protection (kEnable alone does not cover hard faults), so that the guard cannot stop its report.
 void protect_memory() {
   set_region(0, fog_image_start, attributes(Mpu::kReadOnly, fog_flash_region_size));
   set_region(1, fog_stack_guard,

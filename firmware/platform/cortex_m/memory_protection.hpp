@@ -2,12 +2,12 @@
 
 namespace fog::platform {
 
-/// From here on an access that no correct program makes is a fault: to the guard under the stack,
-/// a write to the image, an instruction fetched from RAM.
+/// From now on these accesses are faults: to the guard below the stack, a write to the image, an
+/// instruction fetch from RAM.
 void protect_memory();
 
-/// Whether the 16 KiB of flash from `start` on, a multiple of that, may be written, which the image
-/// may not. One such place at a time.
+/// Allows or forbids writes to the 16 KiB of flash from `start` (aligned to that size); the image
+/// stays write-protected. One area at a time.
 void allow_writes(const void* start, bool allowed);
 
 }  // namespace fog::platform

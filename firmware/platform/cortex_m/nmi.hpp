@@ -4,7 +4,7 @@
 
 namespace fog::platform {
 
-/// What the board has connected to the interrupt that cannot be masked.
-extern const hal::ResetCause kNmiMeans;
+/// Meaning of the non-maskable interrupt on this board.
+extern const hal::ResetCause kNmiCause;
 
 }  // namespace fog::platform

@@ -37,7 +37,7 @@ struct SystemControlBlock {
   static constexpr std::uint32_t kClearPendingTick = 1U << 25U;  // of interrupt_control
   static constexpr std::uint32_t kResetKeyAndRequest = (0x05FAU << 16U) | (1U << 2U);
   static constexpr std::uint32_t kTrapDivisionByZero = 1U << 4U;
-  // configurable_fault_status: the address registers hold that of the fault
+  // configurable_fault_status: the address registers are valid
   static constexpr std::uint32_t kMemoryAddressValid = 1U << 7U;
   static constexpr std::uint32_t kBusAddressValid = 1U << 15U;
 };
@@ -93,13 +93,13 @@ inline void enable_interrupt(std::uint32_t number) {
   interrupt_controller().set_enable[number / 32U].write(1U << (number % 32U));
 }
 
-/// A level that is still asserted stays pending and interrupts again once enabled.
+/// An interrupt line that is still asserted stays pending and interrupts again once enabled.
 inline void disable_interrupt(std::uint32_t number) {
   interrupt_controller().clear_enable[number / 32U].write(1U << (number % 32U));
 }
 
-/// Takes back what a boot loader or a debugger has left: no tick, no interrupt enabled or pending.
-inline void quiet_interrupts() {
+/// Undoes the settings of a boot loader or debugger: no tick, no interrupt enabled or pending.
+inline void disable_all_interrupts() {
   systick().control.write(0);
   system_control_block().interrupt_control.write(SystemControlBlock::kClearPendingTick);
   for (std::size_t i = 0; i < 8; ++i) {  // 240 lines, the maximum
@@ -108,7 +108,7 @@ inline void quiet_interrupts() {
   }
 }
 
-/// Makes an interrupt pending, as its device would.
+/// Makes an interrupt pending, like its device.
 inline void trigger_interrupt(std::uint32_t number) {
   peripheral_at<Register>(0xE000EF00U).write(number);
 }

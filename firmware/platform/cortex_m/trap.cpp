@@ -2,14 +2,14 @@
 
 #include "hal/clock.hpp"
 #include "platform/cortex_m/nmi.hpp"
-#include "platform/cortex_m/restart.hpp"
 #include "platform/cortex_m/system_control.hpp"
 #include "platform/cortex_m/vector_table.hpp"
+#include "platform/shared/restart.hpp"
 
 namespace fog::platform {
 namespace {
 
-/// What the processor pushed when it took the exception (ARM DDI 0403, B1.5.6).
+/// Registers pushed by the processor on an exception (ARM DDI 0403, B1.5.6).
 struct ExceptionFrame {
   std::uint32_t r0, r1, r2, r3, r12;
   std::uint32_t return_address;
@@ -33,9 +33,8 @@ std::uint32_t fault_address(const SystemControlBlock& control, std::uint32_t sta
 
 }  // namespace
 
-/// Keeps what happened and starts again: a gyro that restarts visibly is worth more than one that
-/// hangs. The next start tells it; from here nothing is sent, because that takes time and working
-/// ports. `frame` is null where the stack was unusable.
+/// Records the exception and restarts the board. The next start reports it; nothing is sent from
+/// here, because that takes time and working ports. `frame` is null if the stack was unusable.
 extern "C" [[noreturn]] void fog_record_trap(const ExceptionFrame* frame) {
   const SystemControlBlock& control = system_control_block();
   hal::CrashRecord crash{};
@@ -47,12 +46,12 @@ extern "C" [[noreturn]] void fog_record_trap(const ExceptionFrame* frame) {
     crash.program_counter = frame->program_counter;
     crash.link_register = frame->return_address;
   }
-  restart(crash.exception == kNmi ? kNmiMeans : hal::ResetCause::fault, crash);
+  restart(crash.exception == kNmi ? kNmiCause : hal::ResetCause::fault, crash);
 }
 
-// A stack overflow ends in the guard below the stack, where no handler could push anything. So the
-// stack pointer is checked before the first push, and rewound where the record would not fit:
-// nothing returns from here, so nothing on the stack is needed any more but the frame.
+// A stack overflow ends in the guard below the stack, where a handler cannot push anything. So the
+// stack pointer is checked before the first push and reset if the record would not fit. Only the
+// frame is needed of the old stack, because the handler never returns.
 [[gnu::naked]] void fog_trap_handler() {
   asm volatile(
       "mrs r0, msp\n"

@@ -10,8 +10,7 @@ namespace fog::platform {
 
 using Handler = void (*)();
 
-/// Entry points of start-up and fault handling; C names, because linker script and assembly use
-/// them.
+/// Entry points of start-up and fault handling; C names for linker script and assembly.
 extern "C" {
 [[noreturn]] void fog_reset_handler();
 void fog_trap_handler();
@@ -23,7 +22,7 @@ constexpr std::size_t kNmi = 2;
 constexpr std::size_t kSysTick = 15;
 constexpr std::size_t kExceptions = 16;
 
-/// What the processor reads at reset and at every exception (ARM DDI 0403, B1.5.3).
+/// Table read by the processor at reset and at every exception (ARM DDI 0403, B1.5.3).
 template <std::size_t kInterrupts>
 struct VectorTable {
   std::uint32_t* initial_stack;
@@ -36,8 +35,8 @@ struct InterruptHandler {
   Handler handler;
 };
 
-/// The table of a part with `kInterrupts` lines. Whatever is not listed as handled traps: an
-/// interrupt nobody enabled is a fault, not something to return from.
+/// Table of a part with `kInterrupts` lines. Lines not listed in `handled` trap: an interrupt that
+/// was not enabled is a fault.
 template <std::size_t kInterrupts, std::size_t kHandled>
 constexpr VectorTable<kInterrupts> make_vector_table(const InterruptHandler (&handled)[kHandled]) {
   VectorTable<kInterrupts> table{fog_stack_top, {}, {}};

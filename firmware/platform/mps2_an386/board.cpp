@@ -2,12 +2,12 @@
 
 #include "hal/clock.hpp"
 #include "hal/processor.hpp"
-#include "platform/cortex_m/restart.hpp"
 #include "platform/cortex_m/tick.hpp"
 #include "platform/mps2_an386/peripherals.hpp"
 #include "platform/ports.hpp"
+#include "platform/shared/restart.hpp"
 
-// It runs in QEMU, whose serial lines are as fast as whoever writes to them.
+// In QEMU the serial lines have no timing.
 bool fog::hal::clock_is_accurate() {
   return false;
 }
@@ -24,7 +24,7 @@ fog::hal::ProcessorNumber fog::hal::processor_number() {
 
 namespace fog::platform {
 
-// This machine keeps no record of resets: only the firmware's own restarts are known.
+// This machine has no reset flags: only the firmware's own restarts are known.
 void start_board() {
   report_reset(hal::ResetCause::unknown);
   start_tick(kClockHz);

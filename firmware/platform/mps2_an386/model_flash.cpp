@@ -1,8 +1,7 @@
 #include "hal/model_memory.hpp"
 #include "platform/cortex_m/memory_protection.hpp"
 
-// Memory in the place of flash, with a flash's manners: writing clears bits, only erasing sets
-// them.
+// Memory that behaves like flash: writing clears bits, only erasing sets them.
 namespace fog::hal {
 namespace {
 

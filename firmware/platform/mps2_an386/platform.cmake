@@ -1,2 +1,2 @@
-# What the build needs to know of this machine.
+# Properties of this machine for the build.
 set(FOG_HAS_LINES ON)

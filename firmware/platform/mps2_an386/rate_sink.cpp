@@ -8,8 +8,8 @@ namespace fog {
 namespace platform {
 namespace {
 
-// A byte at 115200 baud lasts 2,200 cycles of 25 MHz. In the emulator the line is as slow as
-// whoever reads it, so the bound is what the watchdog allows, 100 ms.
+// A byte at 115200 baud takes 2,200 cycles of 25 MHz. In the emulator the line is as slow as its
+// reader, so the bound is that of the watchdog, 100 ms.
 constexpr std::uint32_t kTransmitPolls = 500'000;
 
 void open(CmsdkUart& uart, std::uint32_t baud) {

@@ -19,7 +19,7 @@ void open_request_port() {
   enable_interrupt(kRequestInterrupt);
 }
 
-// The interrupt is cleared before the byte is taken: afterwards would clear that of the next byte.
+// The interrupt is cleared before the byte is read: later it would clear that of the next byte.
 void on_request_interrupt() {
   output_uart().interrupt.write(CmsdkUart::kReceived);
   requested.push(static_cast<std::uint8_t>(output_uart().data.read()));

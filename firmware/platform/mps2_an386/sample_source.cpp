@@ -21,9 +21,9 @@ void open_sensor_port() {
   enable_interrupt(kSensorInterrupt);
 }
 
-// The interrupt is cleared before the byte is taken: afterwards would clear that of the next byte.
-// While the buffer is full the byte stays in the UART and the line is not served: the reader opens
-// it again.
+// The interrupt is cleared before the byte is read: later it would clear that of the next byte. If
+// the buffer is full, the byte stays in the UART and the interrupt is disabled until the reader
+// enables it again.
 void on_sensor_interrupt() {
   if (received.is_full()) {
     disable_interrupt(kSensorInterrupt);

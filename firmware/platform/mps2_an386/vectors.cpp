@@ -5,7 +5,7 @@
 
 namespace fog::platform {
 
-const hal::ResetCause kNmiMeans = hal::ResetCause::watchdog;
+const hal::ResetCause kNmiCause = hal::ResetCause::watchdog;
 
 namespace {
 

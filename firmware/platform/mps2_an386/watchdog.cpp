@@ -4,8 +4,8 @@
 
 namespace fog::hal {
 
-// The first expiry raises the NMI, which traps, says so and restarts; should that fail, the second
-// resets the processor.
+// The first expiry raises the NMI, which traps and restarts with a report; if that fails, the
+// second expiry resets the processor.
 void start_watchdog(std::uint32_t timeout_ms) {
   using platform::CmsdkWatchdog;
   platform::watchdog().load.write(platform::kClockHz / 1000U * timeout_ms);

@@ -2,7 +2,7 @@
 
 namespace fog::platform {
 
-/// First in the image, where the machine begins: gives start-up its stack.
+/// First code of the image, where the machine starts: sets the stack pointer.
 extern "C" [[gnu::naked, gnu::section(".vectors"), gnu::used]] void fog_entry() {
   asm volatile(
       "la sp, fog_stack_top\n"

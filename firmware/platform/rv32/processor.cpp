@@ -2,43 +2,69 @@
 
 #include <cstdint>
 
-#include "hal/rate_sink.hpp"
-#include "platform/shared/semihosting.hpp"
-#include "platform/text_line.hpp"
+#include "hal/clock.hpp"
+#include "hal/interrupts.hpp"
+#include "platform/rv32/interrupts.hpp"
+#include "platform/shared/restart.hpp"
 
 namespace fog::platform {
 namespace {
 
-constexpr std::uint32_t kCrashed = 3;  // as the bulk image exits on a board
+constexpr std::uint32_t kTimer = 7;  // numbers of mcause, and bits of mie
+constexpr std::uint32_t kExternal = 11;
+
+std::uint32_t trap_cause() {
+  std::uint32_t cause;
+  asm volatile("csrr %0, mcause" : "=r"(cause));
+  return cause;
+}
 
 }  // namespace
 
-/// Says what happened and ends the emulator: what runs here runs for a test.
-extern "C" [[noreturn]] void fog_report_trap() {
-  std::uint32_t cause;
-  std::uint32_t program_counter;
-  asm("csrr %0, mcause" : "=r"(cause));
-  asm("csrr %0, mepc" : "=r"(program_counter));
-  TextLine line;
-  line.text("trap: cause ").decimal(cause).text(" at ").hex(program_counter);
-  hal::write_console(line.text("\r\n").c_str());
-  semihosting::exit(kCrashed);
+/// Keeps what happened and starts again: the next start tells it. The crash's number is mcause,
+/// which is never 0, a misaligned instruction, where instructions may have 16 bits.
+extern "C" [[noreturn, gnu::used]] void fog_record_trap(std::uint32_t link_register) {
+  hal::CrashRecord crash{};
+  crash.exception = trap_cause();
+  asm volatile("csrr %0, mepc" : "=r"(crash.program_counter));
+  asm volatile("csrr %0, mtval" : "=r"(crash.fault_address));
+  crash.link_register = link_register;
+  crash.uptime_ms = hal::milliseconds();
+  restart(hal::ResetCause::fault, crash);
+}
+
+extern "C" [[gnu::interrupt("machine"), gnu::used]] void fog_take_interrupt() {
+  const std::uint32_t number = trap_cause() & 0x7FFFFFFFU;
+  if (number == kTimer) on_timer_interrupt();
+  if (number == kExternal) on_external_interrupt();
 }
 
 namespace {
 
-// Nothing returns from here, so nothing on the stack is needed any more. Aligned, because the low
-// bits of mtvec are its mode.
+// The one entry of both. Nothing returns from an exception, so it needs nothing of the stack, which
+// may be what failed. Aligned, because the low bits of mtvec are its mode.
 [[gnu::naked, gnu::aligned(4)]] void trap_entry() {
   asm volatile(
+      "csrw mscratch, t0\n"
+      "csrr t0, mcause\n"
+      "bltz t0, 1f\n"
+      "mv a0, ra\n"
       "la sp, fog_stack_top\n"
-      "j fog_report_trap\n");
+      "j fog_record_trap\n"
+      "1: csrr t0, mscratch\n"
+      "j fog_take_interrupt\n");
 }
 
 }  // namespace
 
 void prepare_processor() {
+  asm volatile("csrw mie, zero");
   asm volatile("csrw mtvec, %0" : : "r"(&trap_entry));
+  hal::release_interrupts();
+}
+
+void enable_external_interrupts() {
+  asm volatile("csrs mie, %0" ::"r"(1U << kExternal) : "memory");
 }
 
 }  // namespace fog::platform

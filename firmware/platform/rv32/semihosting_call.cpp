@@ -2,8 +2,8 @@
 
 namespace fog::platform::semihosting {
 
-// The three instructions mark the call; none of them may be compressed, and a page may not end
-// between them ("RISC-V Semihosting", RISC-V International).
+// The three instructions mark the call; none of them may be compressed, and no page boundary may
+// separate them ("RISC-V Semihosting", RISC-V International).
 std::int32_t semihosting_call(std::uint32_t operation, const std::uint32_t* arguments) {
   register auto a0 asm("a0") = operation;
   register const std::uint32_t* a1 asm("a1") = arguments;

@@ -1,1 +1,2 @@
-# A processor to replay on: no lines, no watchdog, nothing to choose.
+# The product on a second instruction set: one serial line, no watchdog, no variants.
+set(FOG_HAS_LINES ON)

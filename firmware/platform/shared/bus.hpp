@@ -2,9 +2,9 @@
 
 #include <cstdint>
 
-/// How registers are reached. On a target: at their addresses. In the tests of the drivers on a
-/// computer (FOG_REGISTER_MODEL): a model of the hardware sees every access and answers
-/// (tests/support/register_model.hpp), so that what no emulator has can be shown to be handled.
+/// Access to registers. On a target: at their addresses. In the driver tests on a computer
+/// (FOG_REGISTER_MODEL): a model of the hardware handles every access
+/// (tests/support/register_model.hpp), for conditions that no emulator provides.
 namespace fog::platform::bus {
 
 #ifdef FOG_REGISTER_MODEL
@@ -23,7 +23,7 @@ inline std::uint32_t read(const volatile std::uint32_t& reg) {
 inline void write(volatile std::uint32_t& reg, std::uint32_t value) {
   reg = value;
 }
-/// To a memory that is written like a register: a flash. Before the next access to anything.
+/// Writes a memory that behaves like a register (flash), in order with all other accesses.
 inline void write_byte(std::uint32_t address, std::uint8_t value) {
   *reinterpret_cast<volatile std::uint8_t*>(address) = value;
   __atomic_thread_fence(__ATOMIC_SEQ_CST);
@@ -31,7 +31,7 @@ inline void write_byte(std::uint32_t address, std::uint8_t value) {
 inline void* at(std::uint32_t address) {
   return reinterpret_cast<void*>(address);
 }
-/// What a DMA controller is told.
+/// Address for a DMA controller.
 inline std::uint32_t address_of(const volatile void* memory) {
   return reinterpret_cast<std::uintptr_t>(memory);
 }

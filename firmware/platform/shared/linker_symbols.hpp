@@ -2,19 +2,19 @@
 
 #include <cstdint>
 
-// What linker/common_sections.ld places. Only the addresses mean anything. All but the sizes are
+// Symbols of linker/common_sections.ld. Only their addresses have a meaning. All but the sizes are
 // word aligned.
 extern "C" {
 
-/// The image in flash, vector table to seal: what its CRC covers.
+/// The image in flash, from vector table to seal; covered by its CRC.
 extern const std::uint8_t fog_image_start[];
 extern const std::uint8_t fog_image_end[];
 
-/// Where models lie that are loaded, behind an image that has none.
+/// Slots of loaded models, after an image without a model.
 extern const std::int32_t fog_model_slot_0[];
 extern const std::int32_t fog_model_slot_1[];
 
-/// The sizes of the memories: the address is the size field of a region of the memory protection.
+/// Sizes of the memories: the address is the size field of a memory protection region.
 extern const std::uint8_t fog_flash_region_size[];
 extern const std::uint8_t fog_ram_region_size[];
 
@@ -24,11 +24,11 @@ extern std::uint32_t fog_data_end[];
 extern std::uint32_t fog_bss_start[];
 extern std::uint32_t fog_bss_end[];
 
-/// The end of all RAM that is zeroed or set at the start.
+/// End of all RAM that start-up zeroes or sets.
 extern std::uint32_t fog_ram_end[];
 
-/// The stack grows down from fog_stack_top to fog_stack_bottom; below it is the guard, which starts
-/// the RAM and which nothing may touch, and below that there is no memory.
+/// The stack grows down from fog_stack_top to fog_stack_bottom. Below it are the guard, at the
+/// start of RAM, which must not be accessed, and then no memory.
 extern std::uint32_t fog_stack_guard[];
 extern std::uint32_t fog_stack_bottom[];
 extern std::uint32_t fog_stack_top[];

@@ -2,9 +2,9 @@
 #include <cstdint>
 
 // The four functions that GCC calls even in freestanding code (structure copies, large
-// initialisers). Plain loops, by words where addresses allow: structures of the drift model are
-// copied once a block. Built with -fno-tree-loop-distribute-patterns, without which GCC recognises
-// each loop and replaces it by a call to the very function it is in.
+// initialisers). Simple loops, by words if addresses allow, because structures of the drift model
+// are copied once per block. Built with -fno-tree-loop-distribute-patterns: otherwise GCC replaces
+// each loop by a call to the function that contains it.
 namespace {
 
 using Word [[gnu::may_alias]] = std::uint32_t;
@@ -43,7 +43,7 @@ void* memmove(void* destination, const void* source, std::size_t size) {
 void* memset(void* destination, int value, std::size_t size) {
   const auto byte = static_cast<std::uint8_t>(value);
   auto* to_byte = static_cast<std::uint8_t*>(destination);
-  // Up to a word's address: frames are bytes, and may lie anywhere.
+  // Up to a word boundary: frames are bytes at any address.
   for (; size > 0 && !word_aligned(to_byte); --size) *to_byte++ = byte;
   void* to = to_byte;
   auto* to_word = static_cast<Word*>(to);

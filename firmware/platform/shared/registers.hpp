@@ -6,8 +6,8 @@
 
 namespace fog::platform {
 
-/// One 32-bit peripheral register: each call is exactly one bus access (two for set and clear,
-/// which are therefore not for registers that an interrupt handler changes as well).
+/// One 32-bit peripheral register. Each call is exactly one bus access; set and clear are two, so
+/// do not use them on registers that an interrupt handler changes.
 class Register {
  public:
   std::uint32_t read() const { return bus::read(value_); }
@@ -22,14 +22,14 @@ class Register {
 };
 static_assert(sizeof(Register) == 4);
 
-/// A peripheral's registers, as the struct `Block` lays them out, at its address.
+/// Registers of a peripheral, laid out by the struct `Block`, at its address.
 template <typename Block>
 Block& peripheral_at(std::uint32_t address) {
   return *static_cast<Block*>(bus::at(address));
 }
 
-/// Polls until `(register & mask) == expected`, at most `polls` times. Every wait on hardware goes
-/// through here: a peripheral that never answers costs time, never the board.
+/// Polls until `(register & mask) == expected`, at most `polls` times. All waits for hardware use
+/// it, so that a peripheral that never answers costs only time.
 inline bool wait_for_bits(const Register& reg, std::uint32_t mask, std::uint32_t expected,
                           std::uint32_t polls) {
   while ((reg.read() & mask) != expected) {

@@ -19,7 +19,7 @@ void count(hal::RestartCounts& counts, hal::ResetCause cause) {
 }  // namespace
 
 void RestartRecord::keep(hal::ResetCause cause, const hal::CrashRecord& crash) {
-  if (!is_intact()) report_.counts = {};  // a start fails before it has taken the record
+  if (!is_intact()) report_.counts = {};  // a start that fails before it has read the record
   report_.cause = cause;
   report_.last_crash = crash;
   crc_ = crc();

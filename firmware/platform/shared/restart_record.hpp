@@ -6,26 +6,26 @@
 
 namespace fog::platform {
 
-/// What outlives a restart, in memory that start-up leaves alone. After power-on that memory holds
-/// anything, so what it says counts only with its own CRC.
+/// Data that outlive a restart, in memory that start-up does not initialise. Valid only with their
+/// own CRC, because after power-on that memory is random.
 class RestartRecord {
  public:
-  /// Of the restart that follows. Restarts are counted when they are taken.
+  /// Stores cause and crash for the restart that follows. take() counts the restart.
   void keep(hal::ResetCause cause, const hal::CrashRecord& crash);
 
-  /// What the restart that led here left, else `hardware_cause` and no crash. The cause is
-  /// forgotten, so that it is not taken for that of the next reset; the last crash stays until
-  /// power is lost.
+  /// Returns what the restart that led here stored, else `hardware_cause` and no crash. Clears the
+  /// cause, so that it is not reported for the next reset; the last crash is kept until power is
+  /// lost.
   hal::ResetReport take(hal::ResetCause hardware_cause);
 
-  /// Faults are counted from 0 again.
+  /// Sets the fault counts to 0.
   void forget_faults();
 
  private:
   bool is_intact() const;
   std::uint32_t crc() const;
 
-  hal::ResetReport report_;  // its cause: unknown after a reset that was not the firmware's
+  hal::ResetReport report_;  // cause `unknown` after a reset not made by the firmware
   std::uint32_t crc_;
 };
 

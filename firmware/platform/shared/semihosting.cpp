@@ -10,6 +10,7 @@ namespace {
 enum class Operation : std::uint32_t {
   kOpen = 0x01,
   kClose = 0x02,
+  kWriteText = 0x04,
   kWrite = 0x05,
   kRead = 0x06,
   kExitExtended = 0x20,
@@ -33,7 +34,7 @@ File open(const char* name, std::size_t length, Mode mode) {
   return call(Operation::kOpen, {address(name), static_cast<std::uint32_t>(mode), length});
 }
 
-// Read and write return how many bytes were NOT transferred.
+// Read and write return the number of bytes NOT transferred.
 std::size_t read(File file, std::uint8_t* destination, std::size_t size) {
   const std::int32_t missing =
       call(Operation::kRead, {static_cast<std::uint32_t>(file), address(destination), size});
@@ -47,6 +48,11 @@ bool write(File file, const std::uint8_t* source, std::size_t size) {
 
 bool close(File file) {
   return call(Operation::kClose, {static_cast<std::uint32_t>(file)}) == 0;
+}
+
+void write_text(const char* text) {
+  semihosting_call(static_cast<std::uint32_t>(Operation::kWriteText),
+                   static_cast<const std::uint32_t*>(static_cast<const void*>(text)));
 }
 
 void exit(std::uint32_t status) {

@@ -4,8 +4,8 @@
 
 namespace fog::platform::semihosting {
 
-/// Hands `operation` with its block of arguments to the emulator or debugger: the instruction that
-/// each processor has for it. Returns what comes back.
+/// Passes `operation` with its argument block to the emulator or debugger, by the instruction that
+/// the processor has for it. Returns the result.
 std::int32_t semihosting_call(std::uint32_t operation, const std::uint32_t* arguments);
 
 }  // namespace fog::platform::semihosting

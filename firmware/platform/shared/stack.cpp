@@ -7,16 +7,16 @@
 namespace fog::platform {
 namespace {
 
-// Not zero, not a small number, not an address: nothing the firmware is likely to push.
+// Neither zero nor a small number nor an address: unlikely to be pushed by the firmware.
 constexpr std::uint32_t kPaint = 0xC5C5C5C5U;
 
-// More than the frame of paint_stack(), and less than whatever runs after it will take.
+// More than the frame of paint_stack(), less than the stack that anything after it uses.
 constexpr std::uintptr_t kFrameBytes = 64;
 
 }  // namespace
 
 void paint_stack() {
-  const volatile std::uint32_t here = 0;  // in this function's frame, which is to stay as it is
+  const volatile std::uint32_t here = 0;  // in this function's frame, which must stay intact
   const std::uintptr_t end = reinterpret_cast<std::uintptr_t>(&here) - kFrameBytes;
   for (volatile std::uint32_t* word = fog_stack_bottom;
        reinterpret_cast<std::uintptr_t>(word) < end; ++word) {

@@ -4,10 +4,10 @@
 
 namespace fog::platform {
 
-/// Fills the unused part of the stack with a pattern. Start-up calls it, before anything ran deep.
+/// Fills the unused part of the stack with a pattern. Called by start-up, before deep calls.
 void paint_stack();
 
-/// Bytes of the reserved stack, and of those how many have never been written since start-up.
+/// Size of the reserved stack, and the part of it never written since start-up, in bytes.
 std::size_t stack_bytes_reserved();
 std::size_t stack_bytes_unused();
 

@@ -17,11 +17,10 @@ void initialise_memory() {
 
 }  // namespace
 
-// No static constructors run here: every object at namespace scope is constant-initialised, so
-// there is no order to get wrong and nothing to pay for. The linker refuses an image that needs
-// one.
+// No static constructors: every object at namespace scope is constant-initialised, so there is no
+// order of initialisation. The linker refuses an image that needs one.
 extern "C" [[noreturn]] void fog_reset_handler() {
-  hal::hold_interrupts();  // a boot loader may have left some on, whose handlers need memory
+  hal::hold_interrupts();  // a boot loader may have left some enabled, whose handlers need memory
   paint_stack();
   initialise_memory();
   prepare_processor();

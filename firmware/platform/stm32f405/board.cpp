@@ -1,9 +1,9 @@
 #include "platform/board.hpp"
 
 #include "hal/clock.hpp"
-#include "platform/cortex_m/restart.hpp"
 #include "platform/cortex_m/tick.hpp"
 #include "platform/ports.hpp"
+#include "platform/shared/restart.hpp"
 #include "platform/stm32f405/clock_tree.hpp"
 #include "platform/stm32f405/peripherals.hpp"
 #include "platform/stm32f405/reset_cause.hpp"
@@ -12,8 +12,8 @@ bool fog::hal::clock_is_accurate() {
   return !platform::clock_tree().is_fallback;
 }
 
-// Even the internal oscillator locks the PLL: what does not is an emulator, or a part that is
-// broken.
+// Even the internal oscillator locks the PLL; if it does not lock, this is an emulator or a
+// defective part.
 bool fog::hal::clock_keeps_time() {
   return platform::clock_tree().has_full_speed;
 }
@@ -21,7 +21,7 @@ bool fog::hal::clock_keeps_time() {
 namespace fog::platform {
 namespace {
 
-// A crystal that dies now and then would be a loop of restarts.
+// Limit, because a crystal that fails now and then would cause an endless series of restarts.
 constexpr std::uint32_t kMaxClockFailures = 3;
 
 }  // namespace
@@ -36,7 +36,7 @@ void start_board() {
   open_sensor_port();
 }
 
-// The brown-out level is an option of the part, written when it is flashed (firmware/README.md).
+// The brown-out level is an option byte, set when the part is flashed (firmware/README.md).
 BoardDescription describe_board() {
   const bool brown_out_reset_on =
       (flash().options.read() & Flash::kBrownOutLevel) != Flash::kBrownOutOff;

@@ -9,18 +9,17 @@ namespace {
 
 constexpr std::uint32_t kInternalHz = 16'000'000;
 
-// Not the 168 MHz that the part can do: from this every bit rate comes within 0.2 %, which leaves
-// its tolerance to the internal oscillator; what that is off by in heat and cold, with the trim
-// against it, leaves the core within its limits; and flash and regulator allow it at any supply
-// that the part starts with. At 200 samples a second the core is idle for 98 % of the time all the
-// same.
+// 144 MHz instead of the maximum of 168 MHz: every bit rate is within 0.2 %, which leaves its
+// tolerance to the internal oscillator; the oscillator's error over temperature, trim included,
+// keeps the core within its limits; flash and regulator allow it at any supply at which the part
+// starts. At 200 samples per second the core is idle for 98 % of the time.
 constexpr std::uint32_t kCoreHz = 144'000'000;
 
-// 2 MHz into the PLL, the value that the reference manual recommends against jitter, or 1 MHz where
-// the input is no multiple of that; 288 MHz inside.
+// PLL input: 2 MHz, recommended by the reference manual against jitter, or 1 MHz if the source is
+// no multiple of 2 MHz. VCO: 288 MHz.
 constexpr std::uint32_t kPllInsideHz = 288'000'000;
 constexpr std::uint32_t kPllP = kPllInsideHz / kCoreHz;
-constexpr std::uint32_t kPllQ = 6;  // 48 MHz for USB and RNG: unused, but inside its limit
+constexpr std::uint32_t kPllQ = 6;  // 48 MHz for USB and RNG: unused, but within its limit
 constexpr std::uint32_t pll_input_hz(std::uint32_t hz) {
   return hz % 2'000'000 == 0 ? 2'000'000 : 1'000'000;
 }
@@ -34,7 +33,7 @@ static_assert(kCrystalHz % 1'000'000 == 0 && kCrystalHz >= 4'000'000 && kCrystal
 // Up to 160 MHz at 1.8 V, prefetch off (RM0090, table 10).
 constexpr std::uint32_t kFlashWaitStates = 7;
 
-// A poll takes at least 5 cycles of the 16 MHz start-up clock, so this is at least 30 ms: a crystal
+// A poll takes at least 5 cycles of the 16 MHz start-up clock, so this is at least 30 ms. A crystal
 // needs 2 ms, the PLL 0.3 ms.
 constexpr std::uint32_t kPolls = 100'000;
 
@@ -57,8 +56,8 @@ constexpr ClockTree kAsResetLeftIt{
 
 ClockTree running = kAsResetLeftIt;
 
-// To where reset leaves the clocks, from whatever a boot loader or a debugger has left: a PLL that
-// is the clock cannot be stopped, one that runs cannot be set (7.3.1, 7.3.2).
+// Restores the reset state of the clocks, whatever a boot loader or a debugger has set: a PLL that
+// is the system clock cannot be stopped, and a running one cannot be changed (7.3.1, 7.3.2).
 bool return_to_internal() {
   rcc().control.set(Rcc::kHsiOn);
   if (!wait_for_bits(rcc().control, Rcc::kHsiReady, Rcc::kHsiReady, kPolls)) return false;
@@ -82,8 +81,8 @@ bool lock_pll(const PllInput& input) {
   return wait_for_bits(rcc().control, Rcc::kPllReady, Rcc::kPllReady, kPolls);
 }
 
-// The flash is slowed down before the core is sped up, and the new wait states are seen to be in
-// force; the buses get their prescalers before the clock that needs them.
+// Order: flash wait states, verified, before the faster clock; bus prescalers before the clock that
+// needs them.
 bool switch_to_pll() {
   flash().access_control.write(kFlashWaitStates | Flash::kCaches);
   if (!wait_for_bits(flash().access_control, Flash::kLatency, kFlashWaitStates, kPolls)) {
@@ -121,8 +120,8 @@ const ClockTree& clock_tree() {
 
 }  // namespace fog::platform
 
-// Every fifth step of 32 of a quarter of a percent, so that all are tried, and none far from the
-// last one's neighbours.
+// In steps of 5 of 32 positions (a quarter of a percent each): all are tried, and consecutive ones
+// are near each other.
 void fog::hal::try_another_speed() {
   using platform::Rcc;
   if (!platform::running.is_fallback) return;

@@ -10,16 +10,16 @@ struct ClockTree {
   std::uint32_t apb2_hz;
   const char* source;
   bool is_fallback;     ///< not the crystal at full speed
-  bool has_full_speed;  ///< 144 MHz, from whatever
+  bool has_full_speed;  ///< 144 MHz, from either source
 };
 
-/// Brings the core to 144 MHz, whatever it runs from now: from the crystal (or what drives its pin)
-/// if it starts and `try_crystal`, else from the internal oscillator. Where the PLL does not lock
-/// either, the part is left as after a reset: 16 MHz everywhere. A crystal that dies later traps
-/// (clock security system), and the restart comes back without it.
+/// Brings the core to 144 MHz from any state: from the crystal (or an external clock at its pin) if
+/// `try_crystal` and it starts, else from the internal oscillator. If the PLL does not lock either,
+/// the part stays as after a reset: 16 MHz. A crystal that fails later traps (clock security
+/// system), and the restart runs without it.
 void start_clock_tree(bool try_crystal = true);
 
-/// What is running: every bit rate and the tick derive from here.
+/// The running clocks: bit rates and tick derive from them.
 const ClockTree& clock_tree();
 
 }  // namespace fog::platform

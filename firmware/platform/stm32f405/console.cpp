@@ -5,7 +5,7 @@
 #include "platform/stm32f405/usart_line.hpp"
 #include "wiring.hpp"
 
-// The console. How the output stream leaves is chosen when building: output_polled or output_dma.
+// The console. The build selects the output stream's driver: output_polled or output_dma.
 namespace fog {
 
 void platform::open_console_port() {

@@ -2,8 +2,7 @@
 
 #include "platform/stm32f405/peripherals.hpp"
 
-// TIM2, 32 bits wide. (The cycle counter of the debug unit would be the natural choice; QEMU has
-// none.)
+// TIM2, 32 bits, because QEMU does not emulate the cycle counter of the debug unit.
 namespace fog::platform {
 
 void start_instruction_counter() {

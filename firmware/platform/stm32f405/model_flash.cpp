@@ -3,9 +3,9 @@
 #include "platform/cortex_m/memory_protection.hpp"
 #include "platform/stm32f405/peripherals.hpp"
 
-// RM0090, 3.6. Bytes are written one at a time, which any supply is enough for; wider writes need
-// 2.7 V. The code that does it runs from the same flash, without its caches: the next instruction
-// waits until the flash is done, however long that takes.
+// RM0090, 3.6. Bytes are written one at a time, which works at any supply; wider writes need 2.7 V.
+// The code runs from the same flash, with its caches disabled: the next instruction waits until the
+// flash is done.
 namespace fog {
 namespace platform {
 namespace {
@@ -17,10 +17,10 @@ struct Sector {
 // linker/stm32f405.ld checks that they are the slots.
 constexpr Sector kSectors[] = {{3, 0x0800C000U}, {4, 0x08010000U}};
 
-constexpr std::uint32_t kPolls = 100'000;  // for what should be over with the first
+constexpr std::uint32_t kPolls = 100'000;  // for conditions that the first poll normally meets
 
-// 64 KiB by bytes: 2.4 s at most (data sheet, table 40). The watchdog's clock may be half as fast
-// again as it should be.
+// 64 KiB by bytes: 2.4 s at most (data sheet, table 40). The watchdog's clock may be 1.5 times too
+// fast.
 constexpr std::uint32_t kEraseMs = 6000;
 
 bool is_done() {
@@ -28,14 +28,15 @@ bool is_done() {
          !flash().status.any(Flash::kErrors);
 }
 
-/// As long as it lives the flash can be erased and written. Its caches are empty afterwards, as
-/// they may hold what was there before.
+/// While this object lives the flash can be erased and written. Its caches are emptied at the end,
+/// as they may hold old contents.
 class Unlocked {
  public:
   explicit Unlocked(const Sector& sector) : memory_(bus::at(sector.address)) {
     flash().access_control.clear(Flash::kCaches);
     wait_for_bits(flash().status, Flash::kBusy, 0, kPolls);
-    if (flash().control.any(Flash::kLock)) {  // else a key would lock it until the next reset
+    if (flash().control.any(
+            Flash::kLock)) {  // a key written while unlocked would lock it until the next reset
       flash().key.write(Flash::kUnlock1);
       flash().key.write(Flash::kUnlock2);
     }

@@ -61,10 +61,10 @@ struct Rcc {
   static constexpr std::uint32_t kPower = 1U << 28U;
   static constexpr std::uint32_t kAdc1 = 1U << 8U;
 
-  // backup_domain (7.3.20): what no reset changes but that of the domain
+  // backup_domain (7.3.20): reset only with that domain
   static constexpr std::uint32_t kLseOn = 1U << 0U;
   static constexpr std::uint32_t kLseReady = 1U << 1U;
-  static constexpr std::uint32_t kRtcClock = 3U << 8U;  // once other than 0 it stays
+  static constexpr std::uint32_t kRtcClock = 3U << 8U;  // cannot be changed once set
   static constexpr std::uint32_t kRtcClockIsLse = 1U << 8U;
   static constexpr std::uint32_t kRtcOn = 1U << 15U;
 
@@ -199,7 +199,7 @@ struct Adc {
 };
 static_assert(offsetof(Adc, sequence) == 0x2C && offsetof(Adc, data) == 0x4C);
 
-/// What all converters share: 13.13.16.
+/// Registers common to all converters: 13.13.16.
 struct AdcCommon {
   Register control;
 
@@ -312,8 +312,8 @@ inline IndependentWatchdog& watchdog() {
 
 constexpr std::size_t kInterruptLines = 82;
 
-/// Switches a peripheral's clock on. The read back gives it the two cycles it needs before its
-/// first access (ST ES0182, "Delay after an RCC peripheral clock enabling").
+/// Enables a peripheral's clock. The read back provides the two cycles needed before its first
+/// access (ST ES0182, "Delay after an RCC peripheral clock enabling").
 inline void enable_clock(Register& enable, std::uint32_t mask) {
   enable.set(mask);
   static_cast<void>(enable.read());

@@ -6,7 +6,7 @@ namespace fog::platform {
 
 enum class Port : std::uint8_t { kA, kB, kC };
 
-/// A pin and the number of the alternate function that it is given (data sheet, table 9).
+/// A pin and its alternate function number (data sheet, table 9).
 struct Pin {
   Port port;
   std::uint8_t number;

@@ -20,7 +20,7 @@ void open_request_port() {
   enable_interrupt(kOutputUsart.interrupt);
 }
 
-// Reading status, then data, also clears an overrun, which would otherwise interrupt for ever.
+// Reading status, then data, also clears an overrun, which would otherwise interrupt repeatedly.
 void on_request_interrupt() {
   const bool has_byte = registers(kOutputUsart).status.any(Usart::kReceived);
   const auto byte = static_cast<std::uint8_t>(registers(kOutputUsart).data.read());

@@ -7,7 +7,8 @@ namespace {
 
 using hal::ResetCause;
 
-// A power-on also sets the brown-out flag, and every reset pulls the reset pin: first match counts.
+// A power-on also sets the brown-out flag, and every reset pulls the reset pin: the first match
+// counts.
 ResetCause decode(std::uint32_t flags) {
   if ((flags & Rcc::kWatchdogReset) != 0) return ResetCause::watchdog;
   if ((flags & Rcc::kSoftwareReset) != 0) return ResetCause::software;

@@ -12,7 +12,7 @@ namespace fog {
 namespace platform {
 namespace {
 
-// 11 ms of an uninterrupted line at 921600 baud; at 200 samples a second, a third of a second.
+// 11 ms of continuous data at 921600 baud; a third of a second at 200 samples per second.
 RingBuffer<1024> received;
 
 }  // namespace
@@ -22,9 +22,9 @@ void open_sensor_port() {
   enable_interrupt(kSensorUsart.interrupt);
 }
 
-// Reading status, then data, also clears an overrun, which would otherwise interrupt for ever; the
-// byte in the data register is the last good one, the lost ones show in the stream. While the
-// buffer is full the byte stays in the USART and the line is not served: the reader opens it again.
+// Reading status, then data, also clears an overrun, which would otherwise interrupt repeatedly;
+// the data register holds the last good byte, lost bytes show in the stream. If the buffer is full,
+// the byte stays in the USART and the interrupt is disabled until the reader enables it again.
 void on_sensor_interrupt() {
   if (received.is_full()) {
     disable_interrupt(kSensorUsart.interrupt);

@@ -3,7 +3,8 @@
 #include "platform/stm32f405/pin_modes.hpp"
 #include "wiring.hpp"
 
-// 35 us of reads, at least: a pin that is open is pulled up within some. One high and it is open.
+// Reads for at least 35 us, because an open pin takes some time to be pulled up. One high level
+// means open.
 bool fog::hal::service_strap_closed() {
   constexpr int kReads = 1000;
   platform::connect_input(platform::kServiceStrap);

@@ -5,13 +5,13 @@
 namespace fog::platform {
 namespace {
 
-// A byte at 115200 baud lasts 87 us, and a poll at least 5 cycles: 0.6 ms of polls, on any clock.
+// A byte at 115200 baud takes 87 us, a poll at least 5 cycles: 0.6 ms of polls at any clock.
 std::uint32_t transmit_polls() {
   return clock_tree().core_hz / 8192U;
 }
 
-// One that did not get ready in that time: the bytes after it are not worth another wait. Else the
-// frames of a loop would take longer than the watchdog allows.
+// USART that did not become ready in that time: it is not waited for again, because the frames of
+// one loop would take longer than the watchdog allows.
 const Usart* stuck = nullptr;
 
 }  // namespace

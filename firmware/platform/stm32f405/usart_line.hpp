@@ -9,12 +9,12 @@
 
 namespace fog::platform {
 
-/// Opens a USART, whose clock is on, on `pin`, 8N1. `control` is what control1 gets besides the
-/// enable bit: the direction and its interrupt. `bus_hz` is the clock of the bus that it is on.
+/// Opens a USART, whose clock is enabled, on `pin`, 8N1. `control`: bits of control1 beside the
+/// enable bit, i.e. direction and interrupt. `bus_hz`: clock of its bus.
 void open_line(Usart& usart, const Pin& pin, std::uint32_t control, std::uint32_t bus_hz,
                std::uint32_t baud);
 
-/// The same with everything that it needs, its clock included.
+/// The same, including the clocks.
 inline void open_line(const UsartPort& port, const Pin& pin, std::uint32_t control,
                       std::uint32_t baud) {
   enable_clock(port);
@@ -24,14 +24,13 @@ inline void open_line(const UsartPort& port, const Pin& pin, std::uint32_t contr
 /// Adds the other direction to an open line: reception on `pin`, with its interrupt.
 void open_receiver(Usart& usart, const Pin& pin);
 
-/// The value of the baud rate register: to the nearest.
+/// Value of the baud rate register, rounded to nearest.
 constexpr std::uint32_t baud_divisor(std::uint32_t bus_hz, std::uint32_t baud) {
   return (bus_hz + baud / 2U) / baud;
 }
 
-/// Polled: returns when the byte is handed to the USART, or lost because it did not get ready
-/// within a millisecond; of a USART that is stuck the first byte costs that much, those after it
-/// nothing.
+/// Polled: returns when the byte is passed to the USART, or lost because it did not become ready
+/// within a millisecond. After that no further byte waits for a stuck USART.
 void send_byte(Usart& usart, std::uint8_t byte);
 
 }  // namespace fog::platform

@@ -9,7 +9,7 @@ namespace fog::platform {
 
 enum class Bus : std::uint8_t { kApb1, kApb2 };
 
-/// Where a USART is: what a board chooses one by.
+/// A USART that a board can select in its wiring.hpp.
 struct UsartPort {
   std::uint32_t address;  ///< RM0090, 2.3
   Bus bus;
@@ -31,7 +31,7 @@ inline void enable_clock(const UsartPort& port) {
   enable_clock(port.bus == Bus::kApb1 ? rcc().apb1_enable : rcc().apb2_enable, port.clock_enable);
 }
 
-/// The clock that its bit rate derives from.
+/// Clock of the bus from which its bit rate derives.
 inline std::uint32_t bus_hz(const UsartPort& port) {
   return port.bus == Bus::kApb1 ? clock_tree().apb1_hz : clock_tree().apb2_hz;
 }

@@ -7,7 +7,7 @@
 namespace fog::platform {
 
 // The clock security system (RM0090, 7.2.7).
-const hal::ResetCause kNmiMeans = hal::ResetCause::clock_failure;
+const hal::ResetCause kNmiCause = hal::ResetCause::clock_failure;
 
 namespace {
 

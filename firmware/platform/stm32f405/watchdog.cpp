@@ -5,8 +5,8 @@
 namespace fog::hal {
 namespace {
 
-// The watchdog has its own oscillator (LSI), so that it bites even if every other clock has died.
-// Its time is for the nominal 32 kHz; the data sheet allows 17 kHz to 47 kHz: 68 ms to 188 ms for
+// The watchdog has its own oscillator (LSI), so that it works even if every other clock has failed.
+// Timeouts assume the nominal 32 kHz; the data sheet allows 17 kHz to 47 kHz: 68 ms to 188 ms for
 // 100 ms.
 constexpr std::uint32_t kLsiHz = 32'000;
 constexpr std::uint32_t kPrescaleBy4 = 0;
@@ -15,7 +15,7 @@ constexpr std::uint32_t kTicksPerMs = kLsiHz / 4U / 1000U;
 constexpr std::uint32_t kMsPerSlowTick = 256U * 1000U / kLsiHz;
 static_assert(hal::kWatchdogStartMs * kTicksPerMs <= 4096, "the counter has 12 bits");
 
-// Settings cross to the slow oscillator's side within five of its periods, 0.3 ms.
+// Settings reach the watchdog within five periods of its oscillator, 0.3 ms.
 constexpr std::uint32_t kUpdatePolls = 100'000;
 
 [[gnu::always_inline]] inline void start(std::uint32_t prescaler, std::uint32_t ticks) {

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# submit.sh TASKS DIR OUT [OPTION...]: `fogcomp batch DIR -o OUT OPTION...` as a Slurm job array of TASKS tasks, and
-# a job after them that makes table and page. From the environment: SBATCH_OPTIONS, for the array, as
-# "--partition=lab --cpus-per-task=4 --time=2:00:00" (a task does as many gyros at a time as it has processors);
-# FOGCOMP, the program where it is not in the path. Prints the numbers of both jobs.
+# submit.sh TASKS DIR OUT [OPTION...]: runs `fogcomp batch DIR -o OUT OPTION...` as a Slurm job array of TASKS tasks,
+# followed by a job that makes table and page. Environment: SBATCH_OPTIONS, for the array, e.g. "--partition=lab
+# --cpus-per-task=4 --time=2:00:00" (a task processes as many gyros at a time as it has processors); FOGCOMP, the
+# program if it is not in the path. Prints the numbers of both jobs.
 set -euo pipefail
 tasks=${1:?usage: submit.sh TASKS DIR OUT [OPTION...]} input=${2:?DIR is missing} output=${3:?OUT is missing}
 options=("${@:4}")
@@ -11,7 +11,7 @@ command -v "$fogcomp" >/dev/null || { echo "$fogcomp: not found; set FOGCOMP" >&
 read -ra sbatch_options <<<"${SBATCH_OPTIONS:-}"
 mkdir -p "$output/slurm"
 
-# A job's script: the command line as it was typed, whatever is in it.
+# Script of a job: the command line as typed, with any characters.
 job() {
   printf '#!/usr/bin/env bash\nexec'
   printf ' %q' "$fogcomp" batch "$input" -o "$output" "$@"

@@ -4,12 +4,12 @@
 
 namespace fogcomp::simulation {
 
-/// Radians per second in degrees per hour.
+/// deg/h per rad/s.
 constexpr double kDphPerRadps = 206264.80624709636;
 
-/// The rate that a gyro reads because its coil's temperature changes:
+/// Rate error due to temperature changes of the coil:
 ///   W_e = n/(L D) * integral of kappa * dT/dt * (L - 2z) dz,   D the mean diameter
-/// (Shupe, Appl. Opt. 19, 654, 1980, with every cause of a phase change gathered in kappa).
+/// (Shupe, Appl. Opt. 19, 654, 1980; kappa includes all causes of a phase change).
 class CoilError {
  public:
   CoilError(const CoilGeometry& coil, const FibreMaterial& material, int axial_cells);
@@ -19,10 +19,10 @@ class CoilError {
     return (kernel_dph_s_ * phase_rate_per_s).sum();
   }
 
-  /// What one unit of kappa dT/dt in each cell adds, deg/h per 1/s.
+  /// Contribution of a unit of kappa dT/dt in each cell, deg/h per 1/s.
   const CellArray& kernel_dph_s() const { return kernel_dph_s_; }
 
-  /// A fibre that is not centred, by `length_m`, with the spare lead lying on the outer layer:
+  /// Error of a fibre whose midpoint is off by `length_m`, the spare lead lying on the outer layer:
   /// deg/h per (K/s) of d/dt(T_outside - T_mean). 2 n kappa d / D.
   double lead_dph_s_per_k(double length_m) const;
 

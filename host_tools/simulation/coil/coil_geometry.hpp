@@ -4,16 +4,16 @@
 
 namespace fogcomp::simulation {
 
-/// How the two halves of the fibre, counted from its midpoint, are laid over the layers.
+/// Distribution of the two halves of the fibre, counted from its midpoint, over the layers.
 enum class WindingPattern : std::uint8_t {
-  single,      ///< wound from end to end: the midpoint lies in the middle layer
-  dipole,      ///< AB AB: the halves take turns
+  single,      ///< wound from end to end: the midpoint is in the middle layer
+  dipole,      ///< AB AB: the halves alternate
   quadrupole,  ///< ABBA ABBA
   octupole,    ///< ABBABAAB
 };
 
-/// The wound pack. The default is the only completely published coil (Li et al., Chin. Opt. Lett.
-/// 13(9) 090603, 2015): 998 m of fibre, 40 layers of 68 turns, quadrupolar.
+/// The wound pack. The default is the only coil with complete published data (Li et al., Chin. Opt.
+/// Lett. 13(9) 090603, 2015): 998 m of fibre, 40 layers of 68 turns, quadrupolar.
 struct CoilGeometry {
   double inner_radius_m = 0.055;
   double outer_radius_m = 0.0605;
@@ -24,14 +24,14 @@ struct CoilGeometry {
 
   double mean_diameter_m() const { return inner_radius_m + outer_radius_m; }
   double layer_thickness_m() const { return (outer_radius_m - inner_radius_m) / layers; }
-  /// Of the fibre in `layer`, counted from the inside.
+  /// Radius of the fibre in `layer`, counted from the inside.
   double layer_radius_m(int layer) const {
     return inner_radius_m + (layer + 0.5) * layer_thickness_m();
   }
   double fibre_length_m() const;
 };
 
-/// Glass and its surroundings in the pack; values of the same source unless noted.
+/// Glass and surrounding materials of the pack; values from the same source unless noted.
 struct FibreMaterial {
   double refractive_index = 1.44;
   double thermo_optic_per_k = 1.0e-5;  ///< dn/dT at 20 degC
@@ -48,7 +48,7 @@ struct FibreMaterial {
   double glass_heat_j_per_m3k = 2203.0 * 703.0;
   double coating_heat_j_per_m3k = 1190.0 * 1400.0;
 
-  /// dn/dT + n alpha, per K: the index change and the lengthening of a free fibre.
+  /// dn/dT + n alpha, per K: change of the index and of the length of a free fibre.
   double thermal_phase_per_k() const {
     return thermo_optic_per_k + refractive_index * expansion_per_k;
   }
@@ -56,13 +56,13 @@ struct FibreMaterial {
   double strain_phase() const;
 };
 
-/// What the heat sees: glass cylinders in a matrix of coating and glue, across the fibres.
+/// Effective thermal properties across the fibres: glass cylinders in a matrix of coating and glue.
 struct PackProperties {
   double conductivity_w_per_mk;
   double heat_j_per_m3k;
 };
 
-/// Share of the winding's cross-section that is glass, below 1.
+/// Fraction of the winding's cross-section that is glass, below 1.
 double glass_share(const CoilGeometry& coil, const FibreMaterial& material);
 
 /// Volume mean of the heat capacities, Rayleigh's formula for the conductivity across parallel

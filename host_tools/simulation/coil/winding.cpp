@@ -9,8 +9,8 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Which half lies in a layer, from the inside; repeated over the coil. Which half is called A only
-// decides the sign.
+// Half of the fibre in each layer, from the inside; repeated over the coil. Exchanging A and B only
+// changes the sign.
 std::string_view half_sequence(WindingPattern pattern) {
   switch (pattern) {
     case WindingPattern::single:
@@ -25,18 +25,18 @@ std::string_view half_sequence(WindingPattern pattern) {
   return "";
 }
 
-// Lays fibre turn by turn, layer by layer, and spreads its weight over the cells.
+// Lays fibre turn by turn, layer by layer, and distributes its weight over the cells.
 class FibreLayer {
  public:
   FibreLayer(const CoilGeometry& coil, CellArray& weights) : coil_(coil), weights_(weights) {}
 
-  // Winds one layer, starting `from_midpoint_m` away from the midpoint in the given sense (+1: z
+  // Winds one layer, starting `from_midpoint_m` from the midpoint in the given direction (+1: z
   // grows beyond L/2). Returns the distance at its end.
   double wind(int layer, double from_midpoint_m, double sense, bool from_bottom) {
     const double turn_m = 2 * M_PI * coil_.layer_radius_m(layer);
     for (int turn = 0; turn < coil_.turns_per_layer; ++turn) {
       const double middle_m = from_midpoint_m + turn_m / 2;
-      // L - 2z = -2 sense * distance, linear along the turn: its mean is the value in the middle.
+      // L - 2z = -2 sense * distance, linear along the turn: the mean is the value in the middle.
       const double weight_m2 = -2 * sense * middle_m * turn_m;
       const int place = from_bottom ? turn : coil_.turns_per_layer - 1 - turn;
       spread(layer, place, weight_m2);
@@ -46,7 +46,7 @@ class FibreLayer {
   }
 
  private:
-  // A turn that straddles two axial cells belongs to both by its share.
+  // A turn across two axial cells is divided between them.
   void spread(int layer, int place, double weight_m2) {
     const double cells_per_turn = static_cast<double>(weights_.cols()) / coil_.turns_per_layer;
     const double low = place * cells_per_turn;
@@ -84,7 +84,7 @@ CellArray winding_weights(const CoilGeometry& coil, int axial_cells) {
   for (int layer = 0; layer < coil.layers; ++layer) {
     length_m[half_of(layer)] += coil.turns_per_layer * 2 * M_PI * coil.layer_radius_m(layer);
   }
-  // Where the halves differ in length (dipole), winding starts beside the fibre's true midpoint.
+  // If the halves differ in length (dipole), winding starts beside the fibre's true midpoint.
   const double offset_m = (length_m[1] - length_m[0]) / 2;
   std::array<double, 2> distance_m{offset_m, -offset_m};
   std::array<bool, 2> from_bottom{true, true};

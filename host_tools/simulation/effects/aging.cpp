@@ -9,8 +9,8 @@ constexpr double kKelvin = 273.15;
 constexpr double kReference_k = 293.15;
 constexpr double kBoltzmann_ev = 8.617333262e-5;
 
-// Creep of the glue (logarithmic) and moisture that diffuses in or out (square root of time), both
-// faster when warm (Arrhenius).
+// Creep of the glue (logarithmic) and diffusion of moisture (square root of time), both faster when
+// warm (Arrhenius).
 class Aging : public Effect {
  public:
   Aging(const Parameters& parameters, const EffectContext&)
@@ -32,7 +32,7 @@ class Aging : public Effect {
   double moisture_dph_;
   double onset_s_;
   double activation_k_;
-  double age_s_ = 0;  ///< time that would have passed at 20 degC
+  double age_s_ = 0;  ///< equivalent time at 20 degC
 };
 
 }  // namespace

@@ -3,9 +3,9 @@
 namespace fogcomp::simulation {
 namespace {
 
-// The fibre's two ends leave the coil over different faces, so that one lies at the temperature of
-// the lower face, the other at that of the upper: n kappa d / D * d/dt(T_lower - T_upper). The
-// clamped ends are also strained by the difference itself.
+// The fibre's two ends leave the coil over different faces, so that one has the temperature of the
+// lower face, the other that of the upper: n kappa d / D * d/dt(T_lower - T_upper). The difference
+// itself also strains the clamped ends.
 class AxialGradient : public Effect {
  public:
   AxialGradient(const Parameters& parameters, const EffectContext& context)

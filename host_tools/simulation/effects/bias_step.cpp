@@ -6,7 +6,7 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Mode hops, stick-slip: at random times the bias jumps and, with a time constant, comes back.
+// Mode hops, stick-slip: at random times the bias jumps and returns with a time constant.
 class BiasStep : public Effect {
  public:
   BiasStep(const Parameters& parameters, const EffectContext& context)

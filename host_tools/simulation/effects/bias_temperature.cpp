@@ -3,8 +3,8 @@
 namespace fogcomp::simulation {
 namespace {
 
-// What is left of polarisation, electronics and pick-up errors when they are slow: a smooth
-// function of the temperature of the part they come from.
+// Slow residual errors of polarisation, electronics and pick-up: a smooth function of the
+// temperature of their part.
 class BiasTemperature : public Effect {
  public:
   BiasTemperature(const Parameters& parameters, const EffectContext&)

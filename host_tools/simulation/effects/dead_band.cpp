@@ -13,9 +13,9 @@ double normal_probability(double x) {
   return 0.5 * std::erfc(-x / M_SQRT2);
 }
 
-// The closed loop locks to zero while the rate it sees stays within the band. Dither (or the
-// loop's own noise) carries it over the edge part of the time: the mean output is the rate less the
-// mean of what is locked away, in closed form for Gaussian dither.
+// The closed loop locks to zero while its rate is within the band. Dither (or the loop's own noise)
+// exceeds the band part of the time: the mean output is the rate less the mean of the locked part,
+// in closed form for Gaussian dither.
 class DeadBand : public Effect {
  public:
   DeadBand(const Parameters& parameters, const EffectContext&)
@@ -40,7 +40,7 @@ EffectDescription dead_band_effect() {
   return {"dead_band",
           "the loop locks near zero rate (simulator only)",
           {{"half_width_dph", "deg/h", 0.05, 1e-6, 100, "rates below this are locked"},
-           {"dither_dph", "deg/h", 0.02, 1e-6, 1e4, "rms of what shakes the loop free"}},
+           {"dither_dph", "deg/h", 0.02, 1e-6, 1e4, "rms of the dither that unlocks the loop"}},
           make_effect<DeadBand>};
 }
 

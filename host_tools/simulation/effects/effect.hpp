@@ -14,12 +14,11 @@
 
 namespace fogcomp::simulation {
 
-/// Where what depends on temperature has its value at room temperature.
+/// Temperature at which temperature-dependent parameters have their stated values.
 constexpr double kReference_degc = 20;
 
-/// Slow surroundings of the gyro that effects act through and that may be recorded: the true
-/// values behind the extension inputs, in their units. That of a second temperature is what its
-/// sensor says.
+/// Slow ambient quantities that effects depend on and that may be recorded: true values of the
+/// extension inputs, in their units. For a second temperature, the reading of its sensor.
 class Ambient {
  public:
   double& operator[](fog::Input input) { return values_[extension_number(input)]; }
@@ -29,7 +28,7 @@ class Ambient {
   std::array<double, fog::kExtensionInputs> values_{};
 };
 
-/// Everything that an effect can depend on, at the end of one thermal step.
+/// Everything that an effect can depend on, at the end of a thermal step.
 struct GyroState {
   double time_s = 0;
   double step_s = 0;
@@ -38,7 +37,7 @@ struct GyroState {
   const GyroThermalModel* thermal = nullptr;
   Ambient ambient;
   double input_rate_dph = 0;
-  /// Input rate and the effects that come before in the catalogue: what the closed loop sees.
+  /// Input rate plus the preceding effects in the catalogue: the rate of the closed loop.
   double loop_rate_dph = 0;
 };
 
@@ -46,36 +45,36 @@ struct GyroState {
 class Effect {
  public:
   virtual ~Effect() = default;
-  /// Called once for every thermal step, in order, the first time for the state at time 0.
-  /// Returns the contribution in deg/h.
+  /// To be called once per thermal step, in order, first for the state at time 0. Returns the
+  /// contribution in deg/h.
   virtual double step(const GyroState& state) = 0;
 };
 
-/// What an effect may be built from, beside its parameters.
+/// Data for constructing an effect, beside its parameters.
 struct EffectContext {
   const CoilError& coil_error;
   double duration_s;  ///< of the programme
   std::uint64_t seed;
 };
 
-/// An entry of the simulator's catalogue. Names are the contract's effect names, plus some that
-/// only the simulator has.
+/// An entry of the simulator's catalogue: the effects of the drift model's catalogue, plus some
+/// that only the simulator has.
 struct EffectDescription {
   std::string name;
-  std::string summary;  ///< one line: the physics, and the source of its size
+  std::string summary;  ///< one line: physics, and source of its size
   std::vector<ParameterSpec> parameters;
   std::unique_ptr<Effect> (*make)(const Parameters& parameters, const EffectContext& context);
-  /// What the effect adds to the gyro's heat flow; nullptr: nothing.
+  /// Adds parts of the effect to the gyro's thermal design; nullptr: none.
   void (*add_to_design)(const Parameters& parameters, GyroThermalDesign& design) = nullptr;
 };
 
-/// In the order in which they act: the ones that depend on the rate come last.
+/// In the order of evaluation: effects that depend on the rate come last.
 const std::vector<EffectDescription>& effect_catalogue();
 
-/// `peak` replaces the natural size: the effect is scaled so that its largest magnitude over this
-/// programme is as given. 0 leaves the natural size.
+/// `peak` scales the effect so that its largest magnitude over this programme is as given. 0:
+/// natural size.
 ParameterSpec peak_parameter();
-/// `scale` multiplies the natural size: the same gyro on every programme, which `peak` is not.
+/// `scale` multiplies the natural size: the same gyro in every programme, unlike `peak`.
 ParameterSpec scale_parameter();
 
 /// The `make` of a class constructed from (const Parameters&, const EffectContext&).

@@ -5,9 +5,8 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Something with a clock of its own pulls at the gyro: a two-point cooler, a compressor, the supply
-// of another instrument. A sine and its second harmonic, locked to neither power-on nor
-// temperature.
+// A disturbance with its own period: a two-point cooler, a compressor, the supply of another
+// instrument. A sine and its second harmonic, independent of power-on and temperature.
 class FastCycle : public Effect {
  public:
   FastCycle(const Parameters& parameters, const EffectContext&)

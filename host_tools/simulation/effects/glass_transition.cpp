@@ -6,15 +6,15 @@
 namespace fogcomp::simulation {
 namespace {
 
-// What freezes does so at its own transition, where structure relaxes in 100 s or so (the usual
-// definition of the glass transition): fast ramps meet it shifted. A part goes on relaxing in the
-// glass for hours.
+// A material freezes at the transition where its structure relaxes in about 100 s (the usual
+// definition of the glass transition): in fast ramps the transition is shifted. A part continues to
+// relax in the glass for hours.
 constexpr double kRelaxation_s = 150;
 constexpr double kSlowRelaxation_s = 5400;
 constexpr double kSlowShare = 0.2;
 
-// Each layer of the potting freezes on its own: the frozen share follows its equilibrium value
-// late.
+// Each layer of the potting freezes separately: the frozen share follows its equilibrium value with
+// a lag.
 class GlassTransition : public Effect {
  public:
   GlassTransition(const Parameters& parameters, const EffectContext& context)
@@ -38,7 +38,7 @@ class GlassTransition : public Effect {
   double width_k_;
   double step_dph_;
   CellArray kernel_;
-  CellArray fast_;  ///< frozen share of each cell, 0 to 1
+  CellArray fast_;  ///< frozen fraction of each cell, 0 to 1
   CellArray slow_;
 };
 

@@ -5,8 +5,8 @@
 namespace fogcomp::simulation {
 namespace {
 
-// The modulator's half-wave voltage changes with temperature. The second closed loop corrects the
-// 2 pi reset for it, slowly and not quite; what it leaves is a scale factor error.
+// The modulator's half-wave voltage changes with temperature. The second closed loop corrects the 2
+// pi reset slowly and incompletely; the remainder is a scale factor error.
 class HalfWaveVoltage : public Effect {
  public:
   HalfWaveVoltage(const Parameters& parameters, const EffectContext&)

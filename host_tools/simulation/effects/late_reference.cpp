@@ -5,8 +5,8 @@ namespace {
 
 constexpr double kSecondsPerMs = 1e-3;
 
-// The record has at t what the table did at t - delay: what the axis really does is a delay ahead.
-// In sweeps; a step of the table falls between two of the simulator's steps.
+// The record at time t shows the table at t - delay; the true rotation is ahead by the delay. Only
+// in sweeps; a step of the table falls between two of the simulator's steps.
 class LateReference : public Effect {
  public:
   LateReference(const Parameters& parameters, const EffectContext&)

@@ -3,7 +3,7 @@
 namespace fogcomp::simulation {
 namespace {
 
-// A fixed electronic offset in the demodulated signal weighs more the less light there is.
+// The less light, the more a fixed electronic offset in the demodulated signal matters.
 class LightPower : public Effect {
  public:
   LightPower(const Parameters& parameters, const EffectContext&)

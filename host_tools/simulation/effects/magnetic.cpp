@@ -5,8 +5,8 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Faraday effect in a twisted fibre: the field in the coil's plane times a sensitivity that follows
-// the gyro's azimuth (the field's direction is in ambient) and temperature.
+// Faraday effect in a twisted fibre: the field in the coil's plane times a sensitivity that depends
+// on the gyro's azimuth (relative to the field in ambient) and temperature.
 class Magnetic : public Effect {
  public:
   Magnetic(const Parameters& parameters, const EffectContext&)

@@ -5,13 +5,13 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Birefringence does not change in proportion to temperature: -5.3e-7 to -5.9e-7 /K have been
-// measured (effects.md, source 18), some 10 % over a wide range.
+// Birefringence is not linear in temperature: coefficients of -5.3e-7 to -5.9e-7 /K have been
+// measured, a change of about 10 % over a wide range.
 constexpr double kChirp_per_k = 5e-4;
 constexpr double kSecondPeriodRatio = 0.37;
 
-// Two pieces of birefringent fibre, in the coil's pigtails, act as interferometers for the light
-// that the polariser lets through in the wrong axis.
+// Two pieces of birefringent fibre in the coil's pigtails act as interferometers for the light that
+// the polariser passes in the wrong axis.
 class PolarizationRipple : public Effect {
  public:
   PolarizationRipple(const Parameters& parameters, const EffectContext&)

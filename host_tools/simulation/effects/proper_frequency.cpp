@@ -5,8 +5,8 @@ namespace {
 
 constexpr double kSpeedOfLight_mps = 299792458.0;
 
-// The modulation clock stays, the coil's proper frequency c / (2 n L) moves with temperature;
-// pick-up in step with the modulation turns the difference into a bias.
+// The modulation clock is constant, but the coil's proper frequency c / (2 n L) changes with
+// temperature; pick-up synchronous with the modulation turns the difference into a bias.
 class ProperFrequency : public Effect {
  public:
   ProperFrequency(const Parameters& parameters, const EffectContext& context)

@@ -6,12 +6,12 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Charge leaks off faster when warm: a decade for this many kelvin (lithium niobate, order of
+// Charge leaks faster when warm: a decade per this many kelvin (lithium niobate, order of
 // magnitude).
 constexpr double kLeakDecade_k = 60;
 
-// Lithium niobate charges itself when its temperature changes; beyond a threshold the waveguide
-// leaks light and the bias moves until the charge has leaked off.
+// Lithium niobate is charged by temperature changes; above a threshold the waveguide loses light,
+// and the bias shifts until the charge has leaked away.
 class Pyroelectric : public Effect {
  public:
   Pyroelectric(const Parameters& parameters, const EffectContext&)

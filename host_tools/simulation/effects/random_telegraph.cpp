@@ -6,7 +6,7 @@
 namespace fogcomp::simulation {
 namespace {
 
-// A loose contact or a source that hops between two modes: two states, each kept for a random time.
+// A loose contact or a source that hops between two modes: two states with random dwell times.
 class RandomTelegraph : public Effect {
  public:
   RandomTelegraph(const Parameters& parameters, const EffectContext& context)
@@ -37,11 +37,11 @@ class RandomTelegraph : public Effect {
 
 EffectDescription random_telegraph_effect() {
   return {"random_telegraph",
-          "jumps to and fro between two levels at random times (simulator only)",
+          "switches between two levels at random times (simulator only)",
           {peak_parameter(),
            scale_parameter(),
            {"height_dph", "deg/h", 0.03, -1e4, 1e4, "of the upper level above the lower"},
-           {"dwell_s", "s", 1800, 1, 1e6, "how long a level lasts, on average"}},
+           {"dwell_s", "s", 1800, 1, 1e6, "mean duration of a level"}},
           make_effect<RandomTelegraph>};
 }
 

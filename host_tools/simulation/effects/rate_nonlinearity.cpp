@@ -10,7 +10,7 @@ constexpr double kSpan_k = 40;  ///< above and below the reference, where T^2 co
 
 enum class Form { magnitude, square, temperature_squared };
 
-// Terms of an expansion in T and dT/dt that no physics in the catalogue stands behind.
+// Terms of an expansion in T and dT/dt without a physical effect of the catalogue.
 class RateNonlinearity : public Effect {
  public:
   RateNonlinearity(const Parameters& parameters, const EffectContext&)

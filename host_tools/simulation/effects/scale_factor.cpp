@@ -3,7 +3,7 @@
 namespace fogcomp::simulation {
 namespace {
 
-// The loop divides by a gain that the calibration took for 1.
+// The loop divides by a gain that was calibrated as 1.
 class ScaleFactor : public Effect {
  public:
   ScaleFactor(const Parameters& parameters, const EffectContext&)

@@ -6,7 +6,7 @@
 namespace fogcomp::simulation {
 namespace {
 
-// The two ramps of the closed loop differ in gain; its noise mixes them near zero, which rounds the
+// The two ramps of the closed loop differ in gain; near zero its noise mixes them, which rounds the
 // corner to a hyperbola.
 class ScaleFactorAsymmetry : public Effect {
  public:

@@ -6,9 +6,9 @@
 namespace fogcomp::simulation {
 namespace {
 
-// An open loop shows the sine of the Sagnac phase; what is left after a straight line by least
-// squares was taken for it. A phase beside the bias point makes it uneven. For small phases a that
-// is -a^2 / 15 of Legendre's third polynomial, and a / 3 tan(offset) of the second.
+// An open loop outputs the sine of the Sagnac phase; the effect is its deviation from a
+// least-squares straight line. An offset of the bias point makes it asymmetric. For small phases a
+// this is -a^2 / 15 of Legendre's third polynomial and a / 3 tan(offset) of the second.
 class ScaleFactorNonlinearity : public Effect {
  public:
   ScaleFactorNonlinearity(const Parameters& parameters, const EffectContext&)

@@ -5,8 +5,8 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Scale factor ~ L D / wavelength. The source's mean wavelength follows its own temperature, with a
-// cooler that holds it less and less well away from 20 degC; the coil grows with its own.
+// Scale factor ~ L D / wavelength. The source's mean wavelength follows its temperature, which its
+// cooler controls less accurately away from 20 degC; the coil expands with its own temperature.
 class ScaleFactorTemperature : public Effect {
  public:
   ScaleFactorTemperature(const Parameters& parameters, const EffectContext&)

@@ -3,7 +3,7 @@
 namespace fogcomp::simulation {
 namespace {
 
-// The thermo-optic part of the coil integral: zero as soon as the whole coil warms alike.
+// Thermo-optic part of the coil integral: zero if the whole coil warms uniformly.
 class Shupe : public Effect {
  public:
   Shupe(const Parameters& parameters, const EffectContext& context)
@@ -30,7 +30,7 @@ EffectDescription shupe_effect() {
           "transient gradient through the winding (Shupe 1980; IEEE 952: D_gradTdot)",
           {peak_parameter(),
            scale_parameter(),
-           {"asymmetry_m", "m", 0.2, -100, 100, "by how much the fibre is not centred"}},
+           {"asymmetry_m", "m", 0.2, -100, 100, "offset of the fibre's midpoint"}},
           make_effect<Shupe>};
 }
 

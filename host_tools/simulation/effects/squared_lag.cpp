@@ -6,8 +6,8 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Memory that is not linear: the square of a rate that two masses in a chain have smoothed. A fast
-// ramp counts more than twice the ramp half as fast, and cooling counts like warming.
+// Non-linear memory: the square of a temperature rate smoothed by two masses in a chain. A fast
+// ramp counts more than twice a ramp of half the rate, and cooling counts like heating.
 class SquaredLag : public Effect {
  public:
   SquaredLag(const Parameters& parameters, const EffectContext&)

@@ -4,17 +4,16 @@
 
 namespace fogcomp::simulation {
 
-/// The part of the coil integral that thermal stress causes, deg/h per K/s in each cell, for an
-/// orthoradial strain of the fibre per K that goes in a straight line from `inside` at the spool to
+/// The part of the coil integral due to thermal stress, deg/h per K/s in each cell, for an
+/// orthoradial strain of the fibre per K that varies linearly from `inside` at the spool to
 /// `outside`, both per K.
 CellArray stress_kernel(const CoilError& coil_error, double inside, double outside);
 
-/// Strains assumed where none are given, per K: effects.md, section 1, has 4 and 12 ppm/K at the
-/// two sides.
+/// Default strains, per K: the order of published values, 4 and 12 ppm/K at the two sides.
 constexpr double kStrainInside = 4e-6;
 constexpr double kStrainOutside = 12e-6;
 
-/// The same with those strains, scaled so that a uniform 1 K/min gives 1 deg/h.
+/// The same with the default strains, scaled so that a uniform 1 K/min gives 1 deg/h.
 CellArray unit_stress_kernel(const CoilError& coil_error);
 
 }  // namespace fogcomp::simulation

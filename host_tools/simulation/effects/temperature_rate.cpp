@@ -4,8 +4,8 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Mohr effect: layers are strained differently by the same temperature change, so that the two
-// halves of the fibre, which lie in different layers, no longer cancel.
+// Mohr effect: the same temperature change strains the layers differently, so that the two halves
+// of the fibre, which are in different layers, do not cancel.
 class TemperatureRate : public Effect {
  public:
   TemperatureRate(const Parameters& parameters, const EffectContext& context)

@@ -6,10 +6,10 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Coating and potting stiffen towards the cold roughly exponentially.
+// Coating and potting stiffen roughly exponentially towards low temperatures.
 constexpr double kStiffening_per_k = 0.004;
 
-// kappa depends on temperature: mostly through the modulus of coating and potting, a little through
+// kappa depends on temperature: mainly through the modulus of coating and potting, a little through
 // dn/dT of the glass.
 class TemperatureRateProduct : public Effect {
  public:

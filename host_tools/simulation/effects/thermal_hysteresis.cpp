@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kPlays = 24;
 
-// Prandtl-Ishlinskii: many play operators whose thresholds are spread exponentially about a typical
-// one, as glue joints of many strengths slip one after the other.
+// Prandtl-Ishlinskii: many play operators with exponentially distributed thresholds, like glue
+// joints of different strength that slip one after the other.
 class ThermalHysteresis : public Effect {
  public:
   ThermalHysteresis(const Parameters& parameters, const EffectContext&) {
@@ -22,7 +22,7 @@ class ThermalHysteresis : public Effect {
       sum += play.weight * 2 * play.threshold_k;
       plays_.push_back(play);
     }
-    // A loop much larger than every threshold is 2 r w high at each of them.
+    // A loop much larger than all thresholds has a height of 2 r w at each of them.
     for (Play& play : plays_) play.weight *= parameters["width_dph"] / sum;
   }
 
@@ -33,7 +33,7 @@ class ThermalHysteresis : public Effect {
       if (!started_) play.output_degc = degc;
       play.output_degc =
           std::clamp(play.output_degc, degc - play.threshold_k, degc + play.threshold_k);
-      // Less the temperature itself: what is single-valued belongs to the static bias.
+      // Less the temperature itself: single-valued functions belong to the static bias.
       bias_dph += play.weight * (degc - play.output_degc);
     }
     started_ = true;

@@ -5,8 +5,9 @@
 namespace fogcomp::simulation {
 namespace {
 
-// A mass inside the spool, on an elastic bond, presses on the innermost layers as it expands, later
-// than the coil does. How much later is heat flow (GyroThermalModel's hub, two lumps in a chain).
+// A mass inside the spool on an elastic bond presses on the innermost layers as it expands, later
+// than the coil. The delay follows from the heat flow (GyroThermalModel's hub, two lumps in a
+// chain).
 class ThermalLag : public Effect {
  public:
   ThermalLag(const Parameters& parameters, const EffectContext&)

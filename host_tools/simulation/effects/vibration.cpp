@@ -3,10 +3,10 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Dampers and glue stiffen in the cold and let less through.
+// Dampers and glue stiffen when cold and transmit less.
 constexpr double kDamping_per_k = 3e-3;
 
-// Vibration modulates power and phase at once; their product has a mean.
+// Vibration modulates power and phase together; their product has a non-zero mean.
 class Vibration : public Effect {
  public:
   Vibration(const Parameters& parameters, const EffectContext&)

@@ -5,12 +5,12 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Share and speed of the source's chip beside the board's.
+// Share and speed of the source's chip relative to the board.
 constexpr double kChipShare = 0.25;
 constexpr double kChipSpeed = 8;
 
-// Source and electronics heat themselves after power-on, the chip soon and the board later; they
-// cool again while the power is off, so that a short break brings a small warm-up.
+// Source and electronics heat themselves after power-on, the chip fast and the board slowly; they
+// cool while the power is off, so that a short break causes a small warm-up.
 class WarmUp : public Effect {
  public:
   WarmUp(const Parameters& parameters, const EffectContext&)
@@ -29,7 +29,7 @@ class WarmUp : public Effect {
  private:
   double amplitude_dph_;
   double tau_s_;
-  double board_ = 0;  ///< share of the final self-heating
+  double board_ = 0;  ///< fraction of the final self-heating
   double chip_ = 0;
   bool started_ = false;
 };

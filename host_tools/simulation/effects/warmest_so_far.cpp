@@ -5,8 +5,8 @@
 namespace fogcomp::simulation {
 namespace {
 
-// Glue that goes on curing or a joint that seats itself whenever the coil gets warmer than ever
-// before, and never comes back.
+// Glue that continues to cure, or a joint that settles, whenever the coil gets warmer than ever
+// before; irreversible.
 class WarmestSoFar : public Effect {
  public:
   WarmestSoFar(const Parameters& parameters, const EffectContext&)

@@ -7,18 +7,18 @@ namespace fogcomp::simulation {
 namespace {
 
 constexpr double kSpacing = 2;
-// Below this share of a period in the time constant, differences of exponentials lose all digits
-// and the first terms of their series are exact to 1e-4.
+// Below this ratio of period to time constant, differences of exponentials lose all digits, and the
+// first terms of their series are exact to 1e-4.
 constexpr double kSeriesBelow = 1e-4;
 
 }  // namespace
 
-// For a Gauss-Markov process of variance s^2 and time constant tau, a = period / tau, e = exp(-a),
-// and what is added to it from zero within a period:
+// For a Gauss-Markov process of variance s^2 and time constant tau, with a = period / tau, e =
+// exp(-a), the contribution of one period's noise, starting from zero, has
 //   Var(end) = s^2 (1 - e^2)      Cov(mean, end) = s^2 (1 - e)^2 / a
 //   Var(mean) = s^2 (2a - 3 + 4e - e^2) / a^2
-// Equal variances at time constants q apart add up to S(f) = s^2 / (2 f ln q), hence
-// s^2 = B^2 ln q / pi.
+// Equal variances at time constants with ratio q sum to S(f) = s^2 / (2 f ln q), hence s^2 = B^2 ln
+// q / pi.
 FlickerNoise::FlickerNoise(double b_dph, double period_s, std::uint64_t seed)
     : random_(seed, "flicker") {
   const double variance = b_dph * b_dph * std::log(kSpacing) / M_PI;

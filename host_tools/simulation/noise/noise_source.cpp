@@ -23,8 +23,8 @@ void WhiteNoise::fill(double* values, std::size_t rows) {
 RandomWalk::RandomWalk(double k_dphrh, double period_s, std::uint64_t seed)
     : random_(seed, "random_walk"), sigma_dph_(k_dphrh * std::sqrt(period_s / kSecondsPerHour)) {}
 
-// The mean of a Wiener path over a period, given both ends, is their mean plus an independent
-// deviation of variance 1/12 of the increment's.
+// Given both ends, the mean of a Wiener path over a period is their mean plus an independent
+// deviation with 1/12 of the increment's variance.
 void RandomWalk::fill(double* values, std::size_t rows) {
   for (std::size_t row = 0; row < rows; ++row) {
     const double increment = sigma_dph_ * random_.gaussian();
@@ -68,7 +68,7 @@ void Outliers::fill(double* values, std::size_t rows) {
     while (start_s_ < end_s) {
       const double overlap_s = std::min(end_s, start_s_ + kOutlier_s) - std::max(now_s, start_s_);
       values[row] += height_dph_ * overlap_s / period_s_;
-      if (start_s_ + kOutlier_s > end_s) break;  // goes on in the next row
+      if (start_s_ + kOutlier_s > end_s) break;  // continues in the next row
       draw_next();
     }
     row_ += 1;

@@ -10,9 +10,9 @@
 
 namespace fogcomp::simulation {
 
-/// Noise of a row, which is the mean of the gyro's output over the row's period: every source knows
-/// the law of its own block means, so that 10 s rows have the noise that averaging 2000 rows of
-/// 200 Hz would leave, at the cost of one row.
+/// Noise of a row, i.e. of the mean over the row's period. Every source has the exact distribution
+/// of its block means, so that 10 s rows have the noise of averaging 2000 rows of 200 Hz, at the
+/// cost of one row.
 class NoiseSource {
  public:
   virtual ~NoiseSource() = default;
@@ -31,10 +31,10 @@ class WhiteNoise : public NoiseSource {
   double sigma_dph_;
 };
 
-/// Bias instability B in deg/h: S(f) = B^2 / (2 pi f), two-sided, from a sum of first-order
-/// Gauss-Markov processes an octave apart, each stationary from the first row and stepped exactly:
-/// end value and mean of every period are drawn from their joint law. The Allan deviation is flat
-/// to 4 % from 30 kShortest_s to a twentieth of kLongest_s (measured), and lower outside.
+/// Bias instability B in deg/h: S(f) = B^2 / (2 pi f), two-sided. A sum of first-order Gauss-Markov
+/// processes an octave apart, each stationary from the first row and stepped exactly: end value and
+/// mean of every period are drawn from their joint distribution. The Allan deviation is flat to 4 %
+/// from 30 kShortest_s to a twentieth of kLongest_s (measured), and lower outside.
 class FlickerNoise : public NoiseSource {
  public:
   static constexpr double kShortest_s = 0.03125;
@@ -46,11 +46,11 @@ class FlickerNoise : public NoiseSource {
  private:
   struct Process {
     double value_dph;
-    double memory;         ///< share of the value left after a period
-    double end_sigma_dph;  ///< of what is new at the end of a period
-    double mean_memory;    ///< share of the value in the period's mean
-    double mean_per_end;   ///< regression of the mean's new part on the end's, in sigmas of the end
-    double mean_sigma_dph;  ///< of what the end does not tell about the mean
+    double memory;          ///< fraction of the value left after a period
+    double end_sigma_dph;   ///< of the noise added by the end of a period
+    double mean_memory;     ///< fraction of the value in the period's mean
+    double mean_per_end;    ///< regression of the mean's new part on the end's, in its sigmas
+    double mean_sigma_dph;  ///< of the mean's part that is independent of the end
   };
   Random random_;
   std::vector<Process> processes_;
@@ -64,7 +64,7 @@ class RandomWalk : public NoiseSource {
 
  private:
   Random random_;
-  double sigma_dph_;  ///< of a period's increment
+  double sigma_dph_;  ///< of the increment of a period
   double value_dph_ = 0;
 };
 
@@ -79,8 +79,8 @@ class RateRamp : public NoiseSource {
   double row_ = 0;
 };
 
-/// Single wild samples: at random times, half a second long, of either sign, sizes spread
-/// exponentially about the typical one.
+/// Single outliers: at random times, half a second long, of either sign, with exponentially
+/// distributed sizes.
 class Outliers : public NoiseSource {
  public:
   Outliers(double per_hour, double size_dph, double period_s, std::uint64_t seed);
@@ -103,19 +103,19 @@ struct NamedNoise {
   std::unique_ptr<NoiseSource> source;
 };
 
-/// The additive sources that the part `noise` switches on, for rows of `period_s`.
+/// The additive sources enabled by the part `noise`, for rows of `period_s`.
 std::vector<NamedNoise> make_noise(const Parameters& noise, double period_s, std::uint64_t seed);
 
-/// Angle quantisation Q in deg: the output is the difference of a running angle in whole steps of
-/// sqrt(12) Q, divided by the period, so that the error never grows.
+/// Angle quantisation Q in deg: the output is the difference of an accumulated angle in whole steps
+/// of sqrt(12) Q, divided by the period, so that the error does not accumulate.
 class AngleQuantizer {
  public:
   AngleQuantizer(double q_deg, double period_s);
   void apply(double* rate_dph, std::size_t rows);
 
  private:
-  double step_dph_;       ///< one step of angle in a period, as a rate
-  double remainder_ = 0;  ///< angle not yet put out, in steps
+  double step_dph_;       ///< one step of angle per period, as a rate
+  double remainder_ = 0;  ///< angle not yet output, in steps
 };
 
 }  // namespace fogcomp::simulation

@@ -62,7 +62,7 @@ void GyroThermalModel::add_coil(ThermalNetwork& network, const CoilGeometry& coi
                         pack.conductivity_w_per_mk * area_m2 / height_m);
       }
       if (i > 0) {
-        // Between the middles of two cylindrical shells.
+        // Between the mean radii of two cylindrical shells.
         const double logarithm =
             std::log((inner_m + 0.5 * thickness_m) / (inner_m - 0.5 * thickness_m));
         network.connect(cell(i - 1, j), cell(i, j),
@@ -72,7 +72,7 @@ void GyroThermalModel::add_coil(ThermalNetwork& network, const CoilGeometry& coi
   }
 }
 
-// Spool wall along the inner layer with a flange at either end.
+// Spool wall along the inner layer, with a flange at either end.
 void GyroThermalModel::add_spool(ThermalNetwork& network, const CoilGeometry& coil,
                                  const PackProperties& pack, const GyroThermalDesign& design,
                                  const ThermalGrid& grid) {
@@ -108,13 +108,13 @@ void GyroThermalModel::add_spool(ThermalNetwork& network, const CoilGeometry& co
   }
 }
 
-// Inside the spool: two lumps in a chain, so that its lag is not a plain first-order one.
+// Inside the spool: two lumps in a chain, so that the lag is not first-order.
 void GyroThermalModel::add_hub(ThermalNetwork& network, const GyroThermalDesign& design,
                                const ThermalGrid& grid) {
   const auto hub_rim = network.add_node(0.4 * design.hub_j_per_k);
   hub_core_ = network.add_node(0.6 * design.hub_j_per_k);
-  // Chosen so that the slower of the chain's two modes has the stated time constant: with equal
-  // conductances g and capacities 0.4 C and 0.6 C it is 1.43 C / g.
+  // The slower of the chain's two modes has the stated time constant: with equal conductances g and
+  // capacities 0.4 C and 0.6 C it is 1.43 C / g.
   const double hub_w_per_k = 1.43 * design.hub_j_per_k / design.hub_time_constant_s;
   network.connect(spool_first_ + grid.axial_cells / 2, hub_rim, hub_w_per_k);
   network.connect(hub_rim, hub_core_, hub_w_per_k);
@@ -150,7 +150,7 @@ void GyroThermalModel::add_surroundings(ThermalNetwork& network, const CoilGeome
 }
 
 void GyroThermalModel::step(double air_degc, double spool_heater_w, bool powered) {
-  // A film heater around the spool's wall, wound denser towards the lower flange.
+  // A film heater around the spool's wall, denser towards the lower flange.
   const double shares = axial_cells_ * (axial_cells_ + 1) / 2.0;
   for (int j = 0; j < axial_cells_; ++j) {
     power_w_[spool_first_ + j] = spool_heater_w * (axial_cells_ - j) / shares;

@@ -6,8 +6,8 @@
 
 namespace fogcomp::simulation {
 
-/// The gyro around its coil, in lumps. The default housing follows the chamber's air with 15 to
-/// 20 min, coil and spool follow the housing with about 5 min (effects.md, section 3, effect 4).
+/// The gyro around its coil, as lumped masses. The default housing follows the chamber's air with
+/// 15 to 20 min, coil and spool follow the housing with about 5 min.
 struct GyroThermalDesign {
   double housing_j_per_k = 600;
   double housing_to_air_w_per_k = 0.65;
@@ -22,15 +22,15 @@ struct GyroThermalDesign {
   double flange_w_per_m2k = 150;  ///< coil faces against the spool's flanges, glued
   double hub_j_per_k = 25;        ///< mass inside the spool, on an elastic bond
   double hub_time_constant_s = 400;
-  double slab_j_per_k = 0;  ///< stone under the gyro; 0: it stands free
+  double slab_j_per_k = 0;  ///< stone under the gyro; 0: none
   double slab_time_constant_s = 5400;
   double slab_to_base_w_per_k = 0.1;
 };
 
-/// How finely the pack is divided.
+/// Resolution of the pack.
 struct ThermalGrid {
   int cells_per_layer = 1;
-  int axial_cells = 5;  ///< odd, so that one is at half height
+  int axial_cells = 5;  ///< odd, so that one is at mid-height
 };
 
 /// Heat flow through coil, spool, hub, optics, housing and base: finite volumes over the pack
@@ -41,8 +41,7 @@ class GyroThermalModel {
                    const GyroThermalDesign& design, const ThermalGrid& grid, double step_s,
                    double start_degc);
 
-  /// Air temperature at the end of the step, heater on the spool, self-heating only while
-  /// `powered`.
+  /// `air_degc`: at the end of the step; self-heating only while `powered`.
   void step(double air_degc, double spool_heater_w, bool powered);
 
   /// Layer means over the cells of a layer; layers by axial cells.
@@ -50,11 +49,11 @@ class GyroThermalModel {
   const CellArray& coil_rate_kps() const { return coil_rate_kps_; }
   double coil_mean_degc() const { return (coil_degc_ * volume_share_).sum(); }
   double coil_mean_rate_kps() const { return (coil_rate_kps_ * volume_share_).sum(); }
-  /// Outermost layer at half height, where a coil sensor is glued.
+  /// Outermost layer at mid-height, where a coil sensor is glued.
   double coil_outside_degc() const { return coil_degc_(coil_degc_.rows() - 1, middle()); }
   double coil_outside_rate_kps() const { return coil_rate_kps_(coil_degc_.rows() - 1, middle()); }
 
-  /// Lower less upper face of the pack.
+  /// Lower face of the pack less upper face.
   double axial_difference_k() const {
     return coil_degc_.col(0).mean() - coil_degc_.col(axial_cells_ - 1).mean();
   }
@@ -95,7 +94,8 @@ class GyroThermalModel {
   ThermalNetwork::Node optics_ = 0;
   ThermalNetwork::Node cover_ = 0;
   ThermalNetwork::Node base_ = 0;
-  ThermalIntegrator integrator_;  // after the node numbers, which building its network sets
+  ThermalIntegrator
+      integrator_;  // after the node numbers, which the construction of its network sets
   CellArray volume_share_;
   CellArray coil_degc_;
   CellArray coil_rate_kps_;

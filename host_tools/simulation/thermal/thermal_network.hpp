@@ -6,7 +6,7 @@
 
 namespace fogcomp::simulation {
 
-/// Heat capacities joined by conductances, some of them to the surrounding air.
+/// Heat capacities connected by conductances to each other and to the air.
 class ThermalNetwork {
  public:
   using Node = Eigen::Index;
@@ -20,7 +20,7 @@ class ThermalNetwork {
   Eigen::Index nodes() const { return static_cast<Eigen::Index>(capacity_j_per_k_.size()); }
   const std::vector<double>& capacities_j_per_k() const { return capacity_j_per_k_; }
   const std::vector<double>& air_conductances_w_per_k() const { return air_w_per_k_; }
-  /// Symmetric: G T is the heat that leaves each node, W, air at 0.
+  /// Symmetric: G T is the heat flow out of each node, W, with air at 0.
   Eigen::SparseMatrix<double> conductance_matrix() const;
 
  private:
@@ -30,18 +30,18 @@ class ThermalNetwork {
 };
 
 /// Integrates C dT/dt = -G T + G_air T_air + P with a fixed step by the second-order backward
-/// difference: implicit, no step is too long to be stable, the fastest layers are damped instead of
-/// ringing, and its one matrix is factorised once.
+/// difference formula: implicit, stable for any step, damps the fastest layers without ringing; its
+/// matrix is factorised once.
 class ThermalIntegrator {
  public:
-  /// Everything at `start_degc`. `step_s` is positive.
+  /// All nodes start at `start_degc`. `step_s` is positive.
   ThermalIntegrator(const ThermalNetwork& network, double step_s, double start_degc);
 
-  /// Advances one step. `air_degc` and `power_w` (one value per node) hold at its end.
+  /// Advances by one step. `air_degc` and `power_w` (one value per node) are those at its end.
   void step(double air_degc, const Eigen::VectorXd& power_w);
 
   const Eigen::VectorXd& temperature_degc() const { return now_degc_; }
-  /// The derivative that the scheme itself used, K/s, so that it is as accurate as the temperature.
+  /// The derivative used by the scheme, K/s, as accurate as the temperature.
   const Eigen::VectorXd& rate_kps() const { return rate_kps_; }
 
  private:
@@ -49,7 +49,7 @@ class ThermalIntegrator {
   Eigen::VectorXd capacity_per_step_;
   Eigen::VectorXd air_w_per_k_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> system_;
-  Eigen::VectorXd heat_w_;  // the system's right side
+  Eigen::VectorXd heat_w_;  // right side of the system
   Eigen::VectorXd now_degc_;
   Eigen::VectorXd before_degc_;
   Eigen::VectorXd rate_kps_;

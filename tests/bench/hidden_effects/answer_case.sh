@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# answer_case.sh FOGCOMP DIR KEY ID: what the tool says to the recordings in DIR/runs/ID, into DIR/answers/ID. Knows
-# the declared effects and nothing of the truth. Done already where tool and recordings are those of DIR/answers/ID/key.
+# answer_case.sh FOGCOMP DIR KEY ID: writes the tool's answers for the recordings in DIR/runs/ID to DIR/answers/ID. Uses
+# the declared effects, not the truth. Skipped if tool and recordings are those of DIR/answers/ID/key.
 set -euo pipefail
 fogcomp=$1 runs=$2/runs/$4 answers=$2/answers/$4
 key="$3 $(cat "$runs"/* | cksum)"
@@ -18,7 +18,7 @@ ask() {
   ((status <= 1))
 }
 
-# knows COMMAND WORD: the command's help has that word. What a tool cannot do yet is not asked for.
+# knows COMMAND WORD: whether the command's help has that word. Features that the tool lacks are not tested.
 knows() { [[ $("$fogcomp" "$1" --help 2>&1) == *"$2"* ]]; }
 
 if ask fit "$fogcomp" fit "${recordings[@]}" -o "$answers/declared.model" --effects "$(<"$runs/effects.txt")" --json; then
@@ -32,7 +32,7 @@ if ask fit "$fogcomp" fit "${recordings[@]}" -o "$answers/declared.model" --effe
       [[ -f $answers/added.model ]] && # exit code 1: refused
       ask unseen "$fogcomp" compare "$answers/added.model" "$runs/unseen.csv" --json || true
   fi
-  # What it proposes, as it is printed.
+  # Runs the proposal as printed.
   next=$(sed -nE 's/.*"next":"fogcomp (add [^"]*)".*/\1/p' "$answers/diagnosis.json")
   if [[ $next ]]; then
     status=0

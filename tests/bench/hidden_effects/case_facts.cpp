@@ -1,5 +1,5 @@
-// case_facts RUNS TRUTH: what the score needs to know of a case, from its recordings and the truth
-// of `simulate --hide`: TRUTH/facts.txt. Sizes are in noise of a row.
+// case_facts RUNS TRUTH: data for the score from the recordings of a case and the truth of
+// `simulate --hide`: TRUTH/facts.txt. Sizes are in units of a row's noise.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -27,7 +27,7 @@ std::string facts_of_hidden(const Sight& sight, const BesideDeclared& beside,
   return text;
 }
 
-// Of means over 10 s, as `compare` has them.
+// In means over 10 s, like `compare`.
 double noise_rms(const TruthFile& truth, double rate_hz) {
   const std::vector<double> noise = truth.noise();
   const auto of_mean = static_cast<std::size_t>(std::lround(10 * rate_hz));

@@ -12,19 +12,22 @@
 namespace fogcomp::bench {
 namespace {
 
-constexpr double kMinVisible = 0.05;    // of an effect's rms about its mean
-constexpr double kMinLikeness = 0.85;   // of the visible part, by the catalogue's own formula
-constexpr double kMaxBirgeRatio = 0.1;  // of declared effects, in noise of a row
-constexpr double kMisfitShare = 0.3;    // and of the smallest hidden size
-constexpr double kMaxEnlarged = 1e6;    // of an effect at natural size: else it is not called up
+constexpr double kMinVisible = 0.05;  // of an effect's rms about its mean
+constexpr double kMinLikeness =
+    0.85;  // explained fraction of the visible part, by the catalogue's formula
+constexpr double kMaxBirgeRatio = 0.1;  // of declared effects, in units of a row's noise
+constexpr double kMisfitShare = 0.3;    // relative to the smallest hidden size
+constexpr double kMaxEnlarged =
+    1e6;  // factor on an effect's natural size: above it the programme does not excite the effect
 constexpr int kAttempts = 200;
 constexpr int kPairAttempts = 10;
-constexpr double kExtraColumns = 0.3;  // of the cases have columns that they do not need
-constexpr double kUnseen = 0.35;       // have a recording of another programme
-constexpr double kLoopAnyway = 0.1;    // of the cases with less than two effects
+constexpr double kExtraColumns = 0.3;  // fraction of the cases with unneeded columns
+constexpr double kUnseen = 0.35;       // fraction with a recording of another programme
+constexpr double kLoopAnyway =
+    0.1;  // fraction of the cases with less than two effects that run the loop
 constexpr double kLatitude_deg = 34.27;
 constexpr double kTurningRate_hz = 1;  // a sweep is no constant rate over 10 s
-constexpr double kLittle = 0.9;        // of the error that one of a pair leaves at least
+constexpr double kLittle = 0.9;        // fraction of the error that one of a pair must leave
 
 std::string columns_of(Draws& draws, const std::vector<std::string>& hidden) {
   if (draws.chance(kExtraColumns)) return "all";
@@ -36,7 +39,7 @@ std::string columns_of(Draws& draws, const std::vector<std::string>& hidden) {
   return columns;
 }
 
-// Programmes of which the case has to have one each.
+// Programmes of which the case needs one each.
 std::vector<std::string> required_programmes(Draws& draws, const CaseKind& what) {
   if (what.turns()) return {draws.pick(turning_programmes_that_show(what.hidden))};
   std::vector<std::string> required;
@@ -80,7 +83,7 @@ CasePlan draw(const CaseId& id, std::uint64_t attempt) {
   CasePlan plan;
   plan.what = kind_of(id);
   Draws draws(id.seed() * 64 + attempt);
-  // Some pairs ask for programmes on which one of them cannot be what it should be.
+  // Some pairs need programmes on which they are independent.
   const std::size_t hidden = plan.what.hidden.size();
   if (hidden > 1 && attempt >= kPairAttempts) plan.what.hidden = draw_effects(draws, hidden);
   plan.gyro = draw_gyro(draws, plan.what.flicker, plan.what.hidden);
@@ -126,8 +129,8 @@ double max_misfit_dph(const CasePlan& plan) {
   return max * plan.gyro.row_noise_dph();
 }
 
-// Whether, of two hidden effects (rows in noise of a row), neither alone lowers the error by a
-// tenth.
+// Whether neither of two hidden effects (rows in units of a row's noise) alone lowers the error by
+// a tenth.
 bool each_alone_is_little(const Eigen::VectorXd& first, const Eigen::VectorXd& second) {
   const Eigen::VectorXd both = first + second;
   const auto error = [](const Eigen::VectorXd& left) { return std::hypot(1, rms(left)); };
@@ -138,7 +141,7 @@ bool each_alone_is_little(const Eigen::VectorXd& first, const Eigen::VectorXd& s
   return error(without(first)) >= min && error(without(second)) >= min;
 }
 
-// Finds the values that give the wanted sizes; false where the gyro is none for this case.
+// Finds the values for the wanted sizes; false if the gyro does not suit this case.
 bool set_sizes(CasePlan& plan) {
   const Trial trial(plan);
   Sight sight(plan.gyro.declared, trial.recordings);

@@ -16,7 +16,7 @@ JsonValue read_json(const std::string& path) {
   return trim(text).empty() ? JsonValue() : JsonValue::parse(text, path);
 }
 
-// Names, or objects that have one.
+// Names, or objects with a name.
 std::vector<std::string> names_of(const JsonValue& list) {
   std::vector<std::string> names;
   for (const JsonValue& element : list.elements()) {
@@ -26,7 +26,7 @@ std::vector<std::string> names_of(const JsonValue& list) {
   return names;
 }
 
-// Of the only run in what `compare` says; nothing where it was not asked.
+// The value of the only run in the output of `compare`; nothing if it was not run.
 std::optional<double> rms_of_compare(const std::string& path) {
   const JsonValue said = read_json(path);
   if (said["runs"].elements().empty()) return std::nullopt;
@@ -40,7 +40,7 @@ void read_loop(const std::string& here, Answer& answer) {
   answer.end = loop["last"].is_null() ? answer.verdict : loop["last"]["verdict"].text();
   answer.before_loop_dph = rms_of_compare(here + "/before.json");
   answer.after_loop_dph = rms_of_compare(here + "/after.json");
-  // It may have had nothing to add.
+  // There may have been nothing to add.
   if (!answer.after_loop_dph) answer.after_loop_dph = answer.before_loop_dph;
 }
 

@@ -15,7 +15,7 @@ const std::vector<double> kSizes{0.2, 0.35, 0.6, 1.5};
 const std::vector<double> kForeignSizes{0.7, 2};
 const std::vector<double> kRateSizes{1, 3, 10};
 const std::vector<double> kFormSizes{1, 2};
-// Two of the same size as neither of which alone lowers the error by a tenth.
+// Two effects of the same size, neither of which alone lowers the error by a tenth.
 constexpr double kPairSize = 0.55;
 
 struct Range {
@@ -25,7 +25,7 @@ struct Range {
 constexpr Range kRanges[] = {
     {"dev", 1'000'000}, {"final", 2'000'000}, {"second", 3'000'000}, {"third", 4'000'000}};
 constexpr std::uint64_t kRangeSize = 499'999;
-constexpr std::uint64_t kWide = 500'000;  // the first seed of its own part of a range
+constexpr std::uint64_t kWide = 500'000;  // first seed of the wide cycle within a range
 constexpr const char* kWideName = "wide-";
 
 class Cycle {

@@ -8,7 +8,7 @@
 
 namespace fogcomp::bench {
 
-/// What a case is about; drawn before anything else about it, in a fixed share of every cycle.
+/// Kind of a case; drawn before everything else, in fixed proportions per cycle.
 struct CaseKind {
   std::string kind;                 ///< as README.md has them: clean, single, ...
   std::vector<std::string> hidden;  ///< as draw_hidden() takes them

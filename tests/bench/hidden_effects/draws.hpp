@@ -9,13 +9,13 @@
 
 namespace fogcomp::bench {
 
-/// Everything random about a case, from one seed.
+/// All random numbers of a case, from one seed.
 class Draws {
  public:
   explicit Draws(std::uint64_t seed) : random_(seed, "hidden_effects") {}
 
   double uniform(double min, double max) { return min + (max - min) * random_.uniform(); }
-  /// Every ratio equally likely.
+  /// Uniform in the logarithm.
   double ratio(double min, double max) { return min * std::pow(max / min, random_.uniform()); }
   bool chance(double probability) { return random_.uniform() < probability; }
   double sign() { return chance(0.5) ? -1 : 1; }

@@ -1,6 +1,6 @@
-// form_likeness RUNS TRUTH ANSWERS: of the formulas that the tool says a hidden one looks like, how
-// much of its visible part each explains with its best shape, beside the effects that the loop has
-// added: ANSWERS/form_likeness.txt, a number from 0 to 1 for each of the first three.
+// form_likeness RUNS TRUTH ANSWERS: fraction of a hidden effect's visible part that each proposed
+// formula explains with its best shape, beside the effects added by the loop:
+// ANSWERS/form_likeness.txt, a number from 0 to 1 for each of the first three.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -33,7 +33,7 @@ void write_likeness(const std::string& runs, const std::string& truth, const std
   const Eigen::VectorXd hidden =
       BesideDeclared(declared, made.declared_rows(declared)).left_of(made.rows(declared, effect));
 
-  // A formula may be more than one regressor: (T - 20)^2 dT/dt has three.
+  // A formula may have several regressors: (T - 20)^2 dT/dt has three.
   const JsonValue loop = read_json(answers + "/loop.json");
   for (const JsonValue& added : loop["added"].elements()) {
     const std::string& name = added.text();

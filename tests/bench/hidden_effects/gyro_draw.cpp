@@ -44,7 +44,7 @@ double flicker_dph(Draws& draws, Flicker flicker) {
   return 0;
 }
 
-// A further effect that the engineer knows of already.
+// A further effect that the engineer already knows.
 void declare_one_more(Draws& draws, DrawnGyro& gyro, const std::vector<std::string>& hidden) {
   const auto name = draws.pick(
       std::vector<std::string>{"warm_up", "temperature_rate_product", "polarization_ripple"});
@@ -87,7 +87,7 @@ DrawnGyro draw_gyro(Draws& draws, Flicker flicker, const std::vector<std::string
   gyro.effects.push_back(format("bias:value_dph=%.4f", draws.sign() * draws.ratio(0.02, 1)));
   gyro.declared.emplace_back("bias");
 
-  // The order that the model has; the simulator's polynomial ends at the cube.
+  // The order in the model; the simulator's polynomial is cubic.
   const int order = (is_hidden("bias_temperature") ? 1 : 2) + (draws.chance(0.5) ? 1 : 0);
   std::string polynomial =
       format("bias_temperature:slope=%.3e", draws.sign() * draws.ratio(1e-4, 1e-3));

@@ -10,11 +10,11 @@ namespace fogcomp::bench {
 /// How much flicker noise a gyro has.
 enum class Flicker { none, weak, strong };
 
-/// A gyro that the declared model describes: no more is in it than that.
+/// A gyro that the declared model describes completely.
 struct DrawnGyro {
   std::vector<std::string> parts;     ///< options of `simulate --effect`: coil, housing, sensor
   std::vector<std::string> effects;   ///< options of `simulate --effect`: what is declared
-  std::vector<std::string> declared;  ///< what `fit --effects` gets, one by one
+  std::vector<std::string> declared;  ///< for `fit --effects`, one by one
   double white_dprh = 0;
   double flicker_dph = 0;
 
@@ -23,8 +23,8 @@ struct DrawnGyro {
   std::string noise_option() const;
 };
 
-/// Draws a gyro whose declared model leaves out `hidden`. Where that is bias_temperature, a lower
-/// order is declared and drawn.
+/// Draws a gyro whose declared model lacks `hidden`. If that is bias_temperature, a lower order is
+/// declared and drawn.
 DrawnGyro draw_gyro(Draws& draws, Flicker flicker, const std::vector<std::string>& hidden);
 
 }  // namespace fogcomp::bench

@@ -172,8 +172,8 @@ std::vector<std::string> turning_programmes_that_show(const std::vector<std::str
     return {"rate_table", "rate_steps", "rate_sweeps"};
   }
   if (hidden[0] == "late_reference") return {"rate_sweeps"};
-  // One magnitude of the rate tells no nonlinearity from the scale factor, one temperature no
-  // slope.
+  // A single magnitude of the rate does not separate a nonlinearity from the scale factor, a single
+  // temperature shows no slope.
   if (hidden[0] == "scale_factor_temperature") return {"rate_table", "rate_steps"};
   return {"rate_steps", "rate_sweeps"};
 }

@@ -7,7 +7,7 @@
 
 namespace fogcomp::bench {
 
-// Recursive descent. \u escapes become '?': no name that is compared has one.
+// Recursive descent. \u escapes become '?': names that are compared contain none.
 class JsonParser {
  public:
   JsonParser(std::string_view text, const std::string& where) : text_(text), where_(where) {}

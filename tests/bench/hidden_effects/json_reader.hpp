@@ -7,17 +7,17 @@
 
 namespace fogcomp::bench {
 
-/// A JSON value as read. What is not there, or of another type, reads as null: answers of tools
-/// that have less to say are answers too.
+/// A parsed JSON value. Members that are missing or of another type read as null, because tools may
+/// omit them.
 class JsonValue {
  public:
-  /// Throws InputError where `text` is not one JSON value. `where` is for the message.
+  /// Throws InputError if `text` is not one JSON value. `where`: for the message.
   static JsonValue parse(std::string_view text, const std::string& where);
 
   bool is_null() const { return type_ == Type::null; }
-  /// "" where it is no string.
+  /// "" if it is not a string.
   const std::string& text() const { return text_; }
-  /// 0 where it is no number.
+  /// 0 if it is not a number.
   double number() const { return number_; }
   const std::vector<JsonValue>& elements() const { return elements_; }
   const JsonValue& operator[](const std::string& member) const;

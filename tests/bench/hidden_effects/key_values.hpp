@@ -5,7 +5,7 @@
 
 namespace fogcomp::bench {
 
-/// A text of lines "KEY word word ...", as the stages hand each other what they know.
+/// A text of lines "KEY word word ...": the data format between the stages.
 class KeyValues {
  public:
   /// Throws InputError for a file that cannot be read.
@@ -13,9 +13,9 @@ class KeyValues {
 
   /// The words after each line's `key`, in the order of the file.
   std::vector<std::vector<std::string>> all(const std::string& key) const;
-  /// First word after the only line with `key`; "" where there is none.
+  /// First word after the only line with `key`; "" if there is none.
   std::string word(const std::string& key) const;
-  /// The same as a number; throws InputError where there is none.
+  /// The same as a number; throws InputError if there is none.
   double number(const std::string& key) const;
 
  private:

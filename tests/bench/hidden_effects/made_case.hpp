@@ -11,7 +11,7 @@
 
 namespace fogcomp::bench {
 
-/// A case as make_case.sh has left it, with the rows of the truth.
+/// A case made by make_case.sh, with the rows of the truth.
 struct MadeCase {
   KeyValues plan;
   std::vector<recording::Recording> recordings;
@@ -21,10 +21,10 @@ struct MadeCase {
   MadeCase(const std::string& runs, const std::string& truth);
 
   bool is_hidden(const std::string& effect) const;
-  /// What an effect of the simulator contributes, in the rows of the fit.
+  /// Contribution of an effect of the simulator, in the rows of the fit.
   Eigen::VectorXd rows(const Sight& sight, const std::string& effect) const;
-  /// The same of every declared effect, in the order of the model; of a hidden one that shares its
-  /// name with a declared one, all.
+  /// The same for every declared effect, in the order of the model; if a hidden one has the same
+  /// name, the sum of both.
   std::vector<Eigen::VectorXd> declared_rows(const Sight& sight) const;
   double noise_dph() const { return plan.number("row_noise_dph"); }
 };

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# make_case.sh FOGCOMP PROGRAMMES DIR KEY ID: recordings of one case in DIR/runs/ID, the truth in DIR/truth/ID.
-# Done already where DIR/truth/ID/key holds KEY. The truth's rows are big and only its facts are needed: KEEP=1
+# make_case.sh FOGCOMP PROGRAMMES DIR KEY ID: makes the recordings of one case in DIR/runs/ID, the truth in
+# DIR/truth/ID. Skipped if DIR/truth/ID/key is KEY. The truth's rows are large and only its facts are needed: KEEP=1
 # keeps them.
 set -euo pipefail
 fogcomp=$1 programmes=$2 key=$4 id=$5

@@ -50,7 +50,7 @@ bool right_single_name(const CaseResult& result) {
   return gives_single_name(result) && result.truth.has(result.answer.named[0]);
 }
 
-// Share of the cases in `among` of which `holds`.
+// Fraction of the cases in `among` for which `holds`.
 Measure share(std::string key, std::string what, const std::vector<CaseResult>& results,
               const CaseTest& among, const CaseTest& holds) {
   Measure measure{std::move(key), std::move(what)};

@@ -8,13 +8,13 @@
 
 namespace fogcomp::bench {
 
-/// One line of the table: a figure, how many cases it comes from, and what is to be reached.
+/// One line of the table: a value, its number of cases, and its target.
 struct Measure {
   std::string key;   ///< of the JSON
-  std::string what;  ///< in words
+  std::string what;  ///< description
   double value = 0;
-  std::size_t cases = 0;  ///< 0: there was nothing to measure
-  bool share = false;     ///< a share of the cases, for which an interval can be given
+  std::size_t cases = 0;  ///< 0: nothing to measure
+  bool share = false;     ///< a fraction of the cases, which has an interval
   double target = 0;
   enum class Sense { at_least, at_most, none } sense = Sense::none;
 
@@ -27,19 +27,19 @@ struct Measure {
 
 using CaseTest = std::function<bool(const CaseResult&)>;
 
-/// Share of the cases in `among` of which `holds`.
+/// Fraction of the cases in `among` for which `holds`.
 Measure share(std::string key, std::string what, const std::vector<CaseResult>& results,
               const CaseTest& among, const CaseTest& holds);
-/// Of values, one per case, that which `part` of them do not exceed.
+/// Quantile `part` of values, one per case.
 Measure quantile_of(std::string key, std::string what, const std::vector<double>& values,
                     double part);
 Measure with_target(Measure measure, Measure::Sense sense, double target);
-/// Cases in which some command ended with a failure: none.
+/// Number of cases with a failed command: target none.
 Measure failures(const std::vector<CaseResult>& results);
 
 bool names_something(const CaseResult& result);
 bool gives_single_name(const CaseResult& result);
-/// The verdict is missing_effect, and the name is what is hidden.
+/// The verdict is missing_effect, and the name is that of the hidden effect.
 bool right_single_name(const CaseResult& result);
 
 }  // namespace fogcomp::bench

@@ -12,7 +12,7 @@ using Test = CaseTest;
 
 constexpr double kMinProbability = 0.05;  // stated probabilities below this are not counted
 constexpr int kBins = 10;
-constexpr double kFewRows = 5000;  // "a diagnosis of 6,000 rows" is one of so many
+constexpr double kFewRows = 5000;  // limit for "a diagnosis of 6,000 rows"
 constexpr double kManyRows = 7000;
 
 bool is(const CaseResult& result, const char* kind) {
@@ -63,7 +63,7 @@ void named(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
                             Sense::at_least, 0.85));
 }
 
-// A disturbance that one of the catalogued effects imitates cannot be known for what it is.
+// A disturbance that a catalogued effect imitates cannot be recognised.
 void foreign(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
   const Test unknown = [](const CaseResult& r) { return r.answer.verdict == "unknown"; };
   for (const auto& [size, target] : {std::pair(0.7, 0.8), std::pair(2.0, 0.9)}) {
@@ -103,8 +103,8 @@ bool loop_found(const CaseResult& result, const HiddenTruth& hidden) {
   return std::find(added.begin(), added.end(), hidden.effect) != added.end();
 }
 
-// Whether `name` is in the place of a hidden effect that was not found and that it imitates.
-// `replaced`: those in whose place another name is already.
+// Whether `name` replaces a hidden effect that was not found and that it imitates. `replaced`:
+// hidden effects already replaced.
 bool stands_for_another(const CaseResult& result, const std::string& name,
                         std::set<std::string>& replaced) {
   return std::any_of(result.truth.hidden.begin(), result.truth.hidden.end(),
@@ -136,7 +136,7 @@ void loop(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
     if (!r.answer.added || is(r, "foreign")) continue;
     ++superfluous.cases;
     ++not_hidden.cases;
-    std::set<std::string> replaced;  // hidden effects in whose place an imitator stands
+    std::set<std::string> replaced;  // hidden effects replaced by an imitator
     for (const std::string& name : *r.answer.added) {
       if (r.truth.has(name)) continue;
       not_hidden.value += 1;
@@ -150,9 +150,9 @@ void loop(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
   all.push_back(not_hidden);
 }
 
-// Expected calibration error: in bins of the stated probability, how far its mean is from the share
-// of names that are true, weighted by the names in the bin. Over all cases in which effects are
-// named.
+// Expected calibration error: in bins of the stated probability, the difference between its mean
+// and the fraction of right names, weighted by the number of names. Over all cases with named
+// effects.
 Measure calibration(const std::vector<CaseResult>& results) {
   struct Bin {
     double stated = 0, right = 0, names = 0;
@@ -195,7 +195,7 @@ void experiments(std::vector<Measure>& all, const std::vector<CaseResult>& resul
   all.push_back(proposed);
   all.push_back(random);
   Measure ratio{"proposed_over_random", "proposed over random"};
-  // Half a case for none, so that a few cases are no infinity.
+  // Half a case instead of none, to keep the ratio of few cases finite.
   const double min = proposed.cases > 0 ? 0.5 / static_cast<double>(proposed.cases) : 1;
   ratio.cases = proposed.cases;
   ratio.value = proposed.value / std::max(random.value, min);

@@ -1,6 +1,6 @@
-// plan_case ID RUNS TRUTH: draws a case. RUNS/effects.txt and RUNS/request.txt are for whoever
-// answers; TRUTH/plan.txt and TRUTH/simulate.txt (a line of `fogcomp simulate` per recording) are
-// not.
+// plan_case ID RUNS TRUTH: draws a case. RUNS/effects.txt and RUNS/request.txt are available to the
+// answering side; TRUTH/plan.txt and TRUTH/simulate.txt (a line of `fogcomp simulate` per
+// recording) are not.
 #include <cstdio>
 
 #include "case_plan.hpp"

@@ -54,7 +54,7 @@ std::vector<std::string> draw_programmes(Draws& draws, const std::vector<std::st
   if (which < kOneRun) wanted = 1;
 
   std::vector<std::string> chosen{draws.pick(required.empty() ? thermal : required)};
-  // A bench without a chamber teaches no thermal model: what has no ramps gets a chamber test too.
+  // Data without ramps do not determine a thermal model: such a case gets a chamber test, too.
   if (facts_of(chosen[0]).max_degc <= 30 &&
       facts_of(chosen[0]).kind != ProgrammeFacts::Kind::thermal) {
     wanted = std::max<std::size_t>(wanted, 2);

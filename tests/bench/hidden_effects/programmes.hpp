@@ -7,7 +7,7 @@
 
 namespace fogcomp::bench {
 
-/// A ready-made profile of the simulator, as far as a choice depends on it.
+/// Properties of a built-in profile that matter for the choice.
 struct ProgrammeFacts {
   std::string name;
   std::size_t rows;  ///< of 10 s
@@ -20,15 +20,15 @@ struct ProgrammeFacts {
 
 const std::vector<ProgrammeFacts>& programmes();
 
-/// One to three different programmes of at most 16,000 rows together, the first from `required`,
-/// or, where that is empty, any thermal one.
+/// One to three different programmes of at most 16,000 rows in total, the first from `required` or,
+/// if that is empty, any thermal one.
 std::vector<std::string> draw_programmes(Draws& draws, const std::vector<std::string>& required);
 
 /// Whether it has a rate table.
 bool turns(const std::string& programme);
 
-/// A thermal programme, or one that turns, within the temperatures and rates that `seen` covered
-/// and not among them, or "" where there is none.
+/// A thermal (or rotating) programme outside `seen`, but within its temperatures and rates; "" if
+/// there is none.
 std::string draw_unseen(Draws& draws, const std::vector<std::string>& seen, bool turning);
 
 }  // namespace fogcomp::bench

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# propose_case.sh FOGCOMP DIR KEY ID: for an ambiguous answer that proposes an experiment, two more cases of the same
-# gyro: DIR/runs/ID.proposed with a run of the programme proposed, DIR/runs/ID.random with one of another, drawn by
-# the case's name. For cases with one catalogued effect; a step is an event that no experiment repeats.
+# propose_case.sh FOGCOMP DIR KEY ID: for an ambiguous answer with a proposed experiment, two more cases of the same
+# gyro: DIR/runs/ID.proposed with a run of the proposed programme, DIR/runs/ID.random with a random one (seeded by the
+# case's name). For cases with one catalogued effect; no experiment repeats a step.
 set -euo pipefail
 fogcomp=$1 folder=$2 key=$3 id=$4
 runs=$folder/runs/$id truth=$folder/truth/$id

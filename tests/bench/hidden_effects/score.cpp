@@ -1,6 +1,6 @@
-// score FOLDER: compares the answers in FOLDER with the truth, for the cases that FOLDER/cases.txt
-// names. Prints the table; writes FOLDER/results.json (the measures) and FOLDER/results.csv (a line
-// per case).
+// score FOLDER: compares the answers in FOLDER with the truth, for the cases listed in
+// FOLDER/cases.txt. Prints the table; writes FOLDER/results.json (the measures) and
+// FOLDER/results.csv (one line per case).
 #include <cstdio>
 
 #include "breakdowns.hpp"

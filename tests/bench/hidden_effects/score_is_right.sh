@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# score_is_right.sh SOURCE BUILD MADE: the score, tried on the cases made in MADE with answers whose score is known: an
-# oracle's gets everything, one that always says "none" names nothing, one that always names the same is wrong; and what
-# the answering side gets to see holds no truth.
+# score_is_right.sh SOURCE BUILD MADE: tests the score on the cases in MADE with answers of known score: an oracle gets
+# everything, "none" for all names nothing, the same name for all is wrong; and the data of the answering side contain
+# no truth.
 set -euo pipefail
 source=$1 build=$2 made=$3
 scratch=$(mktemp -d)
@@ -10,7 +10,7 @@ cp -r "$made"/{runs,truth} "$scratch"
 ids=("$scratch"/truth/*)
 ids=("${ids[@]##*/}")
 
-# The few cases need not have one as small as 0.2 to 0.35: the first of 0.35 once more, called one of 0.25.
+# The few cases may have none as small as 0.2 to 0.35: the first of 0.35 is copied and labelled 0.25.
 for id in "${ids[@]}"; do
   grep -qE '^hidden .* 0\.35$' "$scratch/truth/$id/plan.txt" || continue
   small=dev$((${#ids[@]} + 1))
@@ -20,7 +20,7 @@ for id in "${ids[@]}"; do
   break
 done
 
-# answer ID JSON ADDED: as answer_case.sh would leave it.
+# answer ID JSON ADDED: an answer like that of answer_case.sh.
 answer() {
   mkdir -p "$scratch/answers/$1"
   echo "$2" >"$scratch/answers/$1/diagnosis.json"
@@ -43,14 +43,14 @@ oracle() {
 always_none() { answer "$1" '{"verdict":"none","effect":null,"confusable":[],"candidates":[]}' ""; }
 always_light() { answer "$1" "$(named light_power)" '"light_power"'; }
 
-# scored ANSWERER: answers all cases and scores them.
+# scored ANSWERER: answers and scores all cases.
 scored() {
   local id
   for id in "${ids[@]}"; do "$1" "$id"; done
   "$source/tests/bench/hidden_effects.sh" --cases "${#ids[@]}" --build "$build" -o "$scratch" --stages score \
     >"$scratch/$1.txt" 2>"$scratch/progress.txt"
 }
-# expect MEASURE VALUE: of results.json; a measure without cases is null.
+# expect MEASURE VALUE: in results.json; a measure without cases is null.
 expect() {
   printf 'file(READ "%s" text)\nstring(JSON value GET "${text}" measures %s value)\nif(NOT value EQUAL %s)\nmessage(FATAL_ERROR "%s is ${value}, not %s")\nendif()\n' \
     "$scratch/results.json" "$1" "$2" "$1" "$2" >"$scratch/check.cmake"
@@ -75,7 +75,7 @@ expect clean_not_none 1
 expect unknown_2_all 0
 grep -q 'light_power for (clean)' "$scratch/always_light.txt"
 
-# What the answering side sees does not name what is hidden.
+# The answering side's data do not name the hidden effect.
 for id in "${ids[@]}"; do
   for file in "$scratch/runs/$id"/*; do
     [[ ${file##*/} =~ ^(run[1-9]\.csv|unseen\.csv|effects\.txt|request\.txt)$ ]] || { echo "$file: for whom?" >&2; exit 1; }
@@ -83,7 +83,7 @@ for id in "${ids[@]}"; do
   ! grep -l '^#' "$scratch/runs/$id"/*.csv || { echo "$id: a recording has comments" >&2; exit 1; }
 done
 for id in "${ids[@]}"; do
-  # On the files as in the trial: the sizes asked for, and declared effects that their formulas meet.
+  # In the files as in the trial: the requested sizes, and declared effects described by their formulas.
   awk '$1 == "hidden" { size[$2] = $4 }
        $1 == "visible" && !($3 > 0.97 * size[$2] && $3 < 1.03 * size[$2]) { print FILENAME, $0; bad = 1 }
        $1 == "misfit_beside_delays" { seen = 1; if (!($2 ~ /^[0-9.]+$/ && $2 <= 0.101)) { print FILENAME, $0; bad = 1 } }

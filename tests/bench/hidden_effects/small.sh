@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# small.sh SOURCE BUILD MADE CASES: the benchmark on the first CASES development cases, made in MADE. The bounds leave
-# room for the few cases; what is to be reached is in the table that is printed. The cases are seeded: a bound that
-# breaks is the tool's doing, not chance.
+# small.sh SOURCE BUILD MADE CASES: the benchmark on the first CASES development cases, made in MADE. The bounds are
+# wide, because the cases are few; the targets are in the printed table. The cases are seeded: a violated bound is
+# caused by the tool, not by chance.
 set -euo pipefail
 source=$1 build=$2 made=$3 cases=$4
 status=0
@@ -13,7 +13,7 @@ if ((status)); then
 fi
 sed -n '/^| measure/,/^$/p' "$made/said.txt"
 
-# bound MEASURE LESS|GREATER VALUE: fails where the measure is beyond, or measured nothing.
+# bound MEASURE LESS|GREATER VALUE: fails if the measure is beyond VALUE, or has no cases.
 bound() {
   printf 'file(READ "%s" text)\nstring(JSON value GET "${text}" measures %s value)\nif(NOT value MATCHES "[0-9]" OR value %s %s)\nmessage(FATAL_ERROR "%s is ${value}, bound %s")\nendif()\n' \
     "$made/results.json" "$1" "$2" "$3" "$1" "$3" >"$made/check.cmake"

@@ -21,7 +21,7 @@ GyroDescription natural_gyro(const CasePlan& plan) {
   for (const std::string& option : plan.gyro.effects) {
     bool hidden = false;
     for (const HiddenEffect& effect : plan.hidden) hidden = hidden || concerns(option, effect.name);
-    // Contributions of one effect come in one column; its declared part must not count as hidden.
+    // Contributions of an effect are one column; its declared part must not count as hidden.
     options.push_back(hidden ? option.substr(0, option.find(':')) + ":slope=0,curvature=0"
                              : option);
   }

@@ -9,15 +9,15 @@
 
 namespace fogcomp::bench {
 
-/// A recording without noise, in memory, with what each of the simulator's effects contributes.
+/// A recording without noise, in memory, with the contribution of each simulated effect.
 struct TrialRun {
   recording::Recording recording;
   std::vector<std::string> effects;
   std::vector<std::vector<double>> contributions_dph;  ///< per effect, per row
 };
 
-/// Simulates a run of the plan with the hidden effects at their natural size, and bias_temperature,
-/// where it is hidden, without its lower orders.
+/// Simulates a run of the plan with the hidden effects at natural size; a hidden bias_temperature
+/// without its lower orders.
 TrialRun simulate_trial(const CasePlan& plan, const PlannedRun& run);
 
 }  // namespace fogcomp::bench

@@ -5,15 +5,15 @@
 
 namespace fogcomp::bench {
 
-/// What `fogcomp simulate --hide` wrote: a column of deg/h per effect and per noise.
+/// Output of `fogcomp simulate --hide`: a column in deg/h per effect and per noise.
 class TruthFile {
  public:
-  /// Throws InputError for a file of another form.
+  /// Throws InputError for a file in another format.
   explicit TruthFile(const std::string& path);
 
-  /// Contribution of an effect by the simulator's name; zeros where the gyro does not have it.
+  /// Contribution of an effect, by the simulator's name; zeros if the gyro lacks it.
   std::vector<double> effect(const std::string& name) const;
-  /// All noise together.
+  /// Sum of all noise.
   std::vector<double> noise() const;
 
  private:

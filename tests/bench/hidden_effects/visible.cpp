@@ -14,12 +14,12 @@ namespace fogcomp::bench {
 namespace {
 
 constexpr double kRow_s = 10;
-constexpr double kDerivativeTau_s = 30;  // as `fogcomp fit` has it by default
+constexpr double kDerivativeTau_s = 30;  // default of `fogcomp fit`
 constexpr double kRank = 1e-9;
-constexpr double kDependent = 1e-6;  // of a column's length: the rest is arithmetic
+constexpr double kDependent = 1e-6;  // relative to a column's length: less is rounding
 
-// Points over the range of a shape parameter; the ripple's period needs many, as its phase runs
-// through many turns over the range of temperature.
+// Grid points of a shape parameter; the ripple's period needs many, because its phase makes many
+// turns over the temperature range.
 int grid_points(const model::EffectTerm& term, std::size_t parameter) {
   if (term.name == "polarization_ripple") return 64;
   if (term.name == "glass_transition") return parameter == 0 ? 14 : 4;
@@ -44,7 +44,7 @@ double fraction_explained(const Eigen::MatrixXd& regressors, const Eigen::Matrix
   return 1 - (target - columns * coefficients).squaredNorm() / all;
 }
 
-// What may be moved of a term. A fit looks for a step's time in its own way, here it is a shape.
+// Variable parameters of a term, including a step's time, which a fit finds in another way.
 std::vector<model::ShapeParameter> shapes_of(const model::EffectTerm& term, double longest_s) {
   if (model::is_event(term)) return {{0, 0, 0, longest_s}};
   std::vector<model::ShapeParameter> shapes = model::shape_parameters({term});
@@ -54,7 +54,7 @@ std::vector<model::ShapeParameter> shapes_of(const model::EffectTerm& term, doub
   return shapes;
 }
 
-// Puts the shape where the fraction of the target explained is largest; returns that.
+// Sets the shape that explains most of the target; returns the explained fraction.
 template <class Left>
 double best_shape(const Sight& sight, model::EffectTerm& term, const Eigen::VectorXd& target,
                   Left left) {
@@ -100,7 +100,7 @@ Eigen::MatrixXd derivatives(const series::Rows& rows, const Eigen::MatrixXd& col
   Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(columns.rows(), columns.cols());
   for (Eigen::Index row = 1; row + 1 < columns.rows(); ++row) {
     const auto at = static_cast<std::size_t>(row);
-    if (rows.time_s[at + 1] < rows.time_s[at - 1]) continue;  // another recording begins
+    if (rows.time_s[at + 1] < rows.time_s[at - 1]) continue;  // start of another recording
     slopes.row(row) = columns.row(row + 1) - columns.row(row - 1);
   }
   return slopes;
@@ -150,7 +150,7 @@ BesideDeclared::BesideDeclared(Sight& sight, const std::vector<Eigen::VectorXd>&
   for (std::size_t i = 0; i < sight.model.terms.size(); ++i) {
     model::EffectTerm& term = sight.model.terms[i];
     if (truth_dph[i].squaredNorm() > 0) {
-      // About the mean: a bias stands beside every effect.
+      // About the mean, because a bias accompanies every effect.
       const Eigen::VectorXd truth = truth_dph[i].array() - truth_dph[i].mean();
       best_shape(sight, term, truth, [](const Eigen::MatrixXd& regressors) -> Eigen::MatrixXd {
         return regressors.rowwise() - regressors.colwise().mean();

@@ -9,11 +9,11 @@
 
 namespace fogcomp::bench {
 
-/// The recordings of a case as `fogcomp fit` sees them.
+/// The recordings of a case as prepared by `fogcomp fit`.
 struct Sight {
-  model::Model model;  ///< the declared effects, no coefficients; the series points to it
+  model::Model model;  ///< the declared effects without coefficients; the series refers to it
   series::SignalSeries series{model};
-  fog::InputMask inputs = 0;  ///< that all recordings have
+  fog::InputMask inputs = 0;  ///< available in all recordings
   double longest_s = 0;
 
   Sight(const std::vector<std::string>& declared,
@@ -21,40 +21,40 @@ struct Sight {
   Sight(const Sight&) = delete;
 };
 
-/// A contribution (a vector per recording, a value per sample) in the rows of the fit.
+/// A contribution (one vector per recording, one value per sample) in the rows of the fit.
 Eigen::VectorXd rows_of(const Sight& sight, const std::vector<recording::Recording>& recordings,
                         const std::vector<std::vector<double>>& contributions_dph);
 
-/// What a model with the declared effects cannot take up, by least squares over all rows.
+/// The part that a model with the declared effects cannot describe, by least squares over all rows.
 class BesideDeclared {
  public:
-  /// `truth_dph`: rows of what the declared effects really contribute, per effect of sight.model;
-  /// shape parameters are put where they imitate it best.
+  /// `truth_dph`: rows of the true contributions of the declared effects, per effect of
+  /// sight.model; shape parameters are set to imitate them best.
   BesideDeclared(Sight& sight, const std::vector<Eigen::VectorXd>& truth_dph);
 
-  /// Every column less its projection on the declared regressors.
+  /// Projects all columns out of the declared regressors.
   Eigen::MatrixXd left_of(const Eigen::MatrixXd& columns) const;
-  /// The same, less what a small delay of each regressor (its derivative in time) takes up too:
-  /// late sensors and filters are no missing effect.
+  /// The same, with the time derivative of each regressor, i.e. a small delay: late sensors and
+  /// filters are not missing effects.
   Eigen::MatrixXd left_beside_delays(const Eigen::MatrixXd& columns) const;
 
  private:
-  Eigen::MatrixXd basis_;   // orthonormal columns
-  Eigen::MatrixXd delays_;  // and those with the derivatives
+  Eigen::MatrixXd basis_;   // orthonormal
+  Eigen::MatrixXd delays_;  // orthonormal, with the derivatives
 };
 
-/// How well an effect of the catalogue, with its best shape, imitates what is left of a truth.
+/// Imitation of the visible part of a truth by a catalogued effect with its best shape.
 struct Imitation {
   std::string effect;
   double fraction = 0;  ///< of the sum of squares, 0 to 1
 };
 
-/// For every effect that the recordings have the inputs for. One that is declared already counts
-/// only as bias_temperature of an order or two more.
+/// For every effect whose inputs the recordings have. Declared effects are skipped, except
+/// bias_temperature with an order or two more.
 std::vector<Imitation> imitations(const Sight& sight, const BesideDeclared& beside,
                                   const Eigen::VectorXd& left_of_truth);
 
-/// The same of one effect, and of a term, which may be an expression.
+/// The same for one effect, and for a term, which may be an expression.
 double imitation_by(const std::string& effect, const Sight& sight, const BesideDeclared& beside,
                     const Eigen::VectorXd& left_of_truth);
 double imitation_by(model::EffectTerm term, const Sight& sight, const BesideDeclared& beside,

@@ -8,11 +8,11 @@ namespace {
 
 using Sense = Measure::Sense;
 
-// A formula that explains so much of what is visible is the right one, or the same on these runs.
+// A formula that explains this fraction of the visible part is right, or equivalent on these runs.
 constexpr double kSameForm = 0.95;
-constexpr double kLowered = 2.0 / 3;  // of an unseen run's drift: by a third or more
-constexpr double kWorse = 1.005;      // times an unseen run's error: more than by rounding
-constexpr double kAtNoise = 1.1;      // times the noise of an unseen run
+constexpr double kLowered = 2.0 / 3;  // factor on an unseen run's drift: lowered by a third or more
+constexpr double kWorse = 1.005;      // factor on an unseen run's error: more than rounding
+constexpr double kAtNoise = 1.1;      // factor on the noise of an unseen run
 
 CaseTest of_kind(std::string kind) {
   return [kind = std::move(kind)](const CaseResult& r) { return r.truth.kind == kind; };
@@ -97,7 +97,7 @@ void sets(std::vector<Measure>& all, const std::vector<CaseResult>& results) {
                   Sense::at_least, 0.75));
 }
 
-// Of an unseen run's error, what is no noise.
+// The part of an unseen run's error that is not noise.
 double drift_dph(double rms_dph, double noise_dph) {
   return std::sqrt(std::max(0.0, rms_dph * rms_dph - noise_dph * noise_dph));
 }

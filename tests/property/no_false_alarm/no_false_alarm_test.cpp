@@ -1,4 +1,4 @@
-// The other half of what sensor_faults_test.cpp shows: a healthy gyro in a chamber raises no alarm.
+// Complement of sensor_faults_test.cpp: a healthy gyro in a chamber raises no alarm.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -33,7 +33,7 @@ recording::Recording every(std::size_t step, const recording::Recording& recordi
   return thin;
 }
 
-// What no fault has touched stays whole: in rows of 10 and 60 s, and of 1 s.
+// Data without faults are not refused: in rows of 10 and 60 s, and of 1 s.
 TEST(RefusedRows, AreNoneInAnyReadyMadeProfile) {
   for (const EmbeddedFile& profile : ready_made_profiles()) {
     const std::string name(profile.name);

@@ -1,4 +1,4 @@
-// drift_under_faults_test.cpp has every fault once; here they come at random, one upon the other.
+// drift_under_faults_test.cpp tests every fault once; here they come at random and overlap.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -30,7 +30,7 @@ class Draw {
   Fault fault(double from_s) {
     const auto kind = static_cast<Kind>(random_() % (static_cast<unsigned>(Kind::pin_reset) + 1));
     Fault fault{kind, from_s, from_s + duration_s()};
-    // The watchdog bites after 0.1 s, a start takes another.
+    // The watchdog expires after 0.1 s; a start takes another 0.1 s.
     if (kind == Kind::board_restart) fault.to_s = from_s + uniform(0.05, 1);
     if (kind == Kind::restart) fault.value = uniform(0, 65536);
     if (kind == Kind::wrong_temperature) fault.value = uniform(-80, 140);
@@ -44,8 +44,7 @@ class Draw {
   std::mt19937_64 random_;
 };
 
-// Faults as often as they last, pairs and more at a time among them; long enough without in between
-// that some rates are trusted.
+// Random faults, with overlapping ones, and intervals long enough for trusted rates in between.
 std::vector<Fault> schedule(std::uint64_t seed) {
   Draw draw(seed);
   std::vector<Fault> faults;

@@ -28,7 +28,7 @@ constexpr auto kQuiet = 400ms;  // after which nothing more is expected
 constexpr auto kLongest = 6s;   // for a board that keeps talking
 constexpr std::size_t kRestartsSeen = 3;
 
-/// What became of one boot, in words.
+/// Result of one boot, in words.
 const std::string kValid = "a RATE MARKED VALID";
 const std::string kRefused = "answered, no rate valid";
 const std::string kRestarts = "restarts";
@@ -58,7 +58,7 @@ const std::string& feed(EmulatedBoard& board, std::size_t samples) {
       board.send_to_sensor_port(stream.next(static_cast<int>(samples)));
     }
     if (came) continue;
-    if (boots_fed == 0 && !fed_blindly) {  // perhaps it lives but cannot say so
+    if (boots_fed == 0 && !fed_blindly) {  // it may run without being able to report it
       fed_blindly = true;
       board.send_to_sensor_port(stream.next(static_cast<int>(samples)));
       continue;

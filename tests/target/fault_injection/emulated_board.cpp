@@ -61,7 +61,7 @@ void EmulatedBoard::start(const std::string& machine, const std::string& elf) {
   for (const char* port : {"sensor", "console"}) {
     words.insert(words.end(), {"-serial", "unix:" + folder_ + "/" + port + ",server=on,wait=off"});
   }
-  // Board time by instructions (32 ns each), or a busy computer makes the watchdog bite.
+  // Board time by instructions (32 ns each): otherwise the watchdog expires on a busy computer.
   words.insert(words.end(), {"-icount", "shift=5"});
   words.insert(words.end(),
                {"-chardev", "socket,id=debug,server=on,wait=off,path=" + folder_ + "/debug", "-gdb",
@@ -202,7 +202,7 @@ bool EmulatedBoard::exchange_at_sockets() {
   if ((ports[0].revents & (POLLIN | POLLHUP)) != 0) {
     std::array<std::uint8_t, 16384> bytes;
     const ssize_t count = recv(console_port_, bytes.data(), bytes.size(), 0);
-    // It closes its ports some time before it can be waited for.
+    // It closes its ports some time before it ends.
     if (count == 0) throw QemuEnded();
     if (count > 0) {
       console.insert(console.end(), bytes.data(), bytes.data() + count);

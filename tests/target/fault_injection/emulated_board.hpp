@@ -15,7 +15,7 @@ namespace fogcomp::injection {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// QEMU has ended: it does where the processor locks up.
+/// QEMU has ended, as it does when the processor locks up.
 struct QemuEnded : std::runtime_error {
   QemuEnded() : std::runtime_error("QEMU has ended") {}
 };
@@ -30,22 +30,23 @@ class EmulatedBoard {
   EmulatedBoard(const EmulatedBoard&) = delete;
   EmulatedBoard& operator=(const EmulatedBoard&) = delete;
 
-  /// Flips a bit of memory, only while stopped. Throws std::runtime_error where it stays as it was.
+  /// Flips a bit of memory, only while stopped. Throws std::runtime_error if the bit does not
+  /// change.
   void flip(const Flip& flip);
 
   void resume();
   void stop();
 
   void send_to_sensor_port(const Bytes& bytes);
-  /// Bytes that the sensor port has not taken yet.
+  /// Number of bytes that the sensor port has not taken yet.
   std::size_t unsent() const { return to_sensor_.size(); }
 
-  /// Moves what has come out since to the ends of output and console, waiting up to `patience` for
-  /// the first of it. Returns whether anything came. Throws QemuEnded.
+  /// Appends new data to output and console, waiting up to `patience` for the first byte. Returns
+  /// whether anything came. Throws QemuEnded.
   bool exchange(std::chrono::milliseconds patience);
   /// How often the console has shown `text`.
   std::size_t times_said(const std::string& text) const;
-  /// Boot messages so far, complete ones: a restart need not have said that it comes.
+  /// Number of complete boot messages so far: a restart need not be announced.
   std::size_t boots() const { return times_said("image: "); }  // its last line
 
   Bytes output;

@@ -7,7 +7,7 @@
 
 namespace fogcomp::injection {
 
-/// What a healthy gyro at rest sends.
+/// Sensor stream of a healthy gyro at rest.
 class HealthyStream {
  public:
   Bytes next(int samples) {

@@ -6,18 +6,18 @@
 
 namespace fogcomp::injection {
 
-/// What a user's driver makes of an output stream: frames that it would accept (header and CRC
-/// right), and of these the ones that mark a rate valid. Reads KVH and compact frames.
+/// An output stream as seen by a user's driver: accepted frames (header and CRC right), and those
+/// with a valid rate. Reads KVH and compact frames.
 class OutputReader {
  public:
-  /// Goes on in `output`, which has only grown since the last call.
+  /// Continues in `output`, which must only have grown since the last call.
   void read(const Bytes& output);
 
   std::size_t accepted() const { return accepted_; }
   std::size_t valid() const { return valid_; }
-  /// So many of the first frames may say that their rate is not valid: a board starts so.
+  /// Number of initial frames that may be invalid, as after a start.
   static constexpr std::size_t kStarting = 600;
-  /// Whether something came that was no frame with a valid rate, and after how many that were.
+  /// Whether anything but a frame with a valid rate came, and the number of frames before it.
   bool saw_fault() const { return saw_fault_; }
   std::size_t valid_before_fault() const { return valid_before_fault_; }
 

@@ -1,8 +1,7 @@
 // restart_keeps_state MACHINE ELF IN.bin EXPECTED.bin ADDRESS: plays the sensor stream IN.bin into
-// a board with compact frames and, two thirds of the way, spoils a constant at ADDRESS in its
-// memory, so that its self-test restarts it. EXPECTED.bin is what a board sends that nothing
-// happens to. Exit code 1 unless, soon after the restart, the drift is again that board's, without
-// a flag.
+// a board with compact frames and, two thirds of the way, corrupts a constant at ADDRESS in its
+// memory, so that its self-test restarts it. EXPECTED.bin is the output of an undisturbed board.
+// Exit code 1 unless, soon after the restart, the drift is that board's again, without a flag.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

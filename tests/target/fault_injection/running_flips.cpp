@@ -1,7 +1,7 @@
 // running_flips MACHINE ELF SEED LIMIT AREA...: flips bits in the memory of a board while it
-// answers good sensor samples, one bit a run, and says after how many samples the board let it be
-// known: by a rate that is not valid, a frame that no driver accepts, or a restart. Areas as in
-// flip_plan.hpp. Exit code 1 if any flip stayed unseen for LIMIT samples.
+// answers good sensor samples, one bit per run, and prints after how many samples the board showed
+// it: by an invalid rate, a frame that no driver accepts, or a restart. Areas as in flip_plan.hpp.
+// Exit code 1 if any flip stayed undetected for LIMIT samples.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -104,7 +104,7 @@ int run(const std::vector<std::string>& words) {
   std::size_t worst = 0;
   int unseen = 0;
   for (const Flip& flip : flips) {
-    // So that it meets the scan anywhere, after the start.
+    // So that the scan is at any position, after the start.
     const std::size_t healthy = OutputReader::kStarting + random() % 600U;
     EmulatedBoard board(words[0], words[1]);
     const Outcome outcome = run_with(board, flip, healthy, limit);

@@ -262,7 +262,7 @@ TEST(RateMonitor, LimitsOfTheRangeAreExactToTheLsb) {
     return has_any(monitor.judge(Rate::from_raw(raw), true, 1), Status::rate_out_of_range);
   };
   for (const std::int32_t sign : {1, -1}) {
-    // A second a sample: nothing is a jump, and one sample inside is enough.
+    // One sample per second: nothing is a jump, and one sample below the limit is enough.
     fog::RateMonitor slow = rate_monitor(Rate::from_raw(1'000'001), 1'000'000);
     EXPECT_FALSE(flagged_at(slow, sign * 974'999));
     EXPECT_TRUE(flagged_at(slow, sign * 975'000));
@@ -298,7 +298,8 @@ TEST(RateMonitor, AStepIsExactToTheLsb) {
     EXPECT_EQ(judge(exact, 5 * kStep, 4), Status::none);
     EXPECT_EQ(judge(exact, 1), Status::rate_jump);
 
-    // Within two steps of the last accepted one, two samples ago, and within one of the one before.
+    // Within two steps of the last accepted sample, two samples ago, and within one of the
+    // preceding one.
     fog::RateMonitor near = rate_monitor(Rate::highest(), 100);
     EXPECT_EQ(judge(near, 0), Status::none);
     EXPECT_EQ(judge(near, 3 * kStep), Status::rate_jump);
@@ -346,9 +347,9 @@ TEST(RateMonitor, ARateThatLeapsToAndFroIsNeverBelieved) {
   }
 }
 
-// Judges a rate that ramps from 0 to `peak` and back by `slope` deg/s a sample, as a gyro of +-200
-// deg/s with this face shows it. Returns how many valid samples were wrong by more than 1 deg/s and
-// how many at the end, at rest, were not valid.
+// Judges a rate that ramps from 0 to `peak` and back by `slope` deg/s per sample, as a gyro of
+// +-200 deg/s outputs it. Returns how many valid samples were wrong by more than 1 deg/s, and how
+// many at the end, at rest, were invalid.
 struct FaceVerdict {
   int wrong = 0;
   int refused_at_rest = 0;
@@ -474,7 +475,7 @@ TEST_F(TemperatureMonitorTest, LimitsAreExactToTheLsb) {
     EXPECT_EQ(judge(at_once, 20 + sign * 2), Status::none);
     EXPECT_EQ(judge(at_once, 20 + sign * (4 + 1.0 / 100)), kJump);
 
-    // 2 degC and 1 degC for each second, and within 2 degC of the reading before.
+    // 2 degC plus 1 degC per second, and within 2 degC of the preceding reading.
     fog::TemperatureMonitor steady(kPeriodUs);
     EXPECT_EQ(judge(steady, 20), Status::none);
     EXPECT_EQ(judge(steady, 20 + sign * 5), kJump);
@@ -495,7 +496,7 @@ TEST_F(TemperatureMonitorTest, LimitsAreExactToTheLsb) {
   }
 }
 
-// As the board asks for it: half a second of readings of which each agrees with the one before it.
+// As on the board: half a second of readings that agree with their predecessors.
 class TemperatureConfirmationTest : public testing::Test {
  protected:
   using Use = fog::ReadingUse;
@@ -508,7 +509,7 @@ class TemperatureConfirmationTest : public testing::Test {
 
 TEST_F(TemperatureConfirmationTest, FirstReadingsAreConfirmedByHalfASecondThatAgrees) {
   send(0, 99);
-  EXPECT_EQ(send(20), Use::good_anew);
+  EXPECT_EQ(send(20), Use::good_new_history);
   EXPECT_EQ(send(20, 99), Use::good);
   EXPECT_FALSE(monitor_.confirmed());
   EXPECT_EQ(send(22), Use::good);
@@ -532,13 +533,13 @@ TEST_F(TemperatureConfirmationTest, NothingIsConfirmedByThePowerOnReadingOrByNon
 TEST_F(TemperatureConfirmationTest, WhatIsAcceptedAfterAJumpIsGoodAnew) {
   send(20, kSecond);
   EXPECT_EQ(send(30, 8 * kSecond - 1), Use::none);
-  EXPECT_EQ(send(30), Use::good_anew);
+  EXPECT_EQ(send(30), Use::good_new_history);
   EXPECT_EQ(send(30), Use::good);
   EXPECT_EQ(send(60), Use::none);
   EXPECT_EQ(send(30.5), Use::good) << "a spike leaves no trace";
 }
 
-// After samples were lost the temperature may have moved; nothing that was used was wrong.
+// After lost samples the temperature may have changed; the readings used were right.
 TEST_F(TemperatureConfirmationTest, WhatACoilCanHaveReachedIsGoodOnceItIsConfirmed) {
   send(20, kSecond);
   monitor_.judge(degc(23), true, 60 * kSecond);
@@ -552,11 +553,11 @@ TEST_F(TemperatureConfirmationTest, WhatMovesAgainAfterItWasFrozenIsGoodAnew) {
   for (int i = 0; i < 60; ++i) send(reading += 1.0 / 16, kSecond);
   EXPECT_EQ(send(reading, 119 * kSecond), Use::good);
   EXPECT_EQ(send(reading, 2 * kSecond), Use::none);
-  EXPECT_EQ(send(reading + 0.5), Use::good_anew);
+  EXPECT_EQ(send(reading + 0.5), Use::good_new_history);
   EXPECT_EQ(send(reading + 0.5), Use::good);
 }
 
-// (a) of SPEC.md: noise is changes of eight resolutions, four more often than others.
+// (a) of SPEC.md: noise is four more changes of eight resolutions than others.
 TEST_F(TemperatureMonitorTest, NoiseIsChangesOfEightResolutionsFourMoreThanOthers) {
   constexpr double kResolution = 1.0 / 1024;
   const auto after = [&](int large, double size) {
@@ -625,7 +626,7 @@ TEST_F(TemperatureMonitorTest, WhatMovedLongerAgoThanTheMinuteBeforeDoesNotCount
     for (int i = 0; i < rest_s; ++i) {
       EXPECT_EQ(monitor.judge(degc(reading), true, kSecond), Status::none);
     }
-    // Two changes more, which alone would be none of a moving coil.
+    // Two more changes, which alone are not those of a moving coil.
     for (int i = 0; i < 2; ++i) monitor.judge(degc(reading += 1.0 / 16), true, 1);
     EXPECT_EQ(monitor.judge(degc(reading), true, 120 * kSecond),
               rest_s == 110 ? kFrozen : Status::none)
@@ -633,7 +634,7 @@ TEST_F(TemperatureMonitorTest, WhatMovedLongerAgoThanTheMinuteBeforeDoesNotCount
   }
 }
 
-// Minutes end with the 60th, 120th ... reading of a second each: what the first of them moved
+// Minutes end with the 60th, 120th ... reading of a second each: the change of the first minute
 // counts until the second has ended.
 TEST_F(TemperatureMonitorTest, AMinuteIsSixtySeconds) {
   for (const int moves_again : {120, 121}) {

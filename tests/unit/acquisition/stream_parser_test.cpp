@@ -49,7 +49,7 @@ TEST(StreamParser, ReturnsWhatWasSent) {
   EXPECT_FALSE(parser.sample().temperature_valid);
 }
 
-// What a later format might mean by them is not known, so it is no frame, whatever its CRC.
+// A later format may give these bits a meaning, so it is no frame, whatever its CRC.
 TEST(StreamParser, RefusesReservedBytesUnknownBitsAndUnknownInputsWithAGoodCrc) {
   const auto sample_is_taken = [](std::size_t at, std::uint8_t value) {
     SensorFrame frame = encode_sensor_frame(sample_of(1));
@@ -154,7 +154,7 @@ void append(std::vector<std::uint8_t>& bytes, const ExtensionFrame& frame) {
   bytes.insert(bytes.end(), frame.begin(), frame.end());
 }
 
-// What a parser makes of a stream: values of records, then sequences of samples.
+// Result of parsing a stream: values of records, then sequences of samples.
 struct Accepted {
   std::vector<std::int32_t> records;
   std::vector<std::uint16_t> samples;
@@ -222,8 +222,8 @@ TEST(ExtensionRecord, IsRefusedForAnInputThatDoesNotExist) {
   }
 }
 
-// Wherever bytes are lost, every frame that is whole is found: records that lie within the bytes of
-// a broken sample, and samples behind broken records.
+// Wherever bytes are lost, every complete frame is found: records within the bytes of a broken
+// sample, and samples after broken records.
 TEST(ExtensionRecord, AndSampleAreAllFoundWhereverBytesAreLost) {
   std::vector<std::uint8_t> good;
   for (std::uint16_t i = 0; i < 4; ++i) {

@@ -1,5 +1,5 @@
-// The main loop of the product, as it is flashed, on a board that this test is: the demodulator
-// sends what the test says, and time passes where the loop waits.
+// The product's main loop, as flashed. This test is the board: it supplies the demodulator's data,
+// and time passes where the loop waits.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -41,7 +41,7 @@ struct Frame {
 
 struct EndOfTest {};
 
-// One at a time, as it is one board.
+// One instance, because there is one board.
 struct Board {
   std::uint32_t now_ms = 0xFFFFFF00U;  // about to wrap
   std::uint32_t end_ms = 0;
@@ -78,7 +78,7 @@ std::vector<std::uint8_t> sealed_image() {
 
 std::array<std::uint32_t, 64> tested_memory;
 
-// Runs the loop for so long.
+// Runs the loop for this time.
 void run_for(Board& here, std::uint32_t ms) {
   board = &here;
   here.end_ms = here.now_ms + ms;
@@ -87,7 +87,7 @@ void run_for(Board& here, std::uint32_t ms) {
 
 }  // namespace
 
-// What the application asks of a board.
+// Functions that the application requires of a board.
 namespace fog {
 namespace hal {
 
@@ -192,7 +192,7 @@ TEST(MainLoop, AnswersEverySampleAtOnceAndNothingElse) {
   for (const Frame& frame : here.frames) EXPECT_EQ(frame.at_ms % 5, 0U);
 }
 
-// A sample is lost now and then, the demodulator is late, a frame is damaged, or it dies for good.
+// Samples are lost, the demodulator is late, a frame is damaged, or the demodulator fails for good.
 TEST(MainLoop, BreaksASilenceWithinTwoPeriodsAndGoesOnAtTheSampleRate) {
   Board here;
   const std::uint32_t start = here.now_ms;

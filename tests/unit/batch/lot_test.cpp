@@ -18,7 +18,7 @@ std::vector<std::string> names() {
   return names;
 }
 
-// Gyros that differ as made things do: noise by ratios, coefficients by differences.
+// Simulated scatter of production: noise by ratios, coefficients by differences.
 std::vector<GyroResult> clean_lot(std::size_t gyros, std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   std::vector<GyroResult> results;

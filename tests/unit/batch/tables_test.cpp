@@ -1,4 +1,4 @@
-// What the station that loads is given, and what is kept of it.
+// Files for the loading station, and their history.
 #include "batch/tables.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ class Tables : public testing::Test {
     write_tables(summary, folder_);
   }
   std::string file(const std::string& name) const { return read_file(folder_ + "/" + name); }
-  // The word of a slot that says which is newer.
+  // The word of a slot that orders the slots by age.
   int sequence(const std::string& name) const { return file(name).at(8); }
   std::size_t lines(const std::string& name) const {
     const std::string text = file(name);

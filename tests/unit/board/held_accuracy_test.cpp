@@ -1,4 +1,4 @@
-// How long a held drift is as good as the model.
+// Time for which a held drift is as good as the model.
 #include "board/held_accuracy.hpp"
 
 #include <gtest/gtest.h>

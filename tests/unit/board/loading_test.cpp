@@ -1,5 +1,5 @@
-// A table from the tool into a board: one that this test is, behind a socket, by the code that is
-// flashed. What is not for it is refused by name, by whoever finds it first.
+// Loading a table with the tool into a board. This test is the board, behind a socket, running the
+// flashed code. An unsuitable table is refused with a reason.
 #include "board/loading.hpp"
 
 #include <gtest/gtest.h>
@@ -152,7 +152,7 @@ class LoadTable : public testing::Test {
     fogcomp::board::BoardPort port(path_);
     return fogcomp::board::load_table(port, table, {"PORT", "GYRO.bin", another_gyro});
   }
-  // The message; and how much was written to the board meanwhile.
+  // The error message, and the number of bytes written to the board.
   std::string refusal(const BoardTable& table) {
     const std::size_t before = board_->flash.writes;
     std::string message;

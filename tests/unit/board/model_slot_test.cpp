@@ -1,4 +1,4 @@
-// Tables as files: what a programmer is given, and what the generic image has no room for.
+// Tables as files for a programmer, and tables that exceed the generic image's capacity.
 #include "board/model_slot.hpp"
 
 #include <gtest/gtest.h>

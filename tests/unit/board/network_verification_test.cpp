@@ -36,14 +36,14 @@ TEST(NetworkVerification, IntegersAreAsGoodAsDoubleOverTheWholeBox) {
   EXPECT_GT(error.worst_dph, 0);
 }
 
-// Two networks that differ by a weight, by how much they really differ.
+// Two networks that differ by one weight, compared with their true difference.
 TEST(NetworkVerification, SeesAWeightThatIsOff) {
   const NetworkError error = error_of(with_network(3), with_network(3.1));
   EXPECT_GT(error.worst_dph, 4e-4);
   EXPECT_LT(error.worst_dph, 1e-2);
 }
 
-// The board has one activation; what a model says becomes factors in the weights.
+// The board has one activation; the others become factors in the weights.
 TEST(NetworkVerification, AnyActivationsAreAsGoodAsDouble) {
   for (const fog::Activation hidden : {fog::Activation::logsig, fog::Activation::tansig}) {
     for (const fog::Activation output :

@@ -1,4 +1,4 @@
-// How long after a start a board says that its lags are settling.
+// Time for which a board reports settling lags after a start.
 #include "board/settling_time.hpp"
 
 #include <gtest/gtest.h>

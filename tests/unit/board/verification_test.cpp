@@ -8,8 +8,8 @@
 namespace fogcomp::board {
 namespace {
 
-// 400 ppm/degC at 280 deg/s make 0.003 deg/h of half an LSB of a temperature: neither the reference
-// nor the ends of the trained range may be between two.
+// 400 ppm/degC at 280 deg/s: half an LSB of a temperature makes 0.003 deg/h, so neither the
+// reference nor the ends of the trained range may be between two LSB.
 TEST(Verification, AScaleFactorWithALargeSlopeIsWithinTheLimitAtAnyReferenceAndRange) {
   for (const double off : {0.0, 3e-6, 7.5e-6, 1.1e-5}) {
     model::Model model = fog::test::paper_like_model();
@@ -23,7 +23,7 @@ TEST(Verification, AScaleFactorWithALargeSlopeIsWithinTheLimitAtAnyReferenceAndR
   }
 }
 
-// The board holds each of them within a share of the rate.
+// The board limits each of them to a fraction of the rate.
 TEST(Verification, AScaleFactorErrorBeyondWhatTheBoardHoldsIsOffByMoreThanTheLimit) {
   const auto worst_dph = [](const std::string& effect, const std::vector<double>& shape,
                             const std::vector<double>& coefficients) {

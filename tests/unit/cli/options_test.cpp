@@ -1,4 +1,4 @@
-// The options of every command: one description each, and every command asks for its own alone.
+// The options of all commands: one declaration each, used by its own command only.
 
 #include <gtest/gtest.h>
 
@@ -22,8 +22,8 @@ std::string refusal(Command& command, const std::vector<std::string>& words) {
   return "";
 }
 
-// A command has its options as members: what it asks for is registered by being declared, and a
-// name that is mistyped does not compile. What is left to go wrong at run time is looked for here.
+// A command's options are its members: declaring one registers it, and a mistyped name does not
+// compile. This test covers the rest.
 TEST(Options, AreListedOnceByEveryCommand) {
   for (const CommandPointer& command : all_commands()) {
     std::set<std::string> names;
@@ -77,7 +77,7 @@ TEST(Options, OfAGroupAreTheCommandsOwn) {
   EXPECT_FALSE(find_command("compare")->find_option("latitude")->rare);
 }
 
-// Values are kept where they are given, and judged where they are asked for.
+// Values are stored by the parser and checked when they are used.
 struct Sample : Command {
   Sample() : Command("sample", {"", 0, 1}, "", "") {}
   int run() const override { return 0; }
@@ -113,7 +113,7 @@ TEST(Options, AreReadAsTheirTypes) {
   EXPECT_EQ(sample.arguments, std::vector<std::string>{"word"});
 }
 
-// Who asks for nothing gets the same fit from the command line and from the library.
+// With default options the fit is the same from the command line and from the library.
 TEST(Options, OfAFitHaveTheDefaultsOfItsRequest) {
   struct FitSample : Command {
     FitSample() : Command("sample", {"", 0, 1}, "", "") {}

@@ -67,8 +67,8 @@ TEST(Dependence, MeasuresACurveAndItsVariance) {
   }
 }
 
-// Noise alone, white and slow (a correlation over tens of rows), over temperature and history:
-// named structured in few of 200 runs each.
+// Noise alone, white and slow (correlated over tens of rows), against temperature and history:
+// called structured in few of 200 runs each.
 TEST(Dependence, TakesNoiseForNoise) {
   const auto degc = chamber_cycle();
   for (const double phi : {0.0, 0.9}) {
@@ -109,7 +109,7 @@ TEST(Loop, HasTheWidthOfTheHysteresis) {
   ASSERT_NE(loop.widest(), nullptr);
   double sum = 0;
   for (const auto& bin : loop.bins) {
-    // The first degree after a turn still counts as the branch before.
+    // The first degree after a turning point still belongs to the preceding branch.
     if (bin.at_degc < -35 || bin.at_degc > 55) continue;
     EXPECT_NEAR(bin.width_dph(), 0.03, 5 * bin.sigma_dph);
     sum += bin.width_dph();

@@ -20,7 +20,7 @@ Values rows(Value value) {
   return values;
 }
 
-// Sine and cosine over whole periods do not go together: shares are those of the variances.
+// Sine and cosine over whole periods are orthogonal: the shares are those of the variances.
 TEST(EffectShares, AddUpForEffectsThatDoNotGoTogether) {
   const Values sine = rows([](double x) { return 2 * std::sin(x); });
   const Values cosine = rows([](double x) { return std::cos(x); });
@@ -34,7 +34,7 @@ TEST(EffectShares, AddUpForEffectsThatDoNotGoTogether) {
   EXPECT_NEAR(a.mean_dph, 0, 1e-9);
 }
 
-// Two halves of one sine: either alone brings back a quarter.
+// Two halves of one sine: leaving out either adds a quarter.
 TEST(EffectShares, OfEffectsThatGoTogetherNeedNotAddUp) {
   const Values half = rows([](double x) { return std::sin(x); });
   const Values measured = rows([](double x) { return 2 * std::sin(x); });

@@ -15,7 +15,7 @@ recording::Recording whole() {
   return recording_of(fog::test::truth(), kQuietNoise, 1);
 }
 
-// Rows `first` to `end` of `run`, as a file of their own.
+// Rows `first` to `end` of `run`, as a separate file.
 recording::Recording part(const recording::Recording& run, std::ptrdiff_t first, std::ptrdiff_t end,
                           const std::string& file) {
   recording::Recording part = run;

@@ -23,7 +23,7 @@ Comparison compare(const Model& model, std::uint64_t seed) {
   return compare_with(model, run_in_blocks(fog::test::recording_of(truth(), kNoise, seed), 10));
 }
 
-// The true model leaves white and slow noise, whose size the analysis takes from the soaks itself.
+// The true model leaves white and slow noise, whose size the analysis estimates in the soaks.
 TEST(ResidualAnalysis, FindsLittleWhereOnlyNoiseIsLeft) {
   constexpr int kSeeds = 100;
   int temperature = 0;
@@ -58,7 +58,7 @@ TEST(ResidualAnalysis, NamesTheRateWhereItsTermIsMissing) {
   ASSERT_TRUE(found.share_of_excess(found.rate.test).has_value());
   EXPECT_GT(*found.share_of_excess(found.rate.test), 0.8);
   EXPECT_TRUE(found.history.test.structured());
-  // Bins of the rate lie on the line that is missing: 0.44 of the coefficient's unit, 4 degC/min.
+  // The bins of the rate follow the missing line: 0.44 of the coefficient's unit, 4 degC/min.
   for (const auto& bin : found.rate.bins) {
     EXPECT_NEAR(bin.mean_dph, 0.44 * bin.at / 4, 5 * bin.sigma_dph);
   }

@@ -14,7 +14,7 @@ std::uint32_t magnitude(double value) {
   return static_cast<std::uint32_t>(std::lround(std::abs(value)));
 }
 
-// Stein's unbiased estimate of the risk, in noise variances, with all details at hand.
+// Stein's unbiased risk estimate, in noise variances, from all details.
 double risk(const std::vector<double>& details, double threshold) {
   double sum = 0;
   for (const double detail : details) {
@@ -52,7 +52,7 @@ TEST(RiskHistogram, ChoosesTheCandidateOfLeastRiskWhereTheSignalIsStrong) {
       double min = risk(details, kUniversal);
       for (int k = 1; k < 16; ++k) min = std::min(min, risk(details, k * (kUniversal / 16.0)));
       const double chosen = risk(details, kUniversal * histogram.sixteenths() / 16.0);
-      // The details' squares are known to the width of a bin only: 2 % of the noise in the block.
+      // The squares of the details are known to a bin's width only: 2 % of the noise in the block.
       ASSERT_LE(chosen - min, 0.02 * fog::kThresholdBlock) << strength;
     }
   }
@@ -71,7 +71,8 @@ std::uint32_t chosen(std::uint32_t small, std::uint32_t large, std::uint32_t uni
 }
 
 TEST(RiskHistogram, BinsAreSixteenthsOfTheUniversalThreshold) {
-  // Small ones are noise, and best cut off just above (larger ones would be signal too).
+  // Small details are noise, best removed by a threshold just above them (a larger one would remove
+  // signal).
   for (std::uint32_t bin = 1; bin < 5; ++bin) {
     EXPECT_EQ(chosen(4 * bin, 1000), bin + 1);
     EXPECT_EQ(chosen(4 * bin - 1, 1000), bin);

@@ -1,4 +1,4 @@
-// How the blocks that are missing between two good ones are made up.
+// Interpolation of missing blocks between two good ones.
 #include "core/thermal/block_bridge.hpp"
 
 #include <gtest/gtest.h>
@@ -26,8 +26,8 @@ Means block_of(std::int32_t raw, std::int32_t number) {
 TEST(BlockBridge, IsAStraightLineInEverythingThatIsMeasured) {
   Bridge bridge(10);
   bridge.start(block_of(1000, 7));
-  ASSERT_TRUE(bridge.aim(block_of(8000, 14), 6));
-  ASSERT_EQ(bridge.left(), 7U);
+  ASSERT_TRUE(bridge.bridge_to(block_of(8000, 14), 6));
+  ASSERT_EQ(bridge.remaining(), 7U);
   for (std::int32_t i = 1; i <= 7; ++i) {
     const Means& means = bridge.next();
     EXPECT_EQ(means.temperature.raw(), 1000 + 1000 * i);
@@ -35,20 +35,20 @@ TEST(BlockBridge, IsAStraightLineInEverythingThatIsMeasured) {
     EXPECT_EQ(means[Input::magnetic].raw(), 1000 + 1000 * i);
     EXPECT_EQ(means.elapsed.raw(), 7 + i);
   }
-  EXPECT_EQ(bridge.left(), 0U);
+  EXPECT_EQ(bridge.remaining(), 0U);
 }
 
 TEST(BlockBridge, EndsAtTheGoodBlockWhateverWasRounded) {
   Bridge bridge(100);
   bridge.start(block_of(0, 0));
-  ASSERT_TRUE(bridge.aim(block_of(-1001, 62), 61));
+  ASSERT_TRUE(bridge.bridge_to(block_of(-1001, 62), 61));
   double max_off = 0;
   for (int i = 1; i <= 62; ++i) {
     const double expected = -1001.0 * i / 62;
     max_off = std::max(max_off, std::abs(bridge.next().temperature.raw() - expected));
   }
   EXPECT_LT(max_off, 10);  // 0.00015 degC
-  ASSERT_TRUE(bridge.aim(block_of(5, 63), 0));
+  ASSERT_TRUE(bridge.bridge_to(block_of(5, 63), 0));
   EXPECT_EQ(bridge.next().temperature.raw(), 5);
 }
 
@@ -59,9 +59,9 @@ TEST(BlockBridge, FromOneEndOfTheNumbersToTheOtherNothingOverflows) {
   Means highest = block_of(INT32_MAX / 2, 4);
   highest.input_rate = fog::Rate::highest();
   bridge.start(lowest);
-  ASSERT_TRUE(bridge.aim(highest, 3));
+  ASSERT_TRUE(bridge.bridge_to(highest, 3));
   fog::Rate before = fog::Rate::lowest();
-  while (bridge.left() > 0) {
+  while (bridge.remaining() > 0) {
     const fog::Rate now = bridge.next().input_rate;
     EXPECT_GT(now, before);
     before = now;
@@ -73,23 +73,23 @@ TEST(BlockBridge, FromOneEndOfTheNumbersToTheOtherNothingOverflows) {
 TEST(BlockBridge, IsNoLongerThanAHold) {
   Bridge bridge(5);
   bridge.start(block_of(0, 0));
-  EXPECT_FALSE(bridge.aim(block_of(0, 7), 6));
-  EXPECT_EQ(bridge.left(), 0U);
-  EXPECT_TRUE(bridge.aim(block_of(0, 6), 5));
+  EXPECT_FALSE(bridge.bridge_to(block_of(0, 7), 6));
+  EXPECT_EQ(bridge.remaining(), 0U);
+  EXPECT_TRUE(bridge.bridge_to(block_of(0, 6), 5));
   bridge.next();
-  EXPECT_FALSE(bridge.aim(block_of(0, 7), 1)) << "five are left of the bridge before";
-  EXPECT_TRUE(bridge.aim(block_of(0, 6), 0));
-  EXPECT_EQ(bridge.left(), 6U);
-  EXPECT_FALSE(bridge.aim(block_of(0, 9), UINT32_MAX));
+  EXPECT_FALSE(bridge.bridge_to(block_of(0, 7), 1)) << "five are left of the bridge before";
+  EXPECT_TRUE(bridge.bridge_to(block_of(0, 6), 0));
+  EXPECT_EQ(bridge.remaining(), 6U);
+  EXPECT_FALSE(bridge.bridge_to(block_of(0, 9), UINT32_MAX));
 }
 
 TEST(BlockBridge, AHoldWithoutEndIsBridgedAsFarAsABoardCounts) {
   Bridge bridge(UINT32_MAX);
   bridge.start(block_of(0, 0));
-  EXPECT_FALSE(bridge.aim(block_of(1 << 30, 0), INT32_MAX));
-  ASSERT_TRUE(bridge.aim(block_of(1 << 30, 0), INT32_MAX - 1));
+  EXPECT_FALSE(bridge.bridge_to(block_of(1 << 30, 0), INT32_MAX));
+  ASSERT_TRUE(bridge.bridge_to(block_of(1 << 30, 0), INT32_MAX - 1));
   EXPECT_EQ(bridge.next().temperature.raw(), 0);
-  EXPECT_EQ(bridge.left(), static_cast<std::uint32_t>(INT32_MAX) - 1);
+  EXPECT_EQ(bridge.remaining(), static_cast<std::uint32_t>(INT32_MAX) - 1);
 }
 
 TEST(BlockBridge, OnTheHostIsTheSameLine) {
@@ -97,7 +97,7 @@ TEST(BlockBridge, OnTheHostIsTheSameLine) {
   fog::BlockMeans<fogcomp::model::RealNumbers> means{10, 1, 5, {}};
   bridge.start(means);
   means = {13, -2, 8, {}};
-  ASSERT_TRUE(bridge.aim(means, 2));
+  ASSERT_TRUE(bridge.bridge_to(means, 2));
   for (int i = 1; i <= 3; ++i) {
     const auto& next = bridge.next();
     EXPECT_NEAR(next.temperature, 10 + i, 1e-12);

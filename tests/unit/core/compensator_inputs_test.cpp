@@ -8,7 +8,7 @@
 #include "support/typical_effects.hpp"
 #include "unit/core/compensator_fixture.hpp"
 
-// What reaches the drift model beside the temperature: extension records, time, the measured rate.
+// Inputs of the drift model beside the temperature: extension records, time, the measured rate.
 namespace {
 
 using fog::OutputSample;
@@ -108,7 +108,7 @@ TEST_F(ExtensionTest, TakesAnImpossibleSecondTemperatureForAMissingOne) {
   EXPECT_TRUE(has_any(out.status, Status::input_missing));
 }
 
-// The second temperature is the coil's and 1 degC; the first rises by 1.2 degC/min from 0 on.
+// The second temperature is the coil's plus 1 degC; the coil's rises by 1.2 degC/min from 0 on.
 class SecondTemperature : public ExtensionTest {
  protected:
   struct Run {
@@ -116,8 +116,8 @@ class SecondTemperature : public ExtensionTest {
     std::vector<Status> status;
   };
 
-  // Until the model has settled and 90 s longer; `second` makes of the true second temperature what
-  // its sensor says.
+  // Runs until the model has settled, and 90 s longer; `second` converts the true second
+  // temperature to its sensor's reading.
   template <class Second>
   Run ramp(Second second) {
     pipeline_ = std::make_unique<fogcomp::board::HostCompensator>(
@@ -247,11 +247,11 @@ TEST_F(CompensatorTest, ScaleFactorIsThatOfTheCompensatedRate) {
     in.rate_counts = (360000 + i % 7) * 1024;  // 100 deg/s
     out = send(in);
   }
-  // 300 ppm/degC over 40 degC make 1.2 % of the compensated rate, which is what is left of 360,003.
+  // 300 ppm/degC over 40 degC make 1.2 % of the compensated rate, the rest of 360,003.
   EXPECT_NEAR(std::ldexp(out.drift.raw(), -10), 360003 * 0.012 / 1.012, 0.1);
 }
 
-// 200 deg/s back and forth in 4 s: 314 deg/s^2. A block mean would be late by up to 300 deg/s, 0.3
+// 200 deg/s back and forth in 4 s: 314 deg/s^2. A block mean would differ by up to 300 deg/s, 0.3
 // deg/s of drift.
 TEST_F(CompensatorTest, ScaleFactorFollowsTheRateFromSampleToSample) {
   model_.terms = {fog::test::natural_term("scale_factor", {}, {1000}),
@@ -276,7 +276,7 @@ TEST_F(CompensatorTest, ScaleFactorFollowsTheRateFromSampleToSample) {
   EXPECT_LE(worst_dph, 0.03);
 }
 
-// What is measured badly is no rate that anything could follow.
+// Effects do not follow an invalid rate.
 TEST_F(CompensatorTest, ASampleThatIsNotValidDoesNotMoveTheScaleFactor) {
   model_.terms = {fog::test::natural_term("scale_factor", {}, {1000})};
   model_.network = {};

@@ -33,7 +33,7 @@ TEST_F(CompensatorTest, SubtractsTheModelledDriftFromTheFirstSampleOn) {
   }
 }
 
-// A sensor before its first conversion says 0 degC, or whatever is in its register.
+// Before its first conversion a sensor outputs 0 degC, or any register value.
 TEST_F(CompensatorTest, ABadFirstTemperatureLeavesNoTrace) {
   fogcomp::model::RealDriftModel real(model_, 1);
   real.start({25});
@@ -59,7 +59,7 @@ TEST_F(CompensatorTest, NoRateIsValidWhileTheFirstTemperaturesDisagree) {
   }
 }
 
-// A sensor that was wrong for long enough to be believed, and then no more.
+// A sensor that was wrong for long enough to be accepted, then right.
 TEST_F(CompensatorTest, ATemperatureThatIsAcceptedAfterAJumpStartsTheModelAnew) {
   const auto run_at = [&](double degc, int samples) {
     OutputSample out;
@@ -216,7 +216,7 @@ TEST_F(CompensatorTest, AnswersEverySampleWithTheFramesOfItsModel) {
   }
 }
 
-// What a KVH frame cannot say must not be in it.
+// A value that a KVH frame cannot mark must not be in it.
 TEST_F(CompensatorTest, NothingIsValidBeforeThereIsAMeasurement) {
   settings_ = {};
   restart();
@@ -246,8 +246,8 @@ TEST_F(CompensatorTest, AFillingDenoiserIsRefusedByItself) {
   }
 }
 
-// Whatever a model chooses: the rate is valid exactly where none of its flags and none of the usual
-// ones is set, and the denoised rate where that was so for the whole delay before it.
+// For any model: the rate is valid exactly if none of its flags and none of the standard ones is
+// set, and the denoised rate if that was so for the whole delay.
 TEST_F(CompensatorTest, ARateIsValidWhereNoneOfTheChosenFlagsIs) {
   for (const Status chosen :
        {Status::none, Status::temperature_invalid, Status::drift_held | Status::sequence_gap,
@@ -298,7 +298,7 @@ TEST_F(CompensatorTest, ADriftIsOutdatedWhenItWasHeldBeyondItsAccuracy) {
   EXPECT_FALSE(has_any(run(1).status, Status::drift_outdated));
 }
 
-// An image has room for its own model alone; what it leaves out must not be missed.
+// An image has capacity for its own model only; the omitted parts must not matter.
 template <class Image>
 void expect_same_bytes(const fogcomp::model::Model& model) {
   const fogcomp::board::BoardTable table =

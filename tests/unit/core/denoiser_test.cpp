@@ -75,9 +75,8 @@ TEST_F(DenoiserTest, WithThresholdZeroIsTheInputDelayedBy465SamplesBitForBit) {
   }
 }
 
-// The form that the firmware computes, delayed input - synthesis(what was removed), equals the
-// textbook form. Textbook, in double: analysis, soft threshold, synthesis, with the whole tree
-// written out.
+// The firmware's form, delayed input - synthesis(removed part), equals the textbook form: analysis,
+// soft threshold, synthesis in double, with the whole tree.
 std::vector<double> textbook(const std::vector<double>& input, const std::vector<double>& h,
                              std::size_t level, double threshold) {
   const std::size_t taps = h.size();
@@ -136,7 +135,7 @@ TEST_F(DenoiserTest, SubtractingWhatIsRemovedEqualsShrinkingTheCoefficients) {
   }
 }
 
-// Haar's filter passes what is removed on a level as it is, and a bit for each rounding.
+// Haar's filter passes the removed part of a level unchanged; one bit is added per rounding.
 TEST(NoiseShift, IsTheSmallestWithWhichNoSumOfRemovedDetailsOverflows) {
   const std::int32_t half = 1 << 14;
   const std::int32_t lower_only[] = {half, half};
@@ -226,7 +225,7 @@ TEST_F(DenoiserTest, StaysBoundedAtFullScaleWithoutOverflow) {
     const double gain = rule == fog::ThresholdRule::fixed ? 1 : fog::kMaxThresholdScale;
     const double bound = gain * removal_bound(filter_, 5) * kThreshold;
     for (std::size_t i = kDelay + 1; i < output.size(); ++i) {
-      // Where a sample was taken for an outlier, the one before it stands in.
+      // An outlier is replaced by the sample before it.
       const double own = std::abs(output[i] / 1024.0 - input[i - kDelay] / 1024.0);
       const double stand_in = std::abs(output[i] / 1024.0 - input[i - kDelay - 1] / 1024.0);
       ASSERT_LE(std::min(own, stand_in), bound * (1 + kNoiseResolution)) << i;
@@ -248,7 +247,7 @@ TEST_F(DenoiserTest, FollowsTheNoiseWhereItIsNotWhatTheTableExpected) {
       const double value = denoiser->step(Rate::from_raw(raw), true).rate.raw() / 1024.0;
       if (i >= kSettled) square += value * value;
     }
-    // One level takes away all of the upper half of the band.
+    // One level removes the whole upper half of the band.
     EXPECT_NEAR(std::sqrt(square / (kSamples - kSettled)) / factor, std::sqrt(0.5), 0.02);
   }
 }

@@ -1,4 +1,4 @@
-// SPEC.md, "Drift model": how long a drift is held, when it is given up and when it has settled.
+// SPEC.md, "Drift model": how long a drift is held, when it is given up, and when it has settled.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -114,7 +114,7 @@ TEST_F(DriftStatus, IsHeldUntilTheModelHasCaughtUpStepByStep) {
   model.take(at(raw));
   const auto next_sample = [&] {
     model.catch_up();
-    model.see({});
+    model.update_rate({}, true);
   };
   for (int i = 0; i < 4; ++i) {
     next_sample();
@@ -128,7 +128,7 @@ TEST_F(DriftStatus, IsHeldUntilTheModelHasCaughtUpStepByStep) {
   EXPECT_EQ(model.drift(), whole.drift()) << "nothing is due";
 }
 
-// What is lost while the model catches up is part of the next bridge.
+// Blocks lost while the model catches up become part of the next bridge.
 TEST_F(DriftStatus, AHoldDuringTheCatchingUpIsHeldAsWell) {
   Model model = make();
   model.start(at(0));
@@ -174,7 +174,7 @@ TEST_F(DriftStatus, ATemperatureIsClampedBeyondTheTrainedRangeToTheLsb) {
   }
 }
 
-// Radius 3 degC: nobody knows the branch until the temperature has gone through 6.
+// Radius 3 degC: the branch is unknown until the temperature has moved through 6 degC.
 TEST_F(DriftStatus, TheHistoryOfALoopIsUnknownForTwiceItsRadius) {
   policy_.settle_blocks = 0;
   const std::int32_t coefficient = 1 << 20;

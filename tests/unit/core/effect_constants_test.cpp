@@ -1,6 +1,5 @@
-// What a model table may build an effect from: as many constants as the effect has, each within
-// what its formulas hold, and as many coefficients as it then has regressors. Formats are the
-// headers'.
+// Constants of effects in a model table: their number, their ranges (as in the formulas), and the
+// number of coefficients. Formats are those of the headers.
 #include <gtest/gtest.h>
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// SPEC.md, "Program of the expressions": what a program may be, and what each operation does.
+// SPEC.md, "Program of the expressions": valid programs, and the result of each operation.
 #include "core/expression/expression_program.hpp"
 
 #include <gtest/gtest.h>
@@ -37,9 +37,9 @@ bool fits(const Program& program, std::size_t outputs = 1) {
   return fog::expressions_fit(parameters);
 }
 
-// ---- what a program may be ----
+// ---- valid programs ----
 
-// Of an operation with so many operands and these words behind it.
+// For an operation with so many operands and these following words.
 bool fits_alone(ExpressionOp op, std::int32_t argument, std::size_t takes, std::size_t leaves,
                 const Program& words = {}) {
   return fits(
@@ -152,11 +152,12 @@ TEST(ExpressionProgram, AnImageWithoutExpressionsHasNoneToRun) {
   EXPECT_FALSE(fog::expressions_unknown(no_program));
 }
 
-// ---- what each operation does ----
+// ---- operations ----
 
 using Signals = fog::Signals<fog::BoardNumbers>;
 
-// The only regressor of a program, after a start with the first signals and a step with each.
+// The only regressor of a program, after a start with the first signals and a step with each of the
+// others.
 std::int32_t run(const Program& program, const std::vector<Signals>& history = {Signals{}}) {
   const std::int32_t coefficient = 1;
   fog::ExpressionParameters parameters{{program.data(), program.size()}, {&coefficient, 1}, 0};

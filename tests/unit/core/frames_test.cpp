@@ -60,7 +60,7 @@ fog::OutputSample sample() {
   return sample;
 }
 
-// Laid out by hand from the published format: header, six floats, status, sequence, degC,
+// Written by hand from the published format: header, six floats, status, sequence, degC,
 // CRC-32/MPEG-2. 15 deg/s = 0.2617994 rad/s = 3e860a92.
 TEST(KvhFrame, HasFormatAByteForByte) {
   const fog::KvhFrame frame = fog::encode_kvh_frame(

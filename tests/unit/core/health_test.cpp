@@ -67,7 +67,7 @@ TEST(SealedScan, FindsEveryFlippedBitOfImageConstantsAndSeals) {
   }
 }
 
-// An image whose model is loaded, between it and its constants; or none.
+// An image whose model is loaded, with the model between it and its constants; or without one.
 TEST(SealedScan, GoesOverASlotAsWell) {
   const auto image = sealed(200, fog::kImageCrcStart, 5);
   const auto constants = sealed(50, fog::kIntactImage, 6);
@@ -116,7 +116,7 @@ TEST(IntegrityToken, LastsOnlyAsLongAsChecksAreGiven) {
   for (int i = 0; i < 1000; ++i) EXPECT_TRUE(next_is_intact(no_image));
 }
 
-// A frame of a damaged image is of no use, whether or not its status admits it.
+// The frame of a damaged image must be useless even if its status hides the damage.
 TEST(Frames, OfADamagedImageAreRefusedOrSayNotValid) {
   fog::OutputSample good;
   good.denoised = fog::Rate::from_raw(12345);
@@ -145,7 +145,7 @@ TEST(Frames, OfADamagedImageAreRefusedOrSayNotValid) {
 
 // ---- memory ----
 
-/// A memory whose writes go wrong in a way of its own.
+/// A memory with faulty writes.
 struct FaultyMemory {
   std::vector<std::uint32_t> cells;
   std::function<void(std::vector<std::uint32_t>&, std::size_t written, std::uint32_t before)> fault;
@@ -211,7 +211,7 @@ TEST(March, FindsEveryCellThatCannotRiseOrFall) {
   }
 }
 
-// A transition of one cell, up or down, inverts another one, in the same word or in another.
+// A transition of one cell, up or down, inverts another cell, in the same word or in another.
 TEST(March, FindsEveryPairOfCoupledCells) {
   int missed = 0;
   for (std::size_t from = 0; from < 32 * kWords; ++from) {
@@ -244,7 +244,7 @@ struct WornWords {
   }
 };
 
-// Which blocks are left out, to the word, and that each pass sees all others.
+// Exactly which blocks are left out; each pass tests all others.
 TEST(MemoryScan, GoesOverAllBlocksButThoseInUseAndRestoresThem) {
   constexpr std::size_t kBlocks = 10;
   std::vector<std::uint32_t> memory(kBlocks * kWords + 3);
@@ -271,7 +271,7 @@ TEST(MemoryScan, GoesOverAllBlocksButThoseInUseAndRestoresThem) {
   }
 }
 
-/// Notes what is written first in place of what a word held: the pass's pattern.
+/// Records the first value written over a word: the pattern of the pass.
 struct NotedWords {
   static inline std::vector<std::uint32_t> patterns;
   volatile std::uint32_t* words;

@@ -1,5 +1,5 @@
-// What outlives a restart of the board: it is believed only if it is intact, and a pipeline that
-// goes on from it is the one that wrote it.
+// State that outlives a restart of the board: it is used only if it is intact, and the pipeline
+// then continues exactly as the one that wrote it.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -19,7 +19,7 @@ using Kept = fog::KeptWords<8>;
 
 constexpr std::uint32_t kOwner = 0x12345678;
 
-// Memory that nobody initialises.
+// Uninitialised memory.
 struct Memory {
   alignas(Kept) std::array<unsigned char, sizeof(Kept)> bytes{};
   Kept& kept() { return *reinterpret_cast<Kept*>(bytes.data()); }
@@ -123,7 +123,7 @@ TEST_F(KeptState, APipelineThatGoesOnFromItHasTheDriftsOfTheOneThatWroteIt) {
   }
 }
 
-// The samples that were lost meanwhile are a gap like any other.
+// The samples lost in the meantime are a gap like any other.
 TEST_F(KeptState, ARestartIsAGapInTheSamples) {
   ASSERT_GT(run_until_kept(200 * 60), 0U);
   const auto after_restart = resumed(true);
@@ -165,7 +165,7 @@ TEST_F(KeptState, NothingIsKeptOfAModelThatHasNoDriftToTrust) {
   EXPECT_EQ(pipeline_->keep(state_.data()), 0U);
 }
 
-// A reading that the coil cannot have come to makes an end of what was kept.
+// A reading that the coil cannot have reached discards the kept state.
 TEST_F(KeptState, IsGivenUpWhereTheTemperatureIsAnother) {
   ASSERT_GT(run_until_kept(200 * 300), 0U);
   const auto after_restart = resumed(true);

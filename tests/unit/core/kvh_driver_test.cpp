@@ -1,5 +1,5 @@
-// What drivers of KVH's gyros, written for those and not for us, make of a board: they look for the
-// header, check the CRC or the sequence, and sum delta angles; at start-up they send commands.
+// A board as seen by drivers of KVH gyros: they search for the header, check CRC or sequence, and
+// sum delta angles; at start-up they send commands.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -40,7 +40,7 @@ TEST(DeltaAngle, SumsToTheIntegralOfTheRateToHalfAnLsbOfTheLast) {
     Wide sum = 0;
     long double integral_rad = 0;
     for (int i = 0; i < 1000000; ++i) {
-      // Noise at rest, a turn to and fro, then any rate.
+      // Noise at rest, a rotation back and forth, then any rate.
       std::int32_t raw = static_cast<std::int32_t>(random() % 3001U) - 1000;
       if (i > 300000) raw += static_cast<std::int32_t>(4e8 * std::sin(i / 5000.0));
       if (i > 600000) raw = static_cast<std::int32_t>(static_cast<std::uint32_t>(random()));

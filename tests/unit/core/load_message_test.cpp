@@ -1,4 +1,4 @@
-// The messages that a table comes in, on a line that damages them.
+// The messages for loading a table, on a line that damages them.
 #include "core/frames/load_message.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// SPEC.md, "Model table", word by word: a table written by hand, every word of which arrives where
-// it belongs and is refused one beyond its limits.
+// SPEC.md, "Model table", word by word: a table written by hand. Every word is read to its place
+// and refused one beyond its limits.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -25,7 +25,7 @@ std::int32_t halves(std::int32_t upper, std::int32_t lower) {
                                    (static_cast<std::uint32_t>(lower) & 0xFFFFU));
 }
 
-/// Words with names. read() puts in how many there are, and the CRC.
+/// Words with names. read() adds their number and the CRC.
 class Table {
  public:
   Table& put(const std::string& name, std::int32_t value) {
@@ -182,7 +182,7 @@ TEST(ModelLimits, ASerialNumberEnds) {
   EXPECT_EQ(table.read(), ModelError::out_of_range);
 }
 
-// A board without a usable model answers silence: as fast as that it can.
+// Without a usable model a board answers silence at its fastest rate.
 TEST(ModelLimits, ABoardWithoutAModelHasASamplePeriodThatALineTakes) {
   EXPECT_GE(ModelParameters().acquisition.sample_period_us, 1000U);
 }
@@ -348,9 +348,8 @@ TEST(ModelLimits, LevelsAndTapsComeTogetherAndTapsInPairs) {
   }
 }
 
-// Whatever word is left out or put in, the sections no longer end where the table does, or
-// something in them is out of its range. Words that only hold numbers shift the others all the
-// same.
+// If any word is left out or inserted, the sections no longer end at the table's end, or a value is
+// out of range. Words that contain only numbers shift the others all the same.
 TEST(ModelLimits, ATableIsExactlyAsLongAsItsSections) {
   Table longer = good_table();
   longer.insert(longer.size() - 1);

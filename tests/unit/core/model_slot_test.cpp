@@ -1,4 +1,4 @@
-// Which of its two slots a board with the generic image has its model from.
+// The choice between the two slots of a board with the generic image.
 #include "core/pipeline/model_slot.hpp"
 
 #include <gtest/gtest.h>

@@ -128,8 +128,8 @@ TEST(ModelTable, SaysWhatAnExpressionNeedsBesideTheTemperature) {
   }
 }
 
-// Whatever numbers a table with a good CRC holds, reading it ends in a verdict, and one that is
-// accepted can be run. (ASan and UBSan watch in the sanitized build.)
+// For any numbers in a table with a good CRC, reading returns a verdict, and an accepted table can
+// be run. (ASan and UBSan check it in the sanitized build.)
 TEST(ModelTable, WithAGoodCrcAndAnyNumbersIsReadSafely) {
   std::mt19937 random(1);
   const std::vector<std::vector<std::int32_t>> good{good_words(), words_with_expressions()};

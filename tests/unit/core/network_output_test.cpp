@@ -8,7 +8,7 @@
 
 namespace {
 
-// Of a network whose one neuron says 0: y comes from the output's bias alone.
+// For a network whose one neuron is 0: y is the output's bias.
 fog::DriftSum drift_of_bias(std::int32_t bias, int shift, bool linear) {
   const std::int32_t neuron[fog::kNeuronWords] = {};
   fog::NetworkParameters network;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t kLimit = 100;
 
-/// A gate before a line of eight samples, all at 1000.
+/// A gate in front of a line of eight samples, all 1000.
 struct Gated {
   Gated() {
     line.fill(1000, kWindow);

@@ -1,4 +1,4 @@
-// Effects that follow the input rate: what the board computes of them once per sample.
+// Effects that follow the input rate, as computed once per sample.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -62,7 +62,7 @@ TEST(RateEffects, OfAnyTableStayInRangeAtAnyRate) {
       }
     }
   }
-  // Less than the highest rate, so that beside the drift of a block there is room for it.
+  // Less than the highest rate, to leave range for the drift of a block.
   EXPECT_GT(std::ldexp(max.raw(), -41), 0.8 * 0x1p21);
   EXPECT_LT(std::ldexp(max.raw(), -41), 0x1p21);
   EXPECT_EQ(test::overflows(), 0U);

@@ -68,7 +68,7 @@ TEST_F(CandidateFindingTest, ExplainsItsGainLessWhatItsColumnsWouldByChance) {
   EXPECT_EQ(find({}, 0)[1].explained_fraction, 0);
 }
 
-// Refitted with it the model is the gyro: its coefficient, and a rms of noise.
+// Refitted with it the model equals the gyro: the coefficient, and an rms of noise.
 TEST_F(CandidateFindingTest, CompletesTheModel) {
   const CandidateFinding finding = find({}, chi2_drop())[1];
   EXPECT_EQ(finding.term().name, "thermal_hysteresis");
@@ -79,8 +79,8 @@ TEST_F(CandidateFindingTest, CompletesTheModel) {
             1.2 * finding.rms_after_dph);
 }
 
-// A shape in the likeliest set that has the effect is taken, the best one or not; beside it those
-// that explain as much.
+// Uses the shape in the most probable set that contains the effect, and lists the shapes that
+// explain about as much.
 TEST_F(CandidateFindingTest, TakesTheShapeOfItsLikeliestSet) {
   const CandidateFinding finding =
       find({hypothesis({{1, 0}}, 0.6), hypothesis({{1, 1}}, 0.4)}, chi2_drop())[1];
@@ -104,7 +104,7 @@ TEST(BelieveLess, AsFarAsItsEvidenceGoesAndNoWalkExplainsIt) {
   const double odds = rules::kBelievedOdds;
   std::vector<CandidateFinding> findings{finding("half", 0.6, 0.8, std::log(odds / 2)),
                                          finding("sure", 0.4, 0.5, std::log(100 * odds))};
-  believe_less(findings, 0.25);
+  limit_to_own_evidence(findings, 0.25);
   EXPECT_NEAR(findings[0].probability, 0.8 * 0.5 * 0.75, 1e-12);
   EXPECT_NEAR(findings[0].lead, 0.6 * 0.5 * 0.75, 1e-12);
   EXPECT_NEAR(findings[1].probability, 0.5 * 0.75, 1e-12);

@@ -25,8 +25,8 @@ TEST(EvidenceSpace, WithoutAnyEffectIsWhatSmoothFunctionsLeave) {
   EXPECT_EQ(without(evidence, {}, 17), without_all(evidence, {}).head(17));
 }
 
-// Least squares: what is left has nothing in common with what was taken out, and the squares fall
-// by what the space says that all of it explains together.
+// Least squares: the residual is orthogonal to the removed part, and the squares decrease by what
+// the space predicts for all columns together.
 TEST(EvidenceSpace, WithoutAHypothesisIsAtRightAnglesToItsEffects) {
   const EvidenceSpace evidence =
       fog::test::MadeEvidence(quiet_gyro())
@@ -47,7 +47,7 @@ TEST(EvidenceSpace, WithoutAHypothesisIsAtRightAnglesToItsEffects) {
               1e-6 * size * size);
 }
 
-// All that competes lies in one space, in the order of the candidates, of unit length.
+// All candidates are in one space, in their order, with unit length.
 TEST(EvidenceSpace, HoldsEveryShapeOfEveryCandidate) {
   const model::Model model = fog::test::truth();
   DiagnosisData data(model);

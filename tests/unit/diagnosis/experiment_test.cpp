@@ -8,7 +8,7 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// The model of `basic` and this effect, of which the recordings leave its own shape possible.
+// The model of `basic` and this effect, whose only possible shape is its own.
 Rival rival(const model::EffectTerm& effect) {
   return {effect.name,
           {fog::test::natural_term("bias", {}, {0.7}),
@@ -37,7 +37,7 @@ TEST(Experiment, TellsApartWhatDiffersAndSaysByHowMuch) {
   }
 }
 
-// Five hours of warm-up and an ageing that goes on: what days at one temperature show best.
+// A warm-up of five hours and ageing that continues: days at one temperature separate them best.
 TEST(Experiment, IsTheOneOfTheMenuThatTellsMost) {
   const Experiment experiment = proposed(fog::test::natural_term("aging", {3600}, {0.02}),
                                          fog::test::natural_term("warm_up", {18000}, {-0.05}));

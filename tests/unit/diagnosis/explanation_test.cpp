@@ -7,8 +7,7 @@ namespace {
 
 enum class Kind { plain, event, free_shape };
 
-// Of `effects`, all alike, that explain all but `left` of a residual; smooth functions see that
-// too.
+// `effects`, all equal, explain all but `left` of a residual; smooth functions explain the rest.
 bool is_enough(std::size_t effects, Kind kind, double left, double chi_square = 10000) {
   const auto last = static_cast<Eigen::Index>(effects);
   const Eigen::MatrixXd axes = Eigen::MatrixXd::Identity(50, last + 1);
@@ -30,7 +29,7 @@ bool is_enough(std::size_t effects, Kind kind, double left, double chi_square = 
   return explain(space, regressors, structure, {hypothesis}).enough;
 }
 
-// The largest share that may be left, of a chi^2 that makes noise nothing beside it.
+// The largest fraction that may be left, for a chi^2 far above the noise.
 double max_left(std::size_t effects, Kind kind) {
   double enough = 0;
   double too_much = 1;
@@ -41,14 +40,13 @@ double max_left(std::size_t effects, Kind kind) {
   return enough;
 }
 
-// No formula is exactly what a gyro does, so that an effect may leave something; an effect that is
-// not there leaves most.
+// No formula is exact, so an effect may leave a little; an effect that is not there leaves most.
 TEST(Explanation, ByAnEffectMayLeaveAFewPercentAndNotAThird) {
   EXPECT_GT(max_left(1, Kind::plain), 0.03);
   EXPECT_LT(max_left(1, Kind::plain), 0.3);
 }
 
-// The more that can be bent to imitate what is none of it, the less it may leave.
+// The more flexible the set, the less it may leave, because it can imitate other effects.
 TEST(Explanation, MayLeaveTheLessTheMoreIsBentToGiveIt) {
   EXPECT_LT(max_left(2, Kind::plain), max_left(1, Kind::plain));
   EXPECT_LE(max_left(3, Kind::plain), max_left(2, Kind::plain));
@@ -56,7 +54,7 @@ TEST(Explanation, MayLeaveTheLessTheMoreIsBentToGiveIt) {
   EXPECT_GT(max_left(3, Kind::free_shape), 0);
 }
 
-// A step is exact; what only resembles one is in all but a few hundredths like it.
+// A step is exact; something similar differs from it by a few hundredths.
 TEST(Explanation, ByAnEventMayLeaveLessThanByAnEffect) {
   EXPECT_LT(max_left(1, Kind::event), max_left(1, Kind::plain));
   EXPECT_GT(max_left(1, Kind::event), 0);

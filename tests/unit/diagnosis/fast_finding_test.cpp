@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kRowNoise_dph = 0.024;
 
-// In a gyro of white noise whose rate has `more` in each row.
+// Gyro of white noise with `more` added to each row's rate.
 FastFinding found_with(const std::function<double(double)>& more) {
   recording::Recording recording =
       fog::test::recording_of(fog::test::truth(), {kRowNoise_dph, 0, 600}, 1);
@@ -33,8 +33,8 @@ TEST(FastFinding, IsNothingInWhiteNoise) {
   EXPECT_GT(finding.log_p, rules::kFastLogP);
 }
 
-// A sine of half the noise's size has an eighth of its power: of n rows chi^2 of n / 8. It swings a
-// thousand times in the run. What it is held against is the median of 33 lines, known to a quarter.
+// A sine of half the noise's size has an eighth of its power: chi^2 of n / 8 for n rows, with a
+// thousand periods in the run. It is compared with the median of 33 lines, known to a quarter.
 TEST(FastFinding, IsALineWhereARateSwings) {
   constexpr double kRows = 3103;
   const FastFinding finding = found_with(
@@ -46,8 +46,7 @@ TEST(FastFinding, IsALineWhereARateSwings) {
   EXPECT_NEAR(finding.excess, kRows / 8, 0.5 * kRows / 8);
 }
 
-// Noise that is loud between periods of two and four rows, and of the same power in every
-// recording.
+// Noise with more power between periods of two and four rows, the same in every recording.
 TEST(FastFinding, IsABandWhereAnOctaveIsLoud) {
   std::mt19937_64 random(2);
   std::normal_distribution<double> normal;

@@ -73,7 +73,7 @@ TEST(FastStructure, OfWhiteNoiseIsAsRareAsItSays) {
 }
 
 TEST(FastStructure, IsLookedForRunByRun) {
-  // Two halves of a sinusoid that do not fit together: the line is there all the same.
+  // Two halves of a sinusoid with different phase: the line is found nevertheless.
   Rows rows = rest();
   rows.run_starts = {0, kRestRows / 2};
   Eigen::VectorXd residual = white_rows(rows.size(), 5);

@@ -13,7 +13,7 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// What competes where three effects at right angles are there, the first explaining most.
+// Hypotheses for three orthogonal effects, the first explaining most.
 std::vector<Hypothesis> hypotheses_of(const std::array<const char*, 3>& effects) {
   const Eigen::MatrixXd axes = Eigen::MatrixXd::Identity(50, 3);
   fit::ExplainedSpace space(axes * Eigen::Vector3d(60, 40, 40));
@@ -29,7 +29,7 @@ std::vector<Hypothesis> hypotheses_of(const std::array<const char*, 3>& effects)
   return find_hypotheses(space, candidates, regressors);
 }
 
-// Can the set of all three be bent to imitate?
+// Whether the set of all three is flexible enough to imitate.
 bool are_pliable(const std::array<const char*, 3>& effects) {
   for (const Hypothesis& h : hypotheses_of(effects)) {
     if (h.effects() == 3) return h.free_shape;
@@ -57,8 +57,8 @@ TEST(Hypotheses, ArePliableWhereTemperatureAndTimeDriveThemAndAFreeShapeLeads) {
   EXPECT_FALSE(are_pliable({"thermal_hysteresis", "aging", "magnetic"}));
 }
 
-// Candidates of one column each, one shape unless `shapes` says more: directions of a space, and a
-// residual in it.
+// Candidates of one column each, with one shape unless `shapes` has more: directions of a space,
+// and a residual in it.
 class Directions {
  public:
   explicit Directions(const Eigen::VectorXd& residual) : size_(residual.size()), space_(residual) {}

@@ -11,8 +11,7 @@
 
 namespace fog::test {
 
-/// What a diagnosis knows of a recording after the fit of truth()'s effects, with candidates that a
-/// test chooses.
+/// Evidence of a recording after the fit of truth()'s effects, with candidates chosen by the test.
 class MadeEvidence {
  public:
   explicit MadeEvidence(const fogcomp::recording::Recording& recording)

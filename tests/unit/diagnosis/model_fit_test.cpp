@@ -19,7 +19,7 @@ NoiseModel known_noise() {
   return noise;
 }
 
-// Rows that do not count have no weight; those that do have the time behind them.
+// Excluded rows have no weight; the others are weighted by their duration.
 TEST(ModelFit, RmsIsOverTheTimeOfTheRowsThatCount) {
   series::Rows rows = fog::test::made_rows(4, [](double) { return 20.0; });
   rows.weights << 1, 1, 0.5, 1;
@@ -40,8 +40,8 @@ TEST(ModelFit, ARecordingIsAtRestWhileItsTemperatureIs) {
   EXPECT_FALSE(ramp_behind(0));
 }
 
-// The same run once more, but 0.5 deg/h off: a bias that belongs to the recording and not to the
-// model, which leaves the same of both.
+// The same run again with an offset of 0.5 deg/h: the bias belongs to the recording and does not
+// change the residual.
 TEST(ModelFit, EachRecordingHasABiasOfItsOwn) {
   const model::Model model = fog::test::truth();
   DiagnosisData data(model);

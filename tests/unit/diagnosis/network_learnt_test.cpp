@@ -11,8 +11,7 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// One neuron in the straight part of its curve: `size_dph` times the input, from end to end of its
-// range.
+// One neuron in the linear part of its curve: `size_dph` times the input over its range.
 model::RealNetwork nearly_linear(const model::RealInput& input, double size_dph) {
   model::RealNetwork network = fog::test::network_of({input});
   network.hidden.weights = Eigen::MatrixXd::Constant(1, 1, 0.01);
@@ -68,7 +67,7 @@ TEST_F(NetworkLearntTest, IsTheEffectThatTheNetworkIs) {
               0.01 * learnt.rms_dph);
 }
 
-// What the model's own effects could do is not what the network had learnt beyond them.
+// What the model's own effects can describe does not count as learnt by the network.
 TEST_F(NetworkLearntTest, IsNothingBeyondTheEffectsWhereTheseDoTheSame) {
   model::RealNetwork constant = nearly_linear({fog::NetworkInput::temperature, 20, 1e6, 0}, 1e-3);
   constant.centre_dph = 0.5;

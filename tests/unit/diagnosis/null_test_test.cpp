@@ -24,8 +24,7 @@ Eigen::MatrixXd noise_columns(Eigen::Index columns, std::uint64_t seed) {
   return Eigen::MatrixXd::NullaryExpr(kSpaceRows, columns, [&] { return normal(random); });
 }
 
-// Effects of one and two columns, several shapes each that look somewhat alike, and six smooth
-// functions.
+// Effects of one and two columns, several similar shapes each, and six smooth functions.
 NullTest tested(const Eigen::VectorXd& residual, std::size_t effects = 5, std::uint64_t seed = 1) {
   ExplainedSpace space(residual);
   RegressorBasis regressors;
@@ -53,7 +52,7 @@ TEST(NullTest, IsPassedByNoiseAsOftenAsItSays) {
   }
   fog::test::expect_chances_are_true(regressors);
   fog::test::expect_chances_are_true(structure);
-  // And not by much more: half of the chances are below a half, three of four at the most above.
+  // And not by much more: half of the probabilities are below a half, at most three quarters above.
   for (const auto& chances : {regressors, structure}) {
     const auto large =
         std::count_if(chances.begin(), chances.end(), [](double p) { return p > 0.5; });

@@ -51,7 +51,7 @@ TEST(Refit, FindsTheCoefficientsBesideABiasOfEachRecording) {
   }
   EXPECT_EQ(result.terms[2].parameters[0], 600);
   EXPECT_LT(result.residual_dph.cwiseAbs().maxCoeff(), 1e-6);
-  // Without an effect that the gyro has, what it does is left.
+  // The contribution of a missing effect remains.
   EXPECT_GT(refit(model::parse_effects("bias,temperature_rate"), series, fit).residual_dph.norm(),
             1);
 }

@@ -14,7 +14,7 @@ constexpr double kDwell_rows = 100;
 
 enum class Process { two_levels, wander };
 
-// Three soaks of white noise and a process of the same autocovariance, whichever it is.
+// Three soaks of white noise and a process with the same autocovariance, of either kind.
 std::vector<Eigen::VectorXd> soaks(Process process, double height_dph, std::uint32_t seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> normal;
@@ -60,7 +60,7 @@ TEST(TwoLevels, AreNotSeenInWhiteNoise) {
   EXPECT_EQ(find_two_levels({}, kWhite_dph, kRow_s).log_odds, 0);
 }
 
-// A row that is left out is no level of its own, and does not hide levels that are there.
+// An excluded row is not a level, and does not hide levels.
 TEST(TwoLevels, ArePassedOverByRowsThatDoNotCount) {
   std::vector<Eigen::VectorXd> stretches = soaks(Process::two_levels, 0.05, 1);
   for (Eigen::VectorXd& stretch : stretches) {
@@ -72,7 +72,7 @@ TEST(TwoLevels, ArePassedOverByRowsThatDoNotCount) {
       0);
 }
 
-// A step, or the last minutes of a soak whose temperature is written down late, is not to and fro.
+// A step, or the end of a soak with a late temperature record, is no switching between two levels.
 TEST(TwoLevels, ComeAndGo) {
   std::vector<Eigen::VectorXd> stretches = soaks(Process::wander, 0, 1);
   for (Eigen::VectorXd& stretch : stretches) stretch.tail(40).array() += 5 * kWhite_dph;

@@ -44,7 +44,7 @@ TEST_F(VisiblePartTest, OfSomethingElseIsMostOfIt) {
   }
 }
 
-// What was taken out stays out: nothing visible has anything in common with the model.
+// The model is projected out completely: visible parts are orthogonal to it.
 TEST_F(VisiblePartTest, IsAtRightAnglesToTheResidualsModel) {
   const Eigen::MatrixXd columns = visible("polarization_ripple:period=9").columns;
   const Eigen::MatrixXd own = visible("temperature_rate").columns;
@@ -64,8 +64,8 @@ TEST_F(VisiblePartTest, DoesNotDependOnTheColumnsSizeAndIsAdditive) {
             1e-9 * sum.columns.norm());
 }
 
-// No formula of the catalogue is exactly what a gyro does: a fiftieth of a term that bends with
-// temperature is no more than one sigma, and ten times as much is an effect that is missing.
+// No formula of the catalogue is exact: a fiftieth of a term that bends with temperature is at most
+// one sigma; ten times as much is a missing effect.
 TEST_F(VisiblePartTest, OfATermThatBendsALittleIsNotSeen) {
   Eigen::VectorXd bent = fit_.columns.rightCols(1) * fit_.coefficients.tail(1);
   for (Eigen::Index i = 0; i < bent.size(); ++i) {
@@ -83,7 +83,7 @@ TEST_F(VisiblePartTest, OfNothingIsNothing) {
   EXPECT_TRUE(part.columns.isZero());
 }
 
-// The gyro has no more than the model: what is left is noise of variance 1.
+// The gyro equals the model: the residual is noise of variance 1.
 TEST_F(VisiblePartTest, OfTheMeasurementIsNoise) {
   const Eigen::VectorXd& residual = remover_->residual();
   EXPECT_NEAR(residual.squaredNorm() / static_cast<double>(series_.rows().size()), 1, 0.08);

@@ -15,9 +15,9 @@ using noise::NoiseModel;
 constexpr double kWalk = 0.01;  // deg/h/sqrt(h)
 constexpr Eigen::Index kModes = 8;
 
-// WalkingRows at right angles: four effects, two smooth functions, the modes of a walk, and many of
-// nothing. White noise of variance 1 in all of them; a walk of kWalk moves the first mode by 30
-// times that, the next ones by a half, a third...
+// Orthogonal rows: four effects, two smooth functions, the modes of a walk, and many empty ones.
+// White noise of variance 1 in all; a walk of kWalk moves the first mode by 30 times that, the next
+// ones by a half, a third...
 class WalkingRows {
  public:
   WalkingRows() : axes_(Eigen::MatrixXd::Identity(200, 200)), residual_(200) {
@@ -51,9 +51,9 @@ class WalkingRows {
       modes.col(k) *= 30 / kWalk / static_cast<double>(k + 1);
     evidence.walk = fit::add_walk(evidence.space, modes);
     evidence.space.finish();
-    return weigh_walk(evidence,
-                      find_hypotheses(evidence.space, evidence.candidates, evidence.regressors),
-                      noise, 1);
+    return assess_walk(evidence,
+                       find_hypotheses(evidence.space, evidence.candidates, evidence.regressors),
+                       noise, 1);
   }
 
  private:
@@ -61,7 +61,7 @@ class WalkingRows {
   Eigen::VectorXd residual_;
 };
 
-// Quiet parts that allow several walks alike, and know the noise well.
+// Quiet parts that allow several walks equally, and determine the noise well.
 NoiseModel quiet_noise() {
   NoiseModel noise;
   noise.from_quiet_parts = true;
@@ -71,7 +71,7 @@ NoiseModel quiet_noise() {
   return noise;
 }
 
-// Beside it an effect that shows nothing is as likely as none: the chance is about a half.
+// With an effect that shows nothing, a walk is as probable as none: about a half.
 TEST(WalkFinding, OfAWalkIsTheLikeliestOneAndAloneEnough) {
   WalkingRows rows;
   rows.walk();
@@ -82,7 +82,7 @@ TEST(WalkFinding, OfAWalkIsTheLikeliestOneAndAloneEnough) {
   EXPECT_GT(finding.noise_alone, 0.01);
 }
 
-// What stands out of noise that walks is not the walk's, however much walks beside it.
+// An effect that exceeds noise with a walk is not explained by the walk.
 TEST(WalkFinding, IsNoneWhereAnEffectStandsOutOfIt) {
   WalkingRows rows;
   rows.walk();

@@ -43,7 +43,7 @@ TEST(BatchFindings, HaveAHistogramWithTheNameOfEveryGyroAndTheLimit) {
   EXPECT_EQ(dots, 10U);
   ASSERT_EQ(plot.bands.size(), 1U);
   EXPECT_EQ(plot.bands[0].from, 0.0015);
-  // Behind the last gyro: of two places at the edge of a plot only the first is drawn.
+  // Beyond the last gyro: of two dots at the edge of a plot only the first is drawn.
   EXPECT_GT(plot.bands[0].to, 0.0024);
   EXPECT_EQ(plot.x.back(), plot.bands[0].to);
   EXPECT_NE(plot.caption.plain().find("G9 0.002400"), std::string::npos) << plot.caption.plain();

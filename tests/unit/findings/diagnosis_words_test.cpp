@@ -134,7 +134,7 @@ TEST(DiagnosisWords, SayThatWhatIsLeftIsNotWorthATrial) {
   EXPECT_EQ(words.next.find("nothing to add: what is left is so little"), 0U);
 }
 
-// Each command goes on from the file that the one before wrote.
+// Each command uses the file written by the one before.
 TEST(DiagnosisWords, OfALadderAreTheCommandsThatMakeItsModel) {
   diagnosis::Ladder ladder;
   ladder.steps = {{tried({"bias_step"}), false, {}, 3, 2}, {tried({}, "q = T^2"), true, {}, 2, 1}};

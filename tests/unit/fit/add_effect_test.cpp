@@ -63,7 +63,7 @@ TEST(AddEffect, RefusesAUselessEffect) {
   EXPECT_TRUE(result.model.history.back().forced);
 }
 
-// What helps is a line in time, which the effect can only be at the bound of its shape.
+// A line in time helps, which the effect can only imitate at a bound of its shape.
 TEST(AddEffect, RefusesAnEffectAtTheBoundOfItsShape) {
   Model drifting = truth();
   drifting.terms.push_back(fog::test::natural_term("aging", {2e6}, {30}));
@@ -113,7 +113,7 @@ TEST(AddEffect, IsJudgedOnHoldoutsWhereThereAreSome) {
               1e-12);
 }
 
-// A holdout of another gyro: what the training run shows is wrong there.
+// A holdout of another gyro: the effect of the training run is wrong there.
 TEST(AddEffect, RefusesWhatHoldsOnlyForTheTrainingRun) {
   Model other = truth();
   other.terms[2].coefficients_dph = {-0.44};
@@ -130,8 +130,8 @@ TEST(AddEffect, LeavesEachOfThreeRunsOutOnce) {
   EXPECT_EQ(result.out_of_sample->how, "on 3 runs, each left out once");
 }
 
-// Without the one run that was shaken, the others know nothing of vibration: leaving runs out would
-// judge an extrapolation.
+// Without the one run with vibration, the others do not determine the effect: leaving runs out
+// would judge an extrapolation.
 TEST(AddEffect, LeavesStretchesOutWhereOneRunAloneShowsTheEffect) {
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
@@ -153,7 +153,7 @@ TEST(AddEffect, LeavesStretchesOutWhereOneRunAloneShowsTheEffect) {
   EXPECT_NE(result.out_of_sample->how.find("stretches"), std::string::npos);
 }
 
-// Half of a run with the same phases as the other confirms a true effect.
+// One half of a run with the same phases as the other confirms a true effect.
 TEST(AddEffect, TellsWhatTheHalvesOfTheRunsSay) {
   Model real = truth();
   real.terms[2].coefficients_dph = {0.6};
@@ -165,8 +165,8 @@ TEST(AddEffect, TellsWhatTheHalvesOfTheRunsSay) {
   }
 }
 
-// All of the warm-up is in the first of the stretches that are left out in turn: what the others
-// say of it is nothing, and says nothing of another effect.
+// The whole warm-up is in the first of the stretches left out in turn: the others say nothing about
+// it, nor about another effect.
 TEST(AddEffect, IsNotJudgedWhereTheModelItselfCannotBeTold) {
   Model warming = truth();
   warming.terms[2].coefficients_dph = {0.3};
@@ -177,7 +177,7 @@ TEST(AddEffect, IsNotJudgedWhereTheModelItselfCannotBeTold) {
   EXPECT_LT(result.out_of_sample->rms_before_dph, 0.2) << result.reason;
 }
 
-// Of two runs the start of one is left out while that of the other is known.
+// The start of one run is left out while that of the other is not.
 TEST(AddEffect, JudgesAWarmUpOfTwoRuns) {
   Model warming = truth();
   warming.terms.push_back(fog::test::natural_term("warm_up", {900}, {0.2}));

@@ -15,8 +15,8 @@ using fog::test::model_of;
 using fog::test::recording_of;
 using fog::test::truth;
 
-// A gyro that leaves slow drift of no effect and no noise; the rows where it is largest do not
-// count.
+// A gyro with slow drift that is neither an effect nor noise; the rows where it is largest are
+// excluded.
 TEST(CoefficientCovariance, IsAVarianceWhereTheRowsLeftOutAreTheLargest) {
   const model::Model model = truth();
   recording::Recording recording = recording_of(model, {}, 1);

@@ -45,7 +45,7 @@ TEST(Identify, ReturnsTheTruthExactlyWithoutNoise) {
   }
 }
 
-// Across a gap anything may have happened.
+// Nothing is known about the time of a gap.
 TEST(Identify, KeepsWhatTheRecordingsCoverOfTheirInputs) {
   Model model = unknown();
   series::SignalSeries series(model);
@@ -95,7 +95,7 @@ TEST(Identify, TakesSeveralRecordingsTogether) {
     series.add(series::make_blocks(fog::test::recording_of(truth(), {0.024, 0, 300}, seed)));
   }
   identify(both, series);
-  // But for what slow noise may be in either.
+  // Apart from slow noise in either.
   EXPECT_NEAR(both.terms[0].sigma_dph[0] / one.terms[0].sigma_dph[0], std::sqrt(0.5), 0.2);
 }
 
@@ -117,7 +117,7 @@ TEST(Identify, LetsEveryRecordingHaveABiasOfItsOwn) {
 
 TEST(Identify, SaysInWordsWhichEffectsCannotBeToldApart) {
   Model model = unknown();
-  // At one temperature a bias and a slope are one thing: give it almost nothing else.
+  // At one temperature bias and slope are the same: it gets almost no other data.
   recording::Recording recording = fog::test::recording_of(truth(), {0.024, 0, 300}, 1);
   for (double& temperature : recording.temperature_degc)
     temperature = 50 + 0.01 * (temperature - 20);
@@ -136,8 +136,8 @@ TEST(Identify, RefusesWhatTheDataCannotDetermine) {
   EXPECT_THROW(fit(model, recording), InputError);
 }
 
-// How far the coil is before or behind the sensor shows at the corners of ramps alone, where it is
-// hardly more than the sensor's noise.
+// Whether the coil leads or lags the sensor shows only at the corners of ramps, where it hardly
+// exceeds the sensor's noise.
 TEST(Identify, IsNotMisledByTheNoiseOfTheTemperatureSensor) {
   Model real = truth();
   real.terms.push_back(fog::test::natural_term("thermal_lag", {60}, {-0.2}));
@@ -151,8 +151,8 @@ TEST(Identify, IsNotMisledByTheNoiseOfTheTemperatureSensor) {
   EXPECT_NEAR(found / real.terms.back().coefficients_dph[0], 1, 0.1);
 }
 
-// Two play operators, of which the second is off unless it is asked for; the narrower is the first,
-// wherever the search began.
+// Two play operators, the second disabled by default; the narrower is the first, wherever the
+// search began.
 TEST(Identify, FindsASecondRadiusOfHysteresisWhereAsked) {
   Model real = truth();
   real.terms.push_back(fog::test::natural_term("thermal_hysteresis", {4, 17}, {0.06, 0.09}));

@@ -32,8 +32,9 @@ recording::Recording sweeps() {
   return recording;
 }
 
-// What is left of the delay is of second order, 8 ppm of the rate, and as much from the derivative
-// over 1 s of a sweep of 31 s. By one that is half a block late the error would be 2,000 ppm.
+// The remaining error of the delay is of second order, 8 ppm of the rate, and as much from the
+// derivative over 1 s of a sweep of 31 s. A derivative that is half a block late would leave 2,000
+// ppm.
 TEST(LateReference, IsFoundBesideTheScaleFactorAndTakenOut) {
   const recording::Recording recording = sweeps();
   model::Model model =

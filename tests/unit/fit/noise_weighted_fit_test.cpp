@@ -80,7 +80,7 @@ TEST(NoiseWeightedFit, DoesNotLookAtRowsThatAreLeftOut) {
     for (std::size_t i = 500; i < 600; ++i) recording.rate_dph[i] = 1e4;
   });
   Eigen::VectorXd kept = clean.all();
-  // The board's delay: a row shows in the next as well.
+  // The board's delay: a row contributes to the next as well.
   kept.segment(498, 106).setZero();
   const auto expected =
       fit_rows(clean.series(), clean.model().terms, clean.no_nuisance(), {kept, {}});

@@ -35,7 +35,7 @@ recording::Recording coil_behind(double tau_s, bool gradient) {
   return recording;
 }
 
-double lag_of(const char* effect, double tau_s, bool gradient) {
+double fitted_lag_s(const char* effect, double tau_s, bool gradient) {
   std::vector<compare::RunInBlocks> runs{compare::run_in_blocks(coil_behind(tau_s, gradient), 10)};
   model::Model model = fog::test::model_of(model::parse_effects(std::string("bias,") + effect));
   series::SignalSeries series(model);
@@ -48,8 +48,8 @@ double lag_of(const char* effect, double tau_s, bool gradient) {
 
 TEST(PhysicalLags, AreThoseOfTheCoilAndNotOfTheBoardsDerivative) {
   // Its corners are sharper than the board's derivative: the fit leaves 1.5 times the noise.
-  EXPECT_NEAR(lag_of("shupe", 300, true), 300, 0.1 * 300);
-  EXPECT_NEAR(lag_of("thermal_lag", 900, false), 900, 0.05 * 900);
+  EXPECT_NEAR(fitted_lag_s("shupe", 300, true), 300, 0.1 * 300);
+  EXPECT_NEAR(fitted_lag_s("thermal_lag", 900, false), 900, 0.05 * 900);
 }
 
 TEST(PhysicalLags, AreNoneWhereNoLagIsIdentified) {

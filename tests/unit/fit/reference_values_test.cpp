@@ -67,8 +67,8 @@ TEST(ReferenceValues, GivenOnesStay) {
   EXPECT_EQ(model.terms[1].parameters[1], -12.5);
 }
 
-// So that what is named first is what is largest: about 20 degC the slope would take the constant
-// with it where all rates are at other temperatures.
+// The first listed coefficient should be the largest: about 20 degC the slope would include the
+// constant if all rates are at other temperatures.
 TEST(ReferenceValues, MakeTheSlopeTheSameWithTheConstantAndWithout) {
   const model::Model alone = fitted("bias,scale_factor_temperature");
   const model::Model both = fitted("bias,scale_factor,scale_factor_temperature");

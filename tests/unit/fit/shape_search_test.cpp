@@ -91,7 +91,7 @@ TEST_F(ShapeSearch, FindsTheTimeConstantAndSaysWhetherADipTookItElsewhere) {
     WhitenedProblem searched = problem(from);
     const std::vector<bool> elsewhere = search_shapes(searched, shapes(searched), {true});
     EXPECT_NEAR(searched.value(shapes(searched)[0]), 900, 20) << from;
-    // From where it was found there is no better place.
+    // The found value has no better neighbour.
     WhitenedProblem again = searched;
     EXPECT_FALSE(search_shapes(again, shapes(again), {true})[0]) << from;
     EXPECT_NEAR(again.value(shapes(again)[0]), searched.value(shapes(searched)[0]), 0.1);

@@ -27,7 +27,7 @@ TEST(StepSearch, FindsAStepWithItsTimeAndSize) {
   EXPECT_NEAR(step.size_dph, 0.2, 4 * step.size_sigma_dph);
   EXPECT_LE(step.first, step.row);
   EXPECT_GE(step.last, step.row);
-  // Its column is the last of the fit, and takes nothing from the bias.
+  // Its column is the last one of the fit, and does not change the bias.
   const auto& fit = result.fit;
   EXPECT_NEAR(fit.coefficients[fit.linear() - 1], 0.2, 4 * step.size_sigma_dph);
   EXPECT_NEAR(fit.coefficients[0], fog::test::truth().terms[0].coefficients_dph[0], 0.02);

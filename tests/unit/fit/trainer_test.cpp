@@ -56,8 +56,7 @@ TEST_P(EveryTrainer, KeepsTheBestSoFarWhenInterrupted) {
   EXPECT_TRUE(network.result.weights.allFinite());
 }
 
-// The held-out run has no noise; the training run has little but noise, so that learning it all
-// would be wrong.
+// The held-out run has no noise; the training run is mostly noise, which must not be learnt.
 TEST_P(EveryTrainer, StopsWhereTheHeldOutRunIsPredictedBest) {
   const NetworkTask noisy = fog::test::smooth_task(60, 1, 1);
   const NetworkTask clean = fog::test::smooth_task(400, 0, 2);
@@ -75,7 +74,7 @@ TEST_P(EveryTrainer, StopsWhereTheHeldOutRunIsPredictedBest) {
   };
   const double stopped = held_out_error(train_network(task, settings));
   const double alone = held_out_error(train_network(noisy, settings));
-  // lm's regularisation finds the same place by itself.
+  // lm's regularisation finds the same optimum.
   const double max = GetParam() == "lm" ? 1.02 * alone : 0.8 * alone;
   EXPECT_LE(stopped, max) << "held-out rms, against " << alone;
 }

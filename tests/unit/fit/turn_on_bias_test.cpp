@@ -12,7 +12,7 @@
 namespace fogcomp::fit {
 namespace {
 
-// Two runs of one gyro in rows of a minute, the bias of the second one so much higher.
+// Two runs of one gyro in rows of a minute, the second one with a higher bias.
 std::vector<compare::RunInBlocks> two_runs(std::uint64_t seed, double above_dph) {
   std::vector<compare::RunInBlocks> runs;
   for (const double bias_dph : {0.0, above_dph}) {
@@ -52,7 +52,7 @@ TEST(TurnOnBias, IsNotSaidOfADriftThatTheModelLacks) {
   const model::Model lacking =
       in_minutes(fog::test::model_of(model::parse_effects("bias,bias_temperature")));
   std::vector<compare::RunInBlocks> runs = two_runs(1, 0);
-  // The second run is the first ramp alone: what the model lacks is a constant there.
+  // The second run is only the first ramp: the missing part of the model is a constant there.
   const auto ramp = runs[1].blocks.blocks.begin() + 60;
   runs[1].blocks.blocks.erase(ramp + 80, runs[1].blocks.blocks.end());
   runs[1].blocks.blocks.erase(runs[1].blocks.blocks.begin(), ramp);

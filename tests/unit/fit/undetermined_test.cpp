@@ -15,7 +15,8 @@ namespace {
 
 using Change = std::function<void(recording::Recording&)>;
 
-// What a fit of these effects to a changed recording of the sample gyro says; "" where it succeeds.
+// Error message of a fit of these effects to a changed recording of the sample gyro; "" if it
+// succeeds.
 std::string refusal(const std::string& effects, const std::string& expression = "",
                     const Change& change = {}) {
   recording::Recording recording =

@@ -146,7 +146,7 @@ TEST(ModelFile, RefusesANetworkWithoutOneOfItsParts) {
   EXPECT_NE(error_of(model_text(model)).find("part of the network is missing"), std::string::npos);
 }
 
-// The CRC is right in all of these: somebody wrote them so.
+// The CRC is right in all of these: they were written so.
 TEST(ModelFile, RefusesValuesThatNoFitGives) {
   struct Case {
     const char* what;

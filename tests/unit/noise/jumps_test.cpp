@@ -25,7 +25,7 @@ TEST(Jumps, PartAStretchWhereItsLevelChanges) {
   std::vector<Eigen::VectorXd> soaks;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) soaks.push_back(noise(400, 0.3, 20, seed));
   soaks[2].tail(150).array() += 3;
-  const auto parts = parted_at_jumps(soaks);
+  const auto parts = split_at_jumps(soaks);
   ASSERT_EQ(parts.size(), 5U);
   EXPECT_NEAR(static_cast<double>(parts[2].size()), 250, 4);
   EXPECT_EQ(parts[2].size() + parts[3].size(), 400);
@@ -45,7 +45,7 @@ TEST(Jumps, AreNoneInWanderAndSlopes) {
           noise(360, seed % 2 == 0 ? 1.5 : 0.5, seed % 3 == 0 ? 400 : 30, 1000 * seed + soak));
       soaks.back() += Eigen::VectorXd::LinSpaced(360, 0, 3);
     }
-    jumps += static_cast<int>(parted_at_jumps(soaks).size() - soaks.size());
+    jumps += static_cast<int>(split_at_jumps(soaks).size() - soaks.size());
   }
   EXPECT_LE(jumps, 1);
 }
@@ -56,15 +56,15 @@ TEST(Jumps, AreNotMadeByRowsThatStandOut) {
     soaks.push_back(noise(400, 0.3, 20, seed));
     for (const Eigen::Index row : {120, 161, 300}) soaks.back()[row] += 25;
   }
-  EXPECT_EQ(parted_at_jumps(soaks).size(), 4U);
+  EXPECT_EQ(split_at_jumps(soaks).size(), 4U);
 }
 
 TEST(Jumps, AreNotLookedForInAShortStretchOrWithoutNoise) {
-  EXPECT_EQ(parted_at_jumps({Eigen::VectorXd::LinSpaced(40, 0, 1)}).size(), 1U);
+  EXPECT_EQ(split_at_jumps({Eigen::VectorXd::LinSpaced(40, 0, 1)}).size(), 1U);
   Eigen::VectorXd step = Eigen::VectorXd::Zero(400);
   step.tail(100).setOnes();
-  EXPECT_EQ(parted_at_jumps({step}).size(), 1U);
-  EXPECT_TRUE(parted_at_jumps({}).empty());
+  EXPECT_EQ(split_at_jumps({step}).size(), 1U);
+  EXPECT_TRUE(split_at_jumps({}).empty());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How often the coefficients are right: tests/statistics.
+// The coverage of the intervals is tested in tests/statistics.
 #include "noise/noise_coefficients.hpp"
 
 #include <gtest/gtest.h>

@@ -27,8 +27,8 @@ VectorXd noise(std::size_t rows, double white, double slow, double tau_rows, std
   return values;
 }
 
-// Spectral density at an angle per row, which is what weighting depends on; how the ladder shares a
-// variance out among its steps does not matter.
+// Spectral density at an angle per row, on which the weighting depends; its division among the
+// components does not matter.
 double density(const NoiseModel& model, double angle) {
   double sum = model.white_variance;
   for (const auto& component : model.components) {
@@ -59,8 +59,8 @@ TEST(NoiseModel, FindsNoSlowPartInWhiteNoise) {
   EXPECT_NEAR(std::sqrt(density(model, 0.03)), 0.02, 0.006);
 }
 
-// Against how the density at four periods a run really scatters over many gyros. What a fit says is
-// ten and five times as much; hundreds would be slow noise taken for known.
+// Compared with the true scatter of the density at four periods per run over many gyros. A fit
+// states ten and five times as much; hundreds would mean that slow noise counts as known.
 TEST(NoiseModel, TakesSlowNoiseOfFewPeriodsForUncertain) {
   constexpr double kRun_s = 28000;
   constexpr int kGyros = 60;

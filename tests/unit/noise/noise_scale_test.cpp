@@ -40,7 +40,7 @@ TEST(NoiseScale, IsOneWhereAllRowsHaveTheSameNoise) {
   }
 }
 
-// What an effect does that the model lacks is no noise, however far out.
+// A missing effect is not noise, however large.
 TEST(NoiseScale, DoesNotFollowDrift) {
   Eigen::VectorXd residual = normal_noise(2);
   for (Eigen::Index row = 0; row < kSizeOfRun; ++row) {

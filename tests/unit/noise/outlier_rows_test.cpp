@@ -81,7 +81,7 @@ TEST(OutlierRows, UpToThreeRowsTogetherAreFoundAndTheirNeighboursStay) {
   }
 }
 
-// What a model lacks is no outlier, however far it stands out of the noise.
+// A missing effect is not an outlier, however far it exceeds the noise.
 TEST(OutlierRows, DriftOfAnySizeIsNone) {
   for (const double size : {20.0, 1e3, 1e6}) {
     const std::vector<std::function<double(double)>> drifts{
@@ -145,7 +145,7 @@ TEST(OutlierRows, AShortTurnOfARateTableIsNone) {
   EXPECT_EQ(found(rows).size(), 0U);
   rows = whole(white_noise(2));
   rows.inputs = {input};
-  // Where the table goes to and fro, a wild row is held against those at its own rate.
+  // While the table oscillates, an outlier is compared with rows at its own rate.
   for (std::size_t i = 0; i < kRows; ++i) {
     rows.inputs[0][i] = i / 2 % 2 == 0 ? 1e5 : -1e5;
     rows.values[i] += i / 2 % 2 == 0 ? 90 : -90;

@@ -46,7 +46,7 @@ TEST(QuietRows, EndWhereAnotherInputJumpsAndNotWhereItDrifts) {
   EXPECT_EQ(quiet(rows), (Ends{{0, 49}, {50, 99}, {160, 259}}));
 }
 
-// A fifth of an input's range may come with the drift of its source; three tenths are a switch.
+// A fifth of an input's range may come from drift of its source; three tenths are a switch.
 TEST(QuietRows, EndWhereAnInputJumpsByMoreThanAQuarterOfItsRange) {
   const auto rows_with = [](double jump) {
     series::Rows rows = made_rows(200, [](double) { return 20; });
@@ -61,7 +61,7 @@ TEST(QuietRows, EndWhereAnInputJumpsByMoreThanAQuarterOfItsRange) {
   EXPECT_EQ(quiet(rows_with(0.3)), (Ends{{0, 99}, {100, 199}}));
 }
 
-// Two soaks in which the temperature creeps by so many degC/min, and a ramp of 1 degC/min.
+// Two soaks with a slow temperature drift of so many degC/min, and a ramp of 1 degC/min.
 series::Rows creeping(double creep, double ramp) {
   return made_rows(260, [=](double row) {
     const double in_ramp = std::clamp(row - 99, 0.0, 60.0);

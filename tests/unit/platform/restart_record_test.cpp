@@ -18,7 +18,7 @@ bool same(const CrashRecord& a, const CrashRecord& b) {
   return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
-// The record lies in memory that nobody initialises: here, in bytes that a test fills.
+// The record is in uninitialised memory: here, bytes filled by a test.
 struct Memory {
   alignas(RestartRecord) std::array<unsigned char, sizeof(RestartRecord)> bytes{};
   RestartRecord& record() { return *reinterpret_cast<RestartRecord*>(bytes.data()); }

@@ -17,7 +17,7 @@ Recording read_text(const std::string& content, const ReadOptions& options = {})
   return read_recording(temporary_file("recording.csv", content), options);
 }
 
-/// The message without its path: what stands after "recording.csv".
+/// The message without its path: the text after "recording.csv".
 std::string fault(const std::string& content, const ReadOptions& options = {}) {
   try {
     read_text(content, options);
@@ -164,7 +164,7 @@ TEST(CsvReader, SaysWhatIsWrongWithTheHeader) {
             "'time=1[s],temperature=2[degC],rate=3[deg/h]'");
 }
 
-// A rename across units is an error of 3600, 1000 or 273: no message may propose it.
+// Renaming across units is an error by 3600, 1000 or 273: no message may propose it.
 TEST(CsvReader, ProposesNoColumnOfAnotherUnit) {
   EXPECT_EQ(fault("time_s,temperature2_degc,rate_dph\n0,20,1\n"),
             ":1: no column 'temperature_degc'; the header has time_s, temperature2_degc, rate_dph; "

@@ -1,4 +1,4 @@
-// Files as laboratories have them: read right, value by value, or refused with a line that helps.
+// Files as written by laboratories: read correctly, value by value, or refused with a helpful line.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ std::string digits(double value) {
   return format("%.17g", value);
 }
 
-// How a file is written; the default is the plain format.
+// Format of a file; by default the plain format.
 struct FileWriter {
   using Print = std::function<std::string(int row)>;
   struct FileColumn {
@@ -105,7 +105,7 @@ std::string latin1(const std::string& text) {
   return bytes;
 }
 
-// One thing in which a file differs from the plain format. Of a kind, a file has one at most.
+// A deviation from the plain format. A file has at most one of each kind.
 struct Property {
   const char* kind;
   const char* name;
@@ -147,7 +147,7 @@ Property unix_time(const char* name, double per_second, int decimals) {
             file.time.name = name;
             file.time.unit = "";
             file.time.print = [=](int row) {
-              // Digits of their own: a double has too few.
+              // As text, because a double has too few digits.
               const long long whole = 1'709'625'600LL * static_cast<long long>(per_second) +
                                       std::llround(0.5 * row * per_second);
               if (decimals == 0) return std::to_string(whole);
@@ -284,7 +284,7 @@ void expect_true(const FileWriter& file, const std::string& name) {
   }
 }
 
-// A comma for two things at once can only be refused.
+// A comma with two meanings can only be refused.
 bool is_impossible(const FileWriter& file) {
   const bool comma = file.separator[0] == ',';
   return comma && file.decimal_comma && !file.quotes;
@@ -353,9 +353,9 @@ TEST(ForeignFiles, AreRefusedWithTheLineThatHelpsWhereTheyMeanTwoThings) {
        ":1: rate could be column 3 'gx [deg/s]' or column 4 'gy [deg/s]'; say which: --columns "
        "'rate=gx [deg/s]', or --rate-column 'gx [deg/s]'"},
       {"rate without a unit", "time_s,temperature_degc,Gyro_X\n0,20,1\n",
-       ":1: column 3 'Gyro_X' has no unit; say it: --columns 'rate=Gyro_X[deg/s]' (or deg/h, "
+       ":1: column 3 'Gyro_X' has no unit; give it: --columns 'rate=Gyro_X[deg/s]' (or deg/h, "
        "rad/s, ...)"},
-      {"turns or radians", "time_s,temperature_degc,gyro_rps\n0,20,1\n", "has no unit; say it"},
+      {"turns or radians", "time_s,temperature_degc,gyro_rps\n0,20,1\n", "has no unit; give it"},
       {"two temperatures", "time_s,coil_degC,board_degC,rate_dph\n0,20,21,1\n",
        ":1: temperature could be column 2 'coil_degC' or column 3 'board_degC'; say which: "
        "--columns 'temperature=coil_degC'"},
@@ -363,7 +363,7 @@ TEST(ForeignFiles, AreRefusedWithTheLineThatHelpsWhereTheyMeanTwoThings) {
       {"unit against unit", "time_s,temperature_degc,rate_dph\ns,degC,deg/s\n0,20,1\n1,20,2\n",
        "'rate_dph' is in deg/h by its name and in deg/s by the row of units"},
       {"unknown unit", "time_s,T [Ra],rate_dph\n0,20,1\n",
-       "column 2 'T [Ra]': unit 'Ra' is not known; say it: --columns 'temperature=2[degC]'"},
+       "column 2 'T [Ra]': unit 'Ra' is not known; give it: --columns 'temperature=2[degC]'"},
       {"time of day", "time,temperature_degc,rate_dph\n12:30:15,20,1\n12:30:16,20,1\n",
        ":2: time '12:30:15' is no ISO 8601 date and time; write 2024-03-05T12:30:15.25 or seconds"},
       {"day first", "time,temperature_degc,rate_dph\n05.03.2024 12:30,20,1\n",
@@ -504,7 +504,7 @@ TEST(ForeignFiles, LeaveOutRowsWhoseValuesNobodyKnows) {
       << said;
 }
 
-// Whatever is wrong with a file, it is read or refused, and every column of what is read is whole.
+// A file with any fault is read or refused; every column that is read is complete.
 TEST(ForeignFiles, DamagedAreReadWholeOrRefused) {
   const std::vector<Property> all = properties();
   std::mt19937 random(1);

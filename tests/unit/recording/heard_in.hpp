@@ -6,7 +6,7 @@
 
 namespace fogcomp::recording {
 
-/// Options whose watch writes what is said of a recording to `said`, a line each.
+/// Options whose watch appends remarks about a recording to `said`, one line each.
 inline ReadOptions heard_in(std::string& said) {
   ReadOptions options;
   options.watch.remark = [&said](const std::string& line) { said += line + "\n"; };

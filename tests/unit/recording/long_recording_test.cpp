@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPeriodS = 0.005;
 
-// Rows from `first` on: a slow temperature, a rate that says which row it is.
+// Rows from `first` on: a slow temperature, and a rate that identifies the row.
 Recording rows_from(std::size_t first, std::size_t count) {
   Recording part;
   for (std::size_t row = first; row < first + count; ++row) {
@@ -109,7 +109,7 @@ TEST(LongRecording, TakesNoMeanAcrossAGapOrTheEndOfASegment) {
   EXPECT_NEAR(means.time_s[1501], kPeriodS * 3001.5 + 500, 1e-9);
 }
 
-// A spike would be as many times smaller in a mean, and no board takes it.
+// A mean would reduce a spike, and no board accepts it.
 TEST(LongRecording, LeavesOutWhatTheBoardWouldRefuseBeforeItTakesMeans) {
   std::string said;
   const ReadOptions options = heard_in(said);

@@ -1,5 +1,5 @@
-// Masks: what they are typed as, for which files they are, and that what they hide counts nowhere
-// but in the temperature's history.
+// Masks: their syntax, their files, and that masked rates are used nowhere while the temperatures
+// are.
 
 #include "recording/mask.hpp"
 
@@ -52,10 +52,10 @@ TEST(Mask, IsForTheFilesThatItNames) {
 
 TEST(Mask, HidesBothEnds) {
   const Mask mask = parse_mask("1..2");
-  EXPECT_TRUE(mask.hides(1));
-  EXPECT_TRUE(mask.hides(2));
-  EXPECT_FALSE(mask.hides(0.999));
-  EXPECT_FALSE(mask.hides(2.001));
+  EXPECT_TRUE(mask.covers(1));
+  EXPECT_TRUE(mask.covers(2));
+  EXPECT_FALSE(mask.covers(0.999));
+  EXPECT_FALSE(mask.covers(2.001));
 }
 
 }  // namespace

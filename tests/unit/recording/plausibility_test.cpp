@@ -29,7 +29,7 @@ std::string doubts_of(const Recording& recording, double noise_dph_rthz = 0.06) 
 
 TEST(Plausibility, OfAGyroInAChamberIsNotDoubted) {
   EXPECT_EQ(doubts_of(chamber_run(1)), "");
-  // From the best fibre gyros to cheap MEMS ones; none at all is no unit's.
+  // From the best fibre gyros to cheap MEMS ones; zero noise suggests no unit.
   for (const double noise_dph_rthz : {0.0, 0.004, 0.06, 6.0, 60.0, 600.0}) {
     EXPECT_EQ(doubts_of(chamber_run(1), noise_dph_rthz), "") << noise_dph_rthz;
   }

@@ -21,19 +21,19 @@ Recording with_rates(const std::vector<double>& rates) {
 }
 
 TEST(RateResolution, ADeadGyroIsRefused) {
-  EXPECT_THROW(require_moving_rate(with_rates({0, 0, 0})), InputError);
-  EXPECT_THROW(require_moving_rate(with_rates({0.5, 0.5, 0.5})), InputError);
+  EXPECT_THROW(require_varying_rate(with_rates({0, 0, 0})), InputError);
+  EXPECT_THROW(require_varying_rate(with_rates({0.5, 0.5, 0.5})), InputError);
 }
 
 TEST(RateResolution, RoundingDustIsNoRate) {
-  EXPECT_THROW(require_moving_rate(with_rates({1e-16, -2e-16, 0})), InputError);
-  EXPECT_THROW(require_moving_rate(with_rates({1e5, std::nextafter(1e5, 2e5), 1e5})), InputError);
+  EXPECT_THROW(require_varying_rate(with_rates({1e-16, -2e-16, 0})), InputError);
+  EXPECT_THROW(require_varying_rate(with_rates({1e5, std::nextafter(1e5, 2e5), 1e5})), InputError);
 }
 
 TEST(RateResolution, WhatIsMeasuredMoves) {
-  EXPECT_NO_THROW(require_moving_rate(with_rates({0.5, 0.5, 0.6})));
-  EXPECT_NO_THROW(require_moving_rate(with_rates({1e-9, 2e-9, 0})));
-  EXPECT_NO_THROW(require_moving_rate(with_rates({0.5})));  // too few rows to say so
+  EXPECT_NO_THROW(require_varying_rate(with_rates({0.5, 0.5, 0.6})));
+  EXPECT_NO_THROW(require_varying_rate(with_rates({1e-9, 2e-9, 0})));
+  EXPECT_NO_THROW(require_varying_rate(with_rates({0.5})));  // too few rows to say so
 }
 
 TEST(RateResolution, RoundingIsThatOfTheDigits) {

@@ -89,7 +89,7 @@ TEST_P(RowsOf, AConstantTemperatureOf85DegreesIsASoak) {
   EXPECT_EQ(refused(with_temperature(GetParam(), 1, soak)), Rows{});
 }
 
-// A programme's own temperatures, without a coil's lag: exactly 85 degC at once.
+// A programme's set points, without a coil's lag: exactly 85 degC at once.
 TEST_P(RowsOf, ARampMayEndAndBeginAtExactly85Degrees) {
   for (const double degc_per_min : {3.0, 12.0}) {
     const auto to_85 = [&](double time_s) {
@@ -133,7 +133,7 @@ TEST(RowJudge, AFirstReadingThatTheOthersDenyIsRefusedNotTheOthers) {
   }
 }
 
-// The board would believe -10 degC after 30 s, and refuse the good rows that follow.
+// The board would accept -10 degC after 30 s, and refuse the good rows that follow.
 TEST(RowJudge, AnExcursionIsRefusedFromItsBeginningAndNotWhatFollows) {
   for (const double period_s : {1.0, 10.0}) {
     Recording recording = ramps(period_s);
@@ -147,7 +147,7 @@ TEST(RowJudge, AnExcursionIsRefusedFromItsBeginningAndNotWhatFollows) {
   }
 }
 
-// Soaks that somebody put behind one another without a gap.
+// Soaks that were joined without a gap.
 TEST(RowJudge, ANewLevelIsBelievedAsTheBoardBelievesIt) {
   const auto steps = [](double time_s) { return time_s < 300 ? 20.0 : time_s < 700 ? 60.0 : 0.0; };
   EXPECT_EQ(refused(with_temperature(10, 200, steps)), (Rows{30, 31, 32, 70, 71, 72, 73, 74}));
@@ -313,7 +313,7 @@ TEST(RefusedRows, AreAnErrorWhereNoneIsLeft) {
   }
 }
 
-// Real recordings, where somebody has put them beside the project.
+// Real recordings, if some are stored beside the project.
 TEST(RefusedRows, AreNoneInRealRecordings) {
   for (const char axis : {'x', 'y'}) {
     const std::string path =

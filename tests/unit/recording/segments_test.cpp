@@ -24,7 +24,7 @@ struct Chamber {
   double period_s = 1;
 };
 
-/// What a sensor in the chamber would record.
+/// Recording of a sensor in the chamber.
 Recording record(const Chamber& chamber) {
   Recording recording;
   recording.period_s = chamber.period_s;

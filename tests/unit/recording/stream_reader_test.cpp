@@ -133,7 +133,7 @@ std::vector<std::size_t> numbers(std::size_t first, std::size_t end) {
   return sequence;
 }
 
-// A sample that comes late is one that has no row, not 65,535 that never came.
+// A late sample has no row; it does not mean 65,535 lost ones.
 TEST(StreamReader, LetsTimeStandAtALateOrRepeatedSample) {
   std::vector<std::size_t> late = numbers(0, 60000);
   late.insert(late.begin() + 30000, 29998);
@@ -174,7 +174,7 @@ TEST(StreamReader, HoldsTheTemperatureWhereItIsImpossible) {
   EXPECT_EQ(recording.capture->held_temperatures, 1U);
 }
 
-// A board without a temperature gives its drift up after a minute: then it has no valid rate.
+// Without a temperature a board gives up its drift after a minute: then it has no valid rate.
 TEST(StreamReader, HoldsATemperatureNoLongerThanTheBoardHoldsADrift) {
   ReadOptions options;
   options.stream_rate_hz = 1;

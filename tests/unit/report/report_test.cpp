@@ -28,7 +28,7 @@ std::size_t count(const std::string& text, const std::string& word) {
   return found;
 }
 
-// Everything that a document takes, with `name` wherever a name from outside can stand.
+// Every element of a document, with `name` wherever a name from outside may be.
 Document full_document(const std::string& name) {
   const Text text = verbatim(name);
   Document document(name, text);
@@ -58,7 +58,7 @@ Document full_document(const std::string& name) {
   return document;
 }
 
-// What a file may be called.
+// Possible file names.
 const char* const kHostile = "</script><script>alert(1)</script>&\"x.csv";
 
 TEST(Page, NamesOfFilesCannotBecomeMarkup) {

@@ -67,7 +67,7 @@ TEST(Polynomial, CrossValidationFindsTheOrder) {
 
 TEST(CrossValidation, JudgesOnRowsThatWereLeftOut) {
   const Rows rows = gyro_like(500, 0.1, 3);
-  // Remembers every row it saw and knows nothing of others.
+  // Stores every row it was fitted to and predicts nothing for others.
   const double memory = cross_validated_rms(
       rows.inputs, rows.target, [](const MatrixXd& train, const VectorXd& y, const MatrixXd& test) {
         VectorXd values = VectorXd::Zero(test.rows());
@@ -86,7 +86,7 @@ TEST(SupportVectors, LearnASurfaceAndNotItsNoise) {
   const Rows fresh = gyro_like(500, 0, 5);
   const SupportVectors machine(rows.inputs, rows.target, 0.4, 1e-6);
   EXPECT_LT(rms(machine.values(fresh.inputs) - fresh.target), 0.004);
-  // Costly enough, the function is flat: the mean of the target.
+  // With a high price of curvature the function is flat: the mean of the target.
   const SupportVectors flat(rows.inputs, rows.target, 0.4, 1e6);
   EXPECT_NEAR(rms(flat.values(fresh.inputs).array() - rows.target.mean()), 0, 1e-4);
 }

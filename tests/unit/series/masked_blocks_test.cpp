@@ -1,4 +1,4 @@
-// Masked blocks have no row, and the gyro has gone through their temperatures all the same.
+// Masked blocks have no row, but their temperatures are used.
 
 #include <gtest/gtest.h>
 

@@ -20,13 +20,12 @@ Rows rows_at(std::vector<double> time_s, std::vector<std::size_t> run_starts = {
   return rows;
 }
 
-// The answer to a step after a time is 1 - exp(-time / tau), however many rows there are on the
-// way.
+// The step response after a time is 1 - exp(-time / tau), however many rows are in between.
 TEST(RowFilters, ALagFollowsAStepByTheTimeThatPassed) {
   const Rows rows = rows_at({0, 10, 20, 50, 250});
   VectorXd values(5);
   values << 0, 1, 1, 1, 1;
-  const VectorXd lag = lag_of(rows, values, 40);
+  const VectorXd lag = first_order_lag(rows, values, 40);
   EXPECT_EQ(lag[0], 0);
   for (const Eigen::Index i : {1, 2, 3, 4}) {
     EXPECT_NEAR(lag[i], 1 - std::exp(-rows.time_s[static_cast<std::size_t>(i)] / 40), 1e-15) << i;
@@ -37,7 +36,7 @@ TEST(RowFilters, ALagIsTheBoardsWhereRowsAreEquallyFarApart) {
   const Rows rows = rows_at({0, 10, 20, 30, 40});
   VectorXd values(5);
   values << 3, 1, 4, 1, 5;
-  const VectorXd lag = lag_of(rows, values, 25);
+  const VectorXd lag = first_order_lag(rows, values, 25);
   fog::FirstOrderLag<model::RealNumbers> board(model::RealNumbers::decay(10.0 / 25));
   board.reset(values[0]);
   for (Eigen::Index i = 1; i < 5; ++i) EXPECT_EQ(lag[i], board.step(values[i])) << i;
@@ -46,12 +45,12 @@ TEST(RowFilters, ALagIsTheBoardsWhereRowsAreEquallyFarApart) {
 TEST(RowFilters, EveryRecordingBeginsSettled) {
   const Rows rows = rows_at({0, 10, 0, 10}, {0, 2});
   const VectorXd values = Eigen::Vector4d(1, 1, 7, 7);
-  EXPECT_EQ(lag_of(rows, values, 100), values);
+  EXPECT_EQ(first_order_lag(rows, values, 100), values);
   EXPECT_EQ(smoothed(rows, values, 100), values);
 }
 
-// Forward and backward delay nothing: what is the same both ways stays so, an impulse keeps its
-// place, and far from the ends nothing of it is lost.
+// Forward and backward filtering has no delay: a symmetric signal stays symmetric, an impulse keeps
+// its position, and away from the ends its sum is kept.
 TEST(RowFilters, SmoothingHasNoDelayAndKeepsTheSum) {
   std::vector<double> time_s;
   for (int i = 0; i < 401; ++i) time_s.push_back(10.0 * i);

@@ -58,8 +58,8 @@ TEST(ZeroPhase, SmoothsATemperatureAndLeavesARampAsItIs) {
     const double degc = ramp.blocks[i].means.temperature;
     EXPECT_NEAR(smooth_ramp[i], degc, 1e-3) << i;
     // The point at which a stretch is reflected keeps its noise.
-    const double left = i > 30 && i < 270 ? 0.003 : 0.03;
-    EXPECT_NEAR(smooth[i], degc, left) << i;
+    const double remaining = i > 30 && i < 270 ? 0.003 : 0.03;
+    EXPECT_NEAR(smooth[i], degc, remaining) << i;
   }
 }
 

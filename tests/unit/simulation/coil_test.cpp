@@ -1,4 +1,4 @@
-// The coil integral against the closed forms of the literature (effects.md, section 1).
+// The coil integral against the closed forms of the literature.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -81,7 +81,7 @@ TEST(CoilError, MatchesTheClosedFormOfAQuadrupoleWinding) {
 }
 
 TEST(CoilError, OfARealQuadrupoleIsWhatTheReferenceCoilHas) {
-  // 0.160 deg/h per (K/min) with real radii, 0.003 for an octupole (effects.md, section 1).
+  // 0.160 deg/h per (K/min) with real radii, 0.003 for an octupole.
   CoilGeometry coil;
   EXPECT_NEAR(linear_profile_dph(CoilError(coil, {}, kAxialCells)), 0.160, 0.03 * 0.160);
   coil.pattern = WindingPattern::octupole;

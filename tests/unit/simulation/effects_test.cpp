@@ -1,4 +1,4 @@
-// Each effect leaves the signature that names it (effects.md, section 3).
+// Each effect has its characteristic signature.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -253,7 +253,7 @@ TEST(DeadBand, HoldsZeroInsideAndLetsLargeRatesThrough) {
   EXPECT_NEAR(output(-5), -5, 1e-9);
 }
 
-// What the catalogue has as polynomials, to a few per cent of its size.
+// Effects described by polynomials in the catalogue, to a few per cent of their size.
 TEST(ScaleFactor, ErrorsHaveTheSizeThatTheyAreGiven) {
   constexpr double kFullScale_dph = 100 * 3600;
   const char* const sweeps = "soak 10 min\nsweep 100 deg/s every 100 s\nsoak 30 min\n";
@@ -331,7 +331,7 @@ TEST(SquaredLag, CountsCoolingLikeWarmingAndComesLate) {
                              "start 0 degC\nsoak 2 h\nramp to -90 degC at 0.5 "
                              "degC/min\n")
                         .effect("squared_lag");
-  // The electronics warm the coil meanwhile, in either direction.
+  // In the meantime the electronics warm the coil, in either direction.
   EXPECT_NEAR(down[kRampStart + 600], up[kRampStart + 600], 5e-3 * up[kRampStart + 600]);
 }
 

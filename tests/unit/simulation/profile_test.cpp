@@ -63,7 +63,7 @@ TEST(Profile, KeepsRandomStepsWithinBoundsAndTiedToTheSeed) {
   }
 }
 
-// Whatever is nested, and however deep: it ends soon, and with a message.
+// Any nesting, of any depth, ends soon and with a message.
 TEST(Profile, BoundsNestingAndPasses) {
   const auto nested = [](std::size_t depth, const std::string& repeat, const std::string& inside) {
     std::string text;

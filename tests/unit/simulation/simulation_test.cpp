@@ -1,4 +1,4 @@
-// Whole runs: what is promised about rows, seeds, the truth and the paper's table.
+// Whole runs: rows, seeds, the truth, and the paper's table.
 #include "simulation/simulation.hpp"
 
 #include <gtest/gtest.h>

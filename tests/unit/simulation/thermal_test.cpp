@@ -48,7 +48,7 @@ double slowest_time_constant_s(double inner_m, double outer_m, double diffusivit
 }
 
 TEST(Pack, ConductsAsTheReferenceCoil) {
-  // 45 s one-sided for 5.5 mm needs a diffusivity of 2.7e-7 m2/s (effects.md, section 3, effect 4).
+  // 45 s one-sided for 5.5 mm needs a diffusivity of 2.7e-7 m2/s.
   EXPECT_NEAR(diffusivity_m2_per_s(pack_properties(CoilGeometry{}, {})), 2.7e-7, 0.1e-7);
 }
 
@@ -114,7 +114,7 @@ TEST(ThermalModel, EndsWhereTheHeatBalanceSays) {
   for (int i = 0; i < 5000; ++i) model.step(20, 0, true);
   // The optics' one watt leaves through the housing: somewhat more than 1 W / (W/K) warm.
   EXPECT_NEAR(model.cover_degc(), 20 + 1 / design.housing_to_air_w_per_k, 0.2);
-  // 0.6 of the housing's conductance is the cover's: what that does not give off the base does.
+  // 0.6 of the housing's conductance is the cover's; the base dissipates the rest.
   const double by_cover_w = 0.6 * design.housing_to_air_w_per_k * (model.cover_degc() - 20);
   const double base_degc = 20 + (1 - by_cover_w) / (0.4 * design.housing_to_air_w_per_k);
   EXPECT_NEAR(model.optics_degc() - base_degc, 1 / design.optics_to_base_w_per_k, 1e-6);

@@ -19,7 +19,7 @@ class Interrupt : public ::testing::Test {
   Interrupt() { fs::create_directory(folder_); }
   ~Interrupt() override { fs::remove_all(folder_); }
 
-  // Runs `body` in a process of its own, which is to die of SIGINT, with an output file open.
+  // Runs `body` in a separate process, which is to die of SIGINT, with an output file open.
   template <class Body>
   void expect_no_half_file(Body body) {
     const pid_t child = ::fork();

@@ -9,7 +9,7 @@
 namespace fog::platform {
 
 constexpr std::uint32_t kCrystalHz = 8'000'000;
-constexpr bool kCrystalIsOscillator = false;  ///< OSC_IN is driven: there is nothing to excite
+constexpr bool kCrystalIsOscillator = false;  ///< true: an external clock drives OSC_IN
 constexpr bool kHasClockCrystal = true;       ///< 32,768 Hz at PC14 and PC15: FOG_RESET_CLOCK=lse
 
 constexpr UsartPort kOutputUsart = kUsart1;
@@ -24,11 +24,11 @@ constexpr Pin kConsoleTx{Port::kB, 10, 7};
 
 constexpr Pin kServiceStrap{Port::kB, 12, 0};  ///< to ground: a model may be loaded
 
-// Only in images that are built with FOG_TEMPERATURE=ds18b20: 4.7 kOhm to 3.3 V.
+// Only in images built with FOG_TEMPERATURE=ds18b20: 4.7 kOhm to 3.3 V.
 constexpr UsartPort kOneWireUsart = kUsart6;
 constexpr Pin kOneWire{Port::kC, 6, 8};
 
-// Only with FOG_TEMPERATURE=pt1000: ADC1_IN10 at the middle of 3.3 V - resistor - PT1000 - ground.
+// Only with FOG_TEMPERATURE=pt1000: ADC1_IN10, at the tap of 3.3 V - resistor - PT1000 - ground.
 constexpr Pin kPlatinum{Port::kC, 0, 0};
 constexpr std::uint32_t kPlatinumChannel = 10;
 constexpr std::uint32_t kPlatinumOhmAt0Degc = 1000;

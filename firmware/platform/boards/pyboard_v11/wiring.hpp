@@ -5,11 +5,11 @@
 #include "platform/stm32f405/pin.hpp"
 #include "platform/stm32f405/usart_port.hpp"
 
-// MicroPython's pyboard v1.1, by the names on its edge.
+// MicroPython's pyboard v1.1; pin names as printed on it.
 namespace fog::platform {
 
 constexpr std::uint32_t kCrystalHz = 12'000'000;
-constexpr bool kCrystalIsOscillator = false;  ///< OSC_IN is driven: there is nothing to excite
+constexpr bool kCrystalIsOscillator = false;  ///< true: an external clock drives OSC_IN
 constexpr bool kHasClockCrystal = true;       ///< 32,768 Hz at PC14 and PC15: FOG_RESET_CLOCK=lse
 
 constexpr UsartPort kOutputUsart = kUsart6;
@@ -24,11 +24,11 @@ constexpr Pin kConsoleTx{Port::kB, 10, 7};  ///< Y9
 
 constexpr Pin kServiceStrap{Port::kB, 12, 0};  ///< Y5, to ground: a model may be loaded
 
-// Only in images that are built with FOG_TEMPERATURE=ds18b20: X9, 4.7 kOhm to 3.3 V.
+// Only in images built with FOG_TEMPERATURE=ds18b20: X9, 4.7 kOhm to 3.3 V.
 constexpr UsartPort kOneWireUsart = kUsart1;
 constexpr Pin kOneWire{Port::kB, 6, 7};
 
-// Only with FOG_TEMPERATURE=pt1000: X19, ADC1_IN10 at the middle of 3.3 V - resistor - PT1000 -
+// Only with FOG_TEMPERATURE=pt1000: X19, ADC1_IN10, at the tap of 3.3 V - resistor - PT1000 -
 // ground.
 constexpr Pin kPlatinum{Port::kC, 0, 0};
 constexpr std::uint32_t kPlatinumChannel = 10;

@@ -7,8 +7,8 @@
 #include "platform/stm32f405/usart_line.hpp"
 #include "wiring.hpp"
 
-// Frames are copied, and sent by DMA 2, stream 7 (RM0090, table 43) while the core goes on. It
-// waits only where frames come faster than the line takes them.
+// Frames are copied and sent by DMA 2, stream 7 (RM0090, table 43), while the core continues. It
+// waits only if frames come faster than the line sends them.
 namespace fog {
 namespace platform {
 namespace {
@@ -16,12 +16,12 @@ namespace {
 constexpr std::size_t kStream = 7;
 static_assert(kOutputUsart.dma_channel != 0, "DMA 2, stream 7, serves USART 1 and 6 only");
 
-// Of streams 4 to 7; those of stream 7 (10.5.4).
+// The flags of streams 4 to 7, of which those of stream 7 (10.5.4).
 constexpr std::size_t kHighFlags = 1;
 constexpr std::uint32_t kAllFlags = 0x3DU << 22U;
 
-// The frames of a sample, both selected. A byte at 921600 baud lasts 1,563 cycles of 144 MHz, a
-// poll takes at least 5: twice the time that the buffer needs.
+// The frames of one sample, both selected. A byte at 921600 baud takes 1,563 cycles of 144 MHz, a
+// poll at least 5: twice the time that the buffer needs.
 [[gnu::section(".dma_buffers")]] std::array<std::uint8_t, kMaxOutputBytes> outgoing;
 constexpr std::uint32_t kPolls = 50'000;
 static_assert(kPolls >= 2 * kMaxOutputBytes * 1563 / 5);
@@ -30,8 +30,8 @@ DmaStream& stream() {
   return dma2().stream[kStream];
 }
 
-// The stream disables itself when it is through, and on an error. One that does neither is stopped,
-// which takes it a few cycles: what it had left is lost, the next frames are not.
+// The stream disables itself at the end and on an error. If it does neither, it is stopped, which
+// takes a few cycles: the rest of the buffer is lost, the next frames are not.
 void wait_until_idle() {
   Register& configuration = stream().configuration;
   if (wait_for_bits(configuration, DmaStream::kEnable, 0, kPolls)) return;
@@ -40,7 +40,7 @@ void wait_until_idle() {
 }
 
 void send(std::size_t size) {
-  dma2().clear[kHighFlags].write(kAllFlags);  // with one of them set the stream would not start
+  dma2().clear[kHighFlags].write(kAllFlags);  // with any of them set the stream would not start
   stream().count.write(static_cast<std::uint32_t>(size));
   __atomic_thread_fence(__ATOMIC_RELEASE);  // the bytes are in memory before the DMA reads them
   stream().configuration.write(DmaStream::channel(kOutputUsart.dma_channel) |

@@ -4,8 +4,7 @@
 #include "platform/stm32f405/usart_line.hpp"
 #include "wiring.hpp"
 
-// The core hands over every byte itself: 64 bytes at 921600 baud are 0.7 ms of the 5 ms of a
-// sample.
+// The core writes every byte itself: 64 bytes at 921600 baud take 0.7 ms of the 5 ms of a sample.
 namespace fog {
 
 void platform::open_output_port() {

@@ -3,22 +3,22 @@
 #include "platform/stm32f405/peripherals.hpp"
 #include "wiring.hpp"
 
-// The real-time clock on the board's crystal of 32,768 Hz, in the backup domain, which keeps its
-// state over every reset but the loss of power (RM0090, 5.1.2). It is set once, to an arbitrary
-// date: only differences are of use.
+// The real-time clock on the board's 32,768 Hz crystal, in the backup domain, which keeps its state
+// over all resets but a loss of power (RM0090, 5.1.2). It is set once, to an arbitrary date: only
+// differences matter.
 namespace fog {
 namespace platform {
 namespace {
 
 static_assert(kHasClockCrystal, "FOG_RESET_CLOCK=lse is for a board with a crystal of 32,768 Hz");
 
-// After a reset nobody can write to the backup domain.
+// The backup domain is write-protected after a reset.
 void open_backup_domain() {
   enable_clock(rcc().apb1_enable, Rcc::kPower);
   power().control.set(Power::kBackupDomainWritable);
 }
 
-// The crystal takes up to 2 s. A clock that somebody else has chosen stays until power is lost.
+// The crystal takes up to 2 s. Another clock source, once selected, stays until power is lost.
 bool crystal_drives_clock() {
   Register& domain = rcc().backup_domain;
   const std::uint32_t state = domain.read();
@@ -42,11 +42,11 @@ bool is_set() {
          !rtc().control.any(kOtherFormat);
 }
 
-// The clock lets itself be set two of its periods after it has been asked to: with the next call.
+// The clock can be set two of its periods after the request: in the next call.
 void set() {
   unlock();
   if (rtc().status.any(Rtc::kMayBeSet)) {
-    rtc().prescaler.write(Rtc::kSubsecondsLessOne);  // each half with a write of its own (26.3.5)
+    rtc().prescaler.write(Rtc::kSubsecondsLessOne);  // two separate writes (26.3.5)
     rtc().prescaler.write(Rtc::kSecondsOfLse);
     rtc().control.write(0);
     rtc().time.write(0);
@@ -62,7 +62,7 @@ std::uint32_t from_bcd(std::uint32_t digits) {
   return digits - 6U * (digits >> 4U);
 }
 
-// Months of 31 days and years of 12 of them: a difference may be days too large, never too small.
+// Months of 31 days, years of 12 months: a difference may be days too long, never too short.
 std::uint64_t in_ms(std::uint32_t date, std::uint32_t time, std::uint32_t subsecond) {
   const std::uint32_t months = 12U * from_bcd(date >> 16U & 0xFFU) + from_bcd(date >> 8U & 0x1FU);
   const std::uint32_t days = 31U * months + from_bcd(date & 0x3FU);
@@ -73,21 +73,22 @@ std::uint64_t in_ms(std::uint32_t date, std::uint32_t time, std::uint32_t subsec
   return std::uint64_t{s} * 1000U + part * 1000U / (Rtc::kSubsecondsLessOne + 1U);
 }
 
-// The first read is to hold the others until the date is read, and does not always (ES0182, "RTC
-// calendar registers are not locked properly"): the same before and after is the same throughout.
+// The first read should lock the others until the date is read, but does not always (ES0182, "RTC
+// calendar registers are not locked properly"). If two reads are equal, the values between them are
+// consistent.
 hal::LastingTime read_clock() {
   const std::uint32_t subsecond = rtc().subsecond.read();
   const std::uint32_t time = rtc().time.read();
   const std::uint32_t date = rtc().date.read();
   const bool consistent = rtc().subsecond.read() == subsecond;
-  static_cast<void>(rtc().date.read());  // ends the hold
+  static_cast<void>(rtc().date.read());  // unlocks them
   return {consistent, in_ms(date, time, subsecond)};
 }
 
 }  // namespace
 }  // namespace platform
 
-// That the time has been copied since the last call shows that the crystal is alive.
+// A time that has been updated since the last call shows that the crystal runs.
 hal::LastingTime hal::lasting_time() {
   using namespace platform;
   constexpr LastingTime kUnknown{false, 0};

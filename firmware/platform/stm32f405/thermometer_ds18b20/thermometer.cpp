@@ -5,9 +5,9 @@
 #include "platform/stm32f405/usart_line.hpp"
 #include "wiring.hpp"
 
-// A DS18B20 on a USART as a half-duplex line: the USART makes the time slots, so no interrupt can
-// spoil one and none has to be held off. A byte is a slot, and what is heard of it says what the
-// sensor did (Maxim, tutorial 214).
+// A DS18B20 on a USART as half-duplex line: the USART makes the time slots, so interrupts need not
+// be disabled. A byte is one slot; the byte received shows the sensor's answer (Maxim, tutorial
+// 214).
 namespace fog {
 namespace platform {
 namespace {
@@ -22,11 +22,11 @@ constexpr std::uint32_t kSlotBaud = 115'200;
 constexpr std::uint8_t kShortLow = 0xFF;
 constexpr std::uint8_t kLongLow = 0x00;
 
-// The longest slot is a reset, 1 ms. What is not heard long after that will not be.
+// The longest slot is a reset, 1 ms. A byte not received by now is lost.
 constexpr std::uint32_t kLostAfterMs = 100;
 
 Ds18b20 sensor;
-OneWireSlot slot = OneWireSlot::none;  // under way
+OneWireSlot slot = OneWireSlot::none;  // in progress
 std::uint32_t sent_at_ms = 0;
 
 void send(OneWireSlot next, std::uint32_t now_ms) {
@@ -39,10 +39,10 @@ void send(OneWireSlot next, std::uint32_t now_ms) {
   sent_at_ms = now_ms;
 }
 
-// Of a line that is held low nothing is heard but 0: no sensor either.
-bool shown(std::uint8_t heard) {
-  if (slot == OneWireSlot::reset) return heard != kResetByte && heard != 0;
-  return heard == kShortLow;
+// A line that is held low reads as 0: no sensor either.
+bool slot_result(std::uint8_t received) {
+  if (slot == OneWireSlot::reset) return received != kResetByte && received != 0;
+  return received == kShortLow;
 }
 
 }  // namespace
@@ -60,14 +60,14 @@ void start_thermometer() {
   registers(kOneWireUsart).control1.write(Usart::kEnable | Usart::kTransmitter | Usart::kReceiver);
 }
 
-// The baud rate changes between slots, so the line must have been quiet before: complete, not only
-// received.
+// The baud rate changes between slots, so the line must be idle before: transmission complete, not
+// only a byte received.
 void advance_thermometer() {
   const std::uint32_t now_ms = milliseconds();
   if (slot != OneWireSlot::none) {
     constexpr std::uint32_t kThrough = Usart::kReceived | Usart::kTransmitComplete;
     if ((registers(kOneWireUsart).status.read() & kThrough) == kThrough) {
-      sensor.slot_made(shown(static_cast<std::uint8_t>(registers(kOneWireUsart).data.read())),
+      sensor.slot_made(slot_result(static_cast<std::uint8_t>(registers(kOneWireUsart).data.read())),
                        now_ms);
     } else if (now_ms - sent_at_ms > kLostAfterMs) {
       sensor.line_failed(now_ms);

@@ -5,8 +5,8 @@
 #include "platform/stm32f405/pin_modes.hpp"
 #include "wiring.hpp"
 
-// A PT1000 in a divider on ADC 1, converted over and over: a reading of 512 codes twice a second
-// and more. The supply is also the converter's reference, so it drops out.
+// A PT1000 in a divider on ADC 1, converted continuously: readings of 512 codes, at least two per
+// second. The supply is also the converter's reference, so it cancels.
 namespace fog {
 namespace platform {
 namespace {
@@ -16,7 +16,7 @@ constexpr std::uint32_t kCodeRange = 4096;
 constexpr auto kReference = ResistanceRatio::from_raw(static_cast<std::int32_t>(
     (std::uint64_t{kPlatinumSeriesOhm} << ResistanceRatio::fractional_bits) / kPlatinumOhmAt0Degc));
 
-// A conversion takes 0.1 ms. One that was started before the converter was awake (3 us) never ends.
+// A conversion takes 0.1 ms. One started before the converter was ready (3 us) never ends.
 constexpr std::uint32_t kLostAfterMs = 5;
 
 ResistanceThermometer thermometer(kCodeRange, kReference);
@@ -34,19 +34,19 @@ namespace hal {
 
 using namespace platform;
 
-// 480 cycles of at most 21 MHz on each sample: the divider's 500 ohm need a fraction of that.
+// 480 cycles of at most 21 MHz per sample: the divider's 500 ohm need a fraction of that.
 void start_thermometer() {
   static_assert(kPlatinumChannel >= 10 && kPlatinumChannel < 19);
   connect_analog(kPlatinum);
   enable_clock(rcc().apb2_enable, Rcc::kAdc1);
   adc_common().control.replace(AdcCommon::kPrescaler, AdcCommon::kPrescaleBy4);
   adc1().sample_time[0].write(Adc::k480Cycles << (3U * (kPlatinumChannel - 10U)));
-  adc1().sequence[2].write(kPlatinumChannel);  // the only one
+  adc1().sequence[2].write(kPlatinumChannel);  // the only channel
   adc1().control2.write(Adc::kOn);
   start_conversion(milliseconds());
 }
 
-// Reading the code also clears the end of its conversion.
+// Reading the code also clears the end-of-conversion flag.
 void advance_thermometer() {
   const std::uint32_t now_ms = milliseconds();
   if (adc1().status.any(Adc::kEndOfConversion)) {

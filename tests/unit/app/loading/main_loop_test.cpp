@@ -1,5 +1,5 @@
-// The product's main loop with the generic image's model, while a table is loaded: on a board that
-// this test is, whose demodulator goes on sending.
+// The product's main loop with the generic image's model, while a table is loaded. This test is the
+// board; its demodulator continues to send.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -227,7 +227,7 @@ void run_for(std::uint32_t ms) {
   EXPECT_THROW(fog::app::run(), EndOfTest);
 }
 
-// One after the other: the model is that of the start, as on a board.
+// One after the other: as on a board, the model is the one present at the start.
 TEST(MainLoopOfTheGenericImage, StopsTheRateWhileATableIsLoadedSaysSoAndRestarts) {
   const auto first = slot_of(1);
   board.flash.program(0, 0, first.data(), first.size());

@@ -1,5 +1,5 @@
-// A board whose clock goes on while the reset pin is held: what outlives a reset, with the state as
-// it is flashed, on a board that this test is.
+// State that outlives a reset on a board with a clock that runs while the reset pin is held. The
+// state is as flashed; this test is the board.
 #include "app/kept_state.hpp"
 
 #include <gtest/gtest.h>
@@ -96,7 +96,7 @@ OutputSample run(std::uint32_t samples) {
   return last;
 }
 
-// The pin is held for so long, and the board starts anew.
+// Holds the pin for this time; then the board restarts.
 void reset(std::uint32_t held_ms, ResetCause cause = ResetCause::reset_pin) {
   pass(held_ms);
   board.now_ms = 100;
@@ -148,7 +148,7 @@ TEST_F(KeptStateWithAClock, AClockThatIsNotKnownAtEitherEndIsNone) {
   EXPECT_TRUE(has_any(run(200 * 20).status, Status::thermal_settling));
 }
 
-// 65,536 samples are 328 s: by their numbers alone this one were half a second.
+// 65,536 samples are 328 s: by sequence numbers alone this gap would be half a second.
 TEST_F(KeptStateWithAClock, AGapOfAWholeRoundOfTheNumbersIsNotTakenForAShortOne) {
   reset(65'536 * kPeriodMs + 500);
   EXPECT_TRUE(has_any(run(200 * 40).status, Status::thermal_settling)) << "it started anew";

@@ -74,7 +74,7 @@ TEST(ClockTree, StaysAt16MHzWhereThePllNeverLocks) {
   expect_consistent(board);
 }
 
-// What OpenOCD's own `reset init`, a boot loader or another image leaves.
+// States left by OpenOCD's `reset init`, a boot loader or another image.
 class FromAnyStart : public testing::TestWithParam<Stm32Start> {};
 
 TEST_P(FromAnyStart, RunsAtFullSpeedAndSaysSo) {
@@ -114,7 +114,7 @@ TEST(ClockTree, NeverRunsFasterThanTheSupplyAllows) {
   }
 }
 
-// 4 % in a warm room, 8 % in the cold: the line is understood at one of the speeds.
+// 4 % off in a warm room, 8 % in the cold: one of the speeds matches the line.
 TEST(ClockTree, TriesOtherSpeedsUntilTheLineIsUnderstood) {
   for (int permille = -80; permille <= 45; permille += 5) {
     Stm32Faults faults;
@@ -143,12 +143,13 @@ TEST(ClockTree, TriesOtherSpeedsUntilTheLineIsUnderstood) {
 TEST(Interrupts, NoneIsLeftEnabledOrPending) {
   Stm32F405Model board({}, Stm32Start::boot_loader);
   EXPECT_FALSE(board.enabled_interrupts().empty());
-  fog::platform::quiet_interrupts();
+  fog::platform::disable_all_interrupts();
   EXPECT_TRUE(board.enabled_interrupts().empty());
   EXPECT_TRUE(board.pending_interrupts().empty());
 }
 
-// Every combination of five faults: what it says is running is what is, and it always returns.
+// Every combination of five faults: the reported clocks are the running ones, and it always
+// returns.
 TEST(ClockTree, SaysWhatIsRunningWhateverFailed) {
   int full_speed = 0;
   for (unsigned combination = 0; combination < 32; ++combination) {

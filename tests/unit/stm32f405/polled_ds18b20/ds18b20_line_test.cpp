@@ -17,15 +17,16 @@ using fog::test::Stm32F405Model;
 
 constexpr std::int32_t kDegree = 65536;
 
-/// The sensor at the end of the wire, which sees low times and not bits: a long low is a reset,
-/// middle a 0, short a 1 or a chance to answer.
+/// The sensor at the end of the wire, which sees low times, not bits: long is a reset, medium a 0,
+/// short a 1 or a read slot.
 std::uint8_t answer(Ds18b20Model& sensor, std::uint32_t baud, std::uint8_t sent) {
   const double bit_us = 1e6 / baud;
   int low_bits = 1;  // the start bit
   for (int bit = 0; bit < 8 && (sent >> bit & 1) == 0; ++bit) ++low_bits;
   const double low_us = low_bits * bit_us;
   if (low_us >= 480) {
-    // Presence: 15 to 60 us after the release, low for 60 to 240 us, seen by the bits it lasts.
+    // Presence: 15 to 60 us after the release, low for 60 to 240 us; seen in the bits that it
+    // covers.
     return sensor.reset() && 5 * bit_us > 60 ? static_cast<std::uint8_t>(sent & 0xE0) : sent;
   }
   if (low_us >= 60 && low_us <= 120) {
@@ -63,7 +64,7 @@ struct Wire {
   }
 };
 
-// Static state of the driver goes on from test to test, as it does on a board whose sensor changes.
+// The driver's static state is kept from test to test, as on a board whose sensor changes.
 constexpr std::uint32_t kUntilSureMs = 5000;
 
 TEST(OneWireLine, ReadsTheSensorOnEveryClock) {

@@ -1,5 +1,5 @@
-// The slots of a model are erased and written as the manual wants it, within the watchdog's time,
-// by code that runs from the same flash.
+// Erasing and writing the model slots as the manual requires, within the watchdog's time, by code
+// that runs from the same flash.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -180,8 +180,8 @@ TEST(ModelFlashModel, SaysNoToEveryForbiddenOrder) {
          [&](auto& board) { board.write(0x40023C00, 1U << 12U | 1U << 10U); });
 }
 
-// The strap that lets a model be loaded: an input that nothing is at must not pass for a closed
-// one, however slowly it rises.
+// The strap that enables loading: an open input must not be taken for closed, however slowly it
+// rises.
 TEST(ServiceStrap, IsOpenUnlessItIsClosedAllTheTime) {
   Stm32F405Model board;
   EXPECT_FALSE(fog::hal::service_strap_closed());

@@ -1,5 +1,5 @@
-// Which function of which pin reaches which peripheral: RM0090 does not say it, the data sheet does
-// (DocID022152, table 9, "Alternate function mapping"). No emulator looks at it.
+// The alternate functions of pins: not in RM0090, but in the data sheet (DocID022152, table 9,
+// "Alternate function mapping"). No emulator checks them.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -37,7 +37,7 @@ std::string name_of(char port, unsigned pin) {
   return std::string("P") + port + std::to_string(pin);
 }
 
-// The pin as the registers have it, or a reason why nothing of this USART is at it.
+// Configuration of the pin from the registers, or why it is not connected to this USART.
 std::string connection(const Stm32F405Model& board, const Pin& pin, std::uint32_t usart,
                        bool transmits) {
   const auto port = static_cast<char>('A' + static_cast<int>(pin.port));

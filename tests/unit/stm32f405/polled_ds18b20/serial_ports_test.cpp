@@ -21,7 +21,8 @@ using Bytes = std::vector<std::uint8_t>;
 
 constexpr int kOutput = 1, kSensor = 2, kConsole = 3;
 
-// The receive ring belongs to the program, not to the board: what another test left is taken out.
+// The receive ring belongs to the program, not to the board: bytes left by another test are
+// removed.
 Bytes read_all() {
   Bytes all;
   std::array<std::uint8_t, 64> chunk;
@@ -50,7 +51,7 @@ void expect_no_violations(const Stm32F405Model& board) {
   for (const std::string& violation : board.violations()) ADD_FAILURE() << violation;
 }
 
-// A receiver tells bytes apart up to 4 %, both ends together.
+// A receiver tolerates 4 %, both ends together.
 TEST(SerialPorts, HaveTheirBitRatesOnEveryClock) {
   for (unsigned combination = 0; combination < 3; ++combination) {
     Stm32Faults faults;
@@ -84,7 +85,7 @@ TEST(SensorPort, DeliversBytesInOrderAndSurvivesAnOverrun) {
   EXPECT_EQ(read_all(), (Bytes{1, 2, 5}));
 }
 
-// Interrupts that come late at random: what is lost is lost, what arrives is in order.
+// Interrupts with random delays: bytes may be lost, but those that arrive are in order.
 TEST(SensorPort, LosesOnlyWhatNobodyWasInTimeFor) {
   Stm32F405Model board;
   start(board);
@@ -142,8 +143,8 @@ TEST(OutputPort, SendsEveryByteInOrder) {
   expect_no_violations(board);
 }
 
-// What is handed over in one loop of the main program: four samples with both frames. A poll takes
-// 5 to 8 cycles; a fifth of the watchdog's shortest time, 68 ms, is left for the rest.
+// Data of one pass of the main loop: four samples with both frames. A poll takes 5 to 8 cycles; a
+// fifth of the watchdog's shortest time, 68 ms, is left for the rest.
 TEST(OutputPort, AStuckTransmitterCostsBytesAndNotTheBoard) {
   for (const bool slow_clock : {false, true}) {
     Stm32Faults faults;

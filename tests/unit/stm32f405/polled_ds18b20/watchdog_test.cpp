@@ -37,7 +37,7 @@ TEST(Watchdog, HasHalfASecondForTheStart) {
   for (const std::string& violation : board.violations()) ADD_FAILURE() << violation;
 }
 
-// With every wait at its bound; the watchdog's oscillator at its fastest.
+// With every wait at its limit, and the watchdog's oscillator at its fastest.
 TEST(Watchdog, LeavesTheStartTimeForEveryClockThatDoesNotComeUp) {
   for (unsigned combination = 0; combination < 16; ++combination) {
     Stm32Faults faults;

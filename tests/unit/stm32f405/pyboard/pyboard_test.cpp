@@ -63,17 +63,17 @@ TEST(AnotherBoard, SpeaksOnItsOwnPortsAndNoOther) {
 TEST(AnotherBoard, HearsItsOwnPorts) {
   Stm32F405Model board;
   start(board);
-  std::array<std::uint8_t, 4> heard{};
+  std::array<std::uint8_t, 4> received{};
   board.receive(kOutput, 0xA5);
   ASSERT_TRUE(board.interrupt_pending(kOutput));
   fog::platform::on_request_interrupt();
-  EXPECT_EQ(fog::hal::read_requests(heard.data(), heard.size()), 1U);
-  EXPECT_EQ(heard[0], 0xA5);
+  EXPECT_EQ(fog::hal::read_requests(received.data(), received.size()), 1U);
+  EXPECT_EQ(received[0], 0xA5);
   board.receive(kSensor, 0x5A);
   ASSERT_TRUE(board.interrupt_pending(kSensor));
   fog::platform::on_sensor_interrupt();
-  EXPECT_EQ(fog::hal::read_sensor_stream(heard.data(), heard.size()), 1U);
-  EXPECT_EQ(heard[0], 0x5A);
+  EXPECT_EQ(fog::hal::read_sensor_stream(received.data(), received.size()), 1U);
+  EXPECT_EQ(received[0], 0x5A);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The clock that says how long a reset lasted: it never waits, never guesses, and does nothing to
-// the part that the manual forbids.
+// The clock that measures the length of a reset: it never waits, never returns a wrong time, and
+// does nothing that the manual forbids.
 #include "hal/lasting_clock.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ class LastingClock : public testing::Test {
   ~LastingClock() override {
     for (const std::string& violation : board_.violations()) ADD_FAILURE() << violation;
   }
-  // As a board asks it: once a second. Returns how many seconds it took to be known.
+  // Called like on a board: once a second. Returns the seconds until the time was known.
   int run_until_known() {
     for (int s = 0; s < 10; ++s) {
       if (lasting_time().known) return s;
@@ -29,7 +29,7 @@ class LastingClock : public testing::Test {
     ADD_FAILURE() << "never known";
     return 10;
   }
-  // What passed from one answer to the next, with `change` between.
+  // Difference between two readings, with `change` in between.
   template <class Change>
   double ms_over(Change change) {
     board_.let_pass_s(0.001);  // since the last call
@@ -99,7 +99,7 @@ TEST_F(LastingClock, IsNeverKnownWithoutACrystal) {
   }
 }
 
-// ES0182: what a read should hold may go on.
+// ES0182: a read that should stop the others may not.
 TEST_F(LastingClock, IsNotMisreadWhereItGoesOnBetweenTwoReads) {
   run_until_known();
   board_.backup_domain.holds_while_read = false;
@@ -108,7 +108,7 @@ TEST_F(LastingClock, IsNotMisreadWhereItGoesOnBetweenTwoReads) {
   double last_ms = static_cast<double>(lasting_time().ms);
   double last_s = board_.elapsed_s();
   for (int i = 0; i < 600; ++i) {
-    // So that a step falls among the accesses of the next call; every 256th is a second's.
+    // So that a second starts among the accesses of the next call; every 256th step is a second.
     const double to_step = board_.backup_domain.to_next_step_s(board_.elapsed_s());
     board_.let_pass_s(to_step + 255.0 / 256 + (i % 60) * -1e-7);
     const LastingTime now = lasting_time();

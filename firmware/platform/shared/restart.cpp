@@ -1,6 +1,6 @@
-#include "platform/cortex_m/restart.hpp"
+#include "platform/shared/restart.hpp"
 
-#include "platform/cortex_m/system_control.hpp"
+#include "platform/shared/processor.hpp"
 #include "platform/shared/restart_record.hpp"
 
 namespace fog {
@@ -15,12 +15,7 @@ hal::ResetReport report{};
 
 void restart(hal::ResetCause cause, const hal::CrashRecord& crash) {
   record.keep(cause, crash);
-  asm volatile("dsb" ::: "memory");
-  system_control_block().application_interrupt_and_reset.write(
-      SystemControlBlock::kResetKeyAndRequest);
-  asm volatile("dsb" ::: "memory");
-  for (;;) {  // the reset takes a few cycles to arrive
-  }
+  reset_processor();
 }
 
 void restart(hal::ResetCause cause) {

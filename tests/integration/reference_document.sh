@@ -1,0 +1,131 @@
+#!/usr/bin/env bash
+# reference_document.sh FOGCOMP SOURCE [--renew]: host_tools/REFERENCE.md has every command's usage and options as
+# `fogcomp help` says them, every JSON key that the code writes and none that it does not, and every key of a model file.
+# --renew writes usage and options anew.
+set -euo pipefail
+exec python3 - "$@" <<'EOF'
+import glob, re, subprocess, sys, textwrap
+
+fogcomp, source, renew = sys.argv[1], sys.argv[2], "--renew" in sys.argv[3:]
+page = f"{source}/host_tools/REFERENCE.md"
+problems = []
+
+
+def said(*words):
+    return subprocess.run([fogcomp, *words], capture_output=True, text=True, check=True).stdout
+
+
+def read(*patterns):
+    files = [file for pattern in patterns for file in glob.glob(f"{source}/host_tools/{pattern}")]
+    return "\n".join(open(file, encoding="utf-8").read() for file in files)
+
+
+def one_line(text):
+    return " ".join(text.split())
+
+
+def cell(text):
+    return text.replace("|", "\\|")
+
+
+def command_help(command):
+    """Its usage and purpose as a line, and a row of a table for each option, by name."""
+    text = said("help", command)
+    purpose = one_line(re.search(rf"fogcomp {command} - (.*?)\n\nusage", text, re.S)[1])
+    usage = one_line(re.search(r"^usage: (.*?)\n\n", text, re.M | re.S)[1])
+    rows, entry = {}, None
+    for line in text.split("\nusage: ")[1].split("\nexample: ")[0].split("\n")[1:]:
+        found = re.match(r"  (--?[a-z][a-z-]*)( \S+)?(.*)", line)
+        if found:
+            entry = rows[found[1]] = [found[1] + (found[2] or ""), found[3].strip()]
+        elif entry and line.strip():
+            entry[1] = one_line(entry[1] + " " + line)
+    return f"`{usage}`: {purpose}.", {n: f"| `{cell(o)}` | {cell(h)} |" for n, (o, h) in rows.items()}
+
+
+def options_table(rows):
+    return "\n".join(["| option | |", "|---|---|", *rows]) if rows else ""
+
+
+def options_in(text):
+    table = re.search(r"^\| option \| \|\n\|---\|---\|\n((?:\|.*\n)+)", text + "\n", re.M)
+    return table[1].strip().split("\n") if table else []
+
+
+def names_in(text):
+    return [re.match(r"\| `(--?[a-z-]+)", row)[1] for row in options_in(text)]
+
+
+text = open(page, encoding="utf-8").read()
+sections = {m[2]: m[0] for m in re.finditer(r"^(###+) (.+)\n(?:(?!^##).*\n)*", text, re.M)}
+commands = re.findall(r"^  ([a-z]+) ", said("--help"), re.M)
+helps = {command: command_help(command) for command in commands}
+
+
+def replace_or_complain(section, wanted, present, what):
+    """The same section with what is wanted in the place of what is present."""
+    if wanted != present:
+        problems.append(f"REFERENCE.md, {section}: {what}: wanted\n{wanted}\nthere is\n{present}")
+    return wanted
+
+
+for command in commands:
+    section = sections.get(command)
+    if section is None:
+        problems.append(f"REFERENCE.md: no section '### {command}'")
+        continue
+    usage, rows = helps[command]
+    fresh = section
+    present = re.search(r"^`fogcomp [^`]*`: (?:.+\n)+", section, re.M)[0].rstrip("\n")
+    if replace_or_complain(command, usage, one_line(present), "usage") != one_line(present):
+        lines = textwrap.wrap(usage, 119, break_on_hyphens=False, break_long_words=False)
+        fresh = fresh.replace(present, "\n".join(lines), 1)
+    also = re.search(r"^Also: (?:.+\n)+", section, re.M)
+    own = dict(rows)
+    for group in re.findall(r"\[([^]]+)\]\(#", also[0]) if also else []:
+        title = one_line(group).capitalize()
+        names = names_in(sections[title])
+        shared = [own.pop(name) for name in names if name in own]
+        if shared != options_in(sections[title]):
+            problems.append(f"REFERENCE.md: {command} has not the {group} of the group")
+    present = options_table(options_in(section))
+    wanted = replace_or_complain(command, options_table(own.values()), present, "options")
+    fresh = fresh.replace(present, wanted, 1) if present else fresh
+    text = text.replace(section, fresh, 1)
+
+# JSON: keys by the files that write them.
+everything = read("*/*.cpp", "*/*.hpp")
+writers = {"add": ["findings/add_json.cpp"], "batch": ["findings/batch_json.cpp"], "fit": ["findings/fit_json.cpp"],
+           "compare": ["findings/compare_json.cpp"], "info": ["findings/info_json.cpp"],
+           "diagnose": ["findings/diagnosis_json.cpp"], "paper": ["findings/paper_json.cpp"],
+           "effects": ["cli/effects_command.cpp", "cli/effects_text.cpp"]}
+for command in commands:
+    section = sections.get(command, "")
+    code = read(*writers.get(command, [f"cli/{command}_command.cpp"]))
+    keys = set(re.findall(r"\bset\(\s*\"([a-z_0-9]+)\"", code))
+    for key in sorted(keys):
+        if f"`{key}`" not in section:
+            problems.append(f"REFERENCE.md, {command}: JSON key {key} is missing")
+    stated = re.findall(r"`([a-z]+(?:_[a-z0-9]+)+)`", section.partition("**JSON**")[2])
+    for key in stated:
+        if f'"{key}"' not in everything and not any(f'"{key[i:]}"' in everything for i in range(1, len(key))):
+            problems.append(f"REFERENCE.md, {command}: no code writes {key}")
+
+model_keys = re.findall(r"^    \{\"([a-z_0-9]+)\",", read("model/model_file.cpp", "model/model_file_keys.hpp"), re.M)
+model_text = text[text.index("\n## Model file"):]
+for key in model_keys:
+    if f"`{key}`" not in model_text:
+        problems.append(f"REFERENCE.md, Model file: {key} is missing")
+
+if renew:
+    open(page, "w", encoding="utf-8").write(text)
+    print("REFERENCE.md: usage and options as the commands say them")
+    sys.exit(0)
+for problem in problems:
+    print(problem, file=sys.stderr)
+if problems:
+    print("tests/integration/reference_document.sh FOGCOMP SOURCE --renew writes usage and options anew", file=sys.stderr)
+else:
+    print(f"{len(commands)} commands, {len(set(model_keys))} keys of a model file, as the tool has them")
+sys.exit(bool(problems))
+EOF

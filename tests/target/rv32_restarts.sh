@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# rv32_restarts.sh ELF: the product image for RV32, sent to where there is no memory, records the crash, restarts and
+# says so, with a clock that went on until then.
+set -euo pipefail
+elf=$1
+source "$(dirname "$0")/board_session.sh"
+timeout --kill-after=1 60 qemu-system-riscv32 -bios none -M virt -display none -monitor none -serial null \
+  -chardev "file,id=console,path=$scratch/console" -semihosting-config enable=on,target=native,chardev=console \
+  -gdb "unix:$scratch/gdb,server=on,wait=off" -kernel "$elf" </dev/null >"$scratch/qemu.log" 2>&1 &
+wait_for test -e "$scratch/console"
+wait_for booted
+sleep 0.1 # of uptime
+python3 - "$scratch/gdb" <<'EOF'
+import socket, sys
+
+debugger = socket.socket(socket.AF_UNIX)
+debugger.connect(sys.argv[1])
+
+
+def ask(command):
+    debugger.sendall(f"${command}#{sum(command.encode()) % 256:02x}".encode())
+    answer = b""
+    while b"#" not in answer or len(answer.split(b"#")[1]) < 2:
+        answer += debugger.recv(1000)
+    debugger.sendall(b"+")
+    return answer
+
+
+ask("?")  # it stands still
+ask("qXfer:features:read:target.xml:0,ffb")  # QEMU lets registers be written only after this
+assert b"OK" in ask("P20=00000040"), "the program counter"
+ask("D")  # it goes on
+EOF
+crashed() { (($(grep -c '^image: ' "$scratch/console") == 2)); }
+wait_for crashed
+cat "$scratch/console"
+grep -q 'ready.*reset cause fault' "$scratch/console"
+grep -qE '^crash: exception 2 at 0x40000000 .*, after [1-9][0-9]* ms' "$scratch/console"
