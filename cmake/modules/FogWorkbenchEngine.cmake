@@ -21,7 +21,7 @@ function(fog_workbench_engine target)
     return()
   endif()
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.[ch]pp" "${source}/*"
-       "${PROJECT_SOURCE_DIR}/firmware/core/*.[ch]pp")
+       "${CMAKE_CURRENT_SOURCE_DIR}/report/page/*" "${PROJECT_SOURCE_DIR}/firmware/core/*.[ch]pp")
   # Debian's emscripten looks for its acorn where Debian's Node has its modules.
   set(run "${CMAKE_COMMAND}" -E env NODE_PATH=/usr/share/nodejs "${CMAKE_COMMAND}")
   add_custom_command(

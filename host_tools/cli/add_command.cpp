@@ -4,10 +4,12 @@
 #include <cstdio>
 
 #include "cli/add_command.hpp"
+#include "cli/page_bench.hpp"
 #include "cli/training_options.hpp"
 #include "cli/watch.hpp"
 #include "findings/add_findings.hpp"
 #include "findings/json.hpp"
+#include "findings/text.hpp"
 #include "model/model_file.hpp"
 #include "report/terminal.hpp"
 #include "support/input_error.hpp"
@@ -43,16 +45,35 @@ workflow::AddRequest AddCommand::request() const {
   return request;
 }
 
+// The model as it was, unless the new one takes its file, and what became of it.
+std::optional<report::WorkbenchSetup> AddCommand::bench(const workflow::AddRequest& asked,
+                                                        const fit::Addition& addition,
+                                                        bool written) const {
+  BenchInput input{asked.runs, asked.hold_outs, {{asked.model, asked.model, {}, "", true}}};
+  if (written) {
+    const bool replaces = output.value() == asked.model;
+    if (replaces) input.states.clear();
+    input.states.push_back({output.value(), "+ " + join(addition.names(), ", "),
+                            replaces ? std::vector<std::string>{} : given_command(*this), "",
+                            true});
+    input.made.push_back({output.value(), model::model_text(addition.model)});
+  }
+  input.states.back().judgement = findings::words(addition.reason).sentence();
+  input.states.back().accepted = addition.accepted;
+  return report_bench(input, recording);
+}
+
 int AddCommand::run() const {
   OutputFile model_file(output.required());
   ReportFile page(report);
-  const fit::Addition addition = workflow::add(request(), Watch().observer());
+  const workflow::AddRequest asked = request();
+  const fit::Addition addition = workflow::add(asked, Watch().observer());
   const bool written = addition.accepted || force.given();
   if (written) model_file.write(model::model_text(addition.model));
   const std::string name = written ? output.value() : "";
   findings::Document document = findings::add_findings(addition, arguments[0], name);
   document.read_with(recording.given_words());
-  if (page.wanted()) page.fill(document);
+  if (page.wanted()) page.fill(document, bench(asked, addition, written));
   if (written) model_file.commit();
   page.commit();
   if (json.given()) {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "cli/command.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
 #include "fit/effect_change.hpp"
 #include "model/catalogue.hpp"
+#include "report/workbench_page.hpp"
 #include "workflow/add.hpp"
 
 namespace fogcomp::cli {
@@ -42,6 +44,10 @@ struct AddCommand : Command {
   /// The request of the options. Throws InputError for values out of range.
   workflow::AddRequest request() const;
   int run() const override;
+
+ private:
+  std::optional<report::WorkbenchSetup> bench(const workflow::AddRequest& asked,
+                                              const fit::Addition& addition, bool written) const;
 };
 
 }  // namespace fogcomp::cli

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "cli/compare_command.hpp"
+#include "cli/page_bench.hpp"
 #include "cli/watch.hpp"
 #include "findings/compare_findings.hpp"
 #include "findings/json.hpp"
@@ -26,7 +27,13 @@ int CompareCommand::run() const {
   const std::vector<compare::ModelOnRuns> judged = workflow::compare(request(), Watch().observer());
   findings::Document document = findings::compare_findings(judged);
   document.read_with(recording.given_words());
-  if (page.wanted()) page.write(document);
+  if (page.wanted()) {
+    BenchInput bench{{arguments.begin() + 1, arguments.end()}};
+    for (const compare::ModelOnRuns& model : judged) {
+      bench.states.push_back({model.file, model.file, {}, "", true});
+    }
+    page.write(document, report_bench(bench, recording));
+  }
   if (json.given()) {
     std::puts(findings::compare_json(judged).text().c_str());
   } else {

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "cli/diagnose_command.hpp"
+#include "cli/page_bench.hpp"
 #include "cli/watch.hpp"
 #include "findings/diagnose_findings.hpp"
 #include "findings/json.hpp"
@@ -10,6 +11,7 @@
 #include "report/terminal.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp::cli {
 
@@ -44,8 +46,14 @@ int DiagnoseCommand::run() const {
   findings::Document document =
       findings::diagnose_findings(found.ladder, loop_wanted, found.data, files);
   document.read_with(recording.given_words());
-  if (written) model_file->write(model::model_text(found.ladder.model));
-  if (page.wanted()) page.fill(document);
+  BenchInput bench{found.runs, holdouts.value(), {{arguments[0], arguments[0], {}, "", true}}};
+  if (written) {
+    const std::string text = model::model_text(found.ladder.model);
+    model_file->write(text);
+    bench.states.push_back({output.value(), "+ " + join(found.ladder.added(), ", "), {}, "", true});
+    bench.made.push_back({output.value(), text});
+  }
+  if (page.wanted()) page.fill(document, report_bench(bench, recording));
   if (written) model_file->commit();
   page.commit();
   if (json.given()) {

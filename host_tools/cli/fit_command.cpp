@@ -5,6 +5,7 @@
 
 #include "board/identity.hpp"
 #include "cli/fit_command.hpp"
+#include "cli/page_bench.hpp"
 #include "cli/training_options.hpp"
 #include "cli/watch.hpp"
 #include "findings/fit_findings.hpp"
@@ -34,10 +35,15 @@ int FitCommand::run() const {
     std::fprintf(stderr, "interrupted: the best network of %s is kept\n",
                  counted(epochs, "epoch").c_str());
   }
-  model_file.write(model::model_text(found.model));
+  const std::string text = model::model_text(found.model);
+  model_file.write(text);
   findings::Document document = findings::fit_findings(found, found.on_its_runs(output.value()));
   document.read_with(recording.given_words());
-  if (page.wanted()) page.fill(document);
+  if (page.wanted()) {
+    const report::WorkbenchSetup::State state{output.value(), found.model.history.back().action,
+                                              given_command(*this), "", true};
+    page.fill(document, report_bench({arguments, {}, {state}, {{state.model, text}}}, recording));
+  }
   model_file.commit();
   page.commit();
   if (json.given()) {

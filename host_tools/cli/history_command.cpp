@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "cli/command.hpp"
+#include "cli/report_option.hpp"
+#include "findings/history_findings.hpp"
 #include "model/model_file.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
@@ -106,6 +108,7 @@ void print_text(const model::Model& model, const std::string& file) {
 }
 
 struct HistoryCommand : Command {
+  ReportOption report{this};
   Flag json{this, "json", "one JSON object on stdout"};
 
   HistoryCommand()
@@ -115,8 +118,10 @@ struct HistoryCommand : Command {
 
   int run() const override {
     const std::string& file = arguments[0];
+    ReportFile page(report);
     const model::Model model = model::load_model(file);
     if (model.history.empty()) throw InputError(file, "has no history; fit it again");
+    if (page.wanted()) page.write(findings::history_findings(model, file));
     if (json.given()) {
       print_json(model, file);
     } else {

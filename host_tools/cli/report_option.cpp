@@ -10,8 +10,9 @@ ReportFile::ReportFile(const ReportOption& option) {
   if (option.given()) file_.emplace(option.value());
 }
 
-void ReportFile::fill(const findings::Document& document) {
-  file_->write(report::page(document));
+void ReportFile::fill(const findings::Document& document,
+                      const std::optional<report::WorkbenchSetup>& bench) {
+  file_->write(report::page(document, bench ? &*bench : nullptr));
   file_->flush();
 }
 
@@ -21,8 +22,9 @@ void ReportFile::commit() {
   std::fprintf(stderr, "report: %s\n", file_->path().c_str());
 }
 
-void ReportFile::write(const findings::Document& document) {
-  fill(document);
+void ReportFile::write(const findings::Document& document,
+                       const std::optional<report::WorkbenchSetup>& bench) {
+  fill(document, bench);
   commit();
 }
 

@@ -4,6 +4,7 @@
 
 #include "cli/option.hpp"
 #include "findings/document.hpp"
+#include "report/workbench_page.hpp"
 #include "support/output_file.hpp"
 
 namespace fogcomp::cli {
@@ -21,10 +22,13 @@ class ReportFile {
  public:
   explicit ReportFile(const ReportOption& option);
   bool wanted() const { return file_.has_value(); }
-  /// Sets the contents; the file gets its name with the command's other output, or by write().
-  void fill(const findings::Document& document);
+  /// The page, on which `bench` calculates; it gets its name with the command's other output, or by
+  /// write() alone.
+  void fill(const findings::Document& document,
+            const std::optional<report::WorkbenchSetup>& bench = std::nullopt);
   void commit();
-  void write(const findings::Document& document);
+  void write(const findings::Document& document,
+             const std::optional<report::WorkbenchSetup>& bench = std::nullopt);
 
  private:
   std::optional<OutputFile> file_;

@@ -1,7 +1,6 @@
 #include "diagnosis/structure.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 
@@ -19,8 +18,6 @@ constexpr int kRateKnots = 6;
 constexpr int kProductKnots = 4;
 constexpr int kTimeKnots = 8;  // per run
 constexpr int kMaxTimeKnots = 32;
-constexpr std::array<double, 4> kHistoryLags_s{240, 960, 3840, 15360};
-constexpr std::array<double, 4> kRadii_degc{2, 5, 10, 20};
 
 Eigen::VectorXd column_of(
     const series::Rows& rows,
@@ -47,14 +44,14 @@ Eigen::MatrixXd smooths(const Eigen::VectorXd& x, int knots) {
   return columns;
 }
 
-Eigen::VectorXd play(const series::Rows& rows, const Eigen::VectorXd& x, double radius) {
+Eigen::VectorXd beyond_play(const series::Rows& rows, const Eigen::VectorXd& x, double radius) {
   fog::Play<model::RealNumbers> play(radius);
-  Eigen::VectorXd behind(x.size());
+  Eigen::VectorXd beyond(x.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     if (rows.starts_run(static_cast<std::size_t>(i))) play.centre(x[i]);
-    behind[i] = play.step(x[i]);
+    beyond[i] = play.step(x[i]);
   }
-  return behind;
+  return beyond;
 }
 
 Eigen::MatrixXd of_time(const series::Rows& rows) {
@@ -75,6 +72,12 @@ Eigen::MatrixXd of_time(const series::Rows& rows) {
 
 }  // namespace
 
+Eigen::VectorXd temperature_beyond(const series::Rows& rows, const Eigen::VectorXd& temperature,
+                                   const TemperatureHistory& history) {
+  if (history.is_play) return beyond_play(rows, temperature, history.parameter);
+  return temperature - series::first_order_lag(rows, temperature, history.parameter);
+}
+
 std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
   const Eigen::VectorXd temperature = column_of(rows, [](const auto& s) { return s.temperature; });
   const Eigen::VectorXd rate = column_of(rows, [](const auto& s) { return s.temperature_rate; });
@@ -88,10 +91,9 @@ std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
                                       product.leftCols(std::min<Eigen::Index>(2, product.cols()))},
                                  rows.size())});
   std::vector<Eigen::MatrixXd> history;
-  for (const double tau_s : kHistoryLags_s) {
-    history.push_back(temperature - series::first_order_lag(rows, temperature, tau_s));
+  for (const TemperatureHistory& each : kTemperatureHistories) {
+    history.push_back(temperature_beyond(rows, temperature, each));
   }
-  for (const double radius : kRadii_degc) history.push_back(play(rows, temperature, radius));
   groups.push_back({"temperature history", side_by_side(history, rows.size())});
   groups.push_back({"time_s", of_time(rows)});
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,18 @@ struct StructureGroup {
   std::string variable;     ///< "temperature_degc", "temperature_rate", "time_s", ...
   Eigen::MatrixXd columns;  ///< rows x any, neither whitened nor scaled
 };
+
+/// What follows the temperature late, or with play.
+struct TemperatureHistory {
+  double parameter = 0;  ///< time constant, s, of the lag; or radius, degC, of the play operator
+  bool is_play = false;
+};
+inline constexpr std::array<TemperatureHistory, 8> kTemperatureHistories{
+    {{240}, {960}, {3840}, {15360}, {2, true}, {5, true}, {10, true}, {20, true}}};
+
+/// How far the temperature of each row is from that, degC.
+Eigen::VectorXd temperature_beyond(const series::Rows& rows, const Eigen::VectorXd& temperature,
+                                   const TemperatureHistory& history);
 
 /// Smooth functions of temperature, its rate, their product, history (lagged temperatures and play
 /// operators), time within each run, and every further input that varies.

@@ -4,6 +4,7 @@
 
 #include "findings/compare_words.hpp"
 #include "findings/figures.hpp"
+#include "findings/history_findings.hpp"
 #include "findings/network_words.hpp"
 #include "findings/run_section.hpp"
 #include "noise/outlier_rows.hpp"
@@ -96,28 +97,9 @@ void add_model(Document& document, const FitOutcome& fit) {
   }
 }
 
-// Adds spaces, so that a list of effects can be broken into lines.
-std::string spaced(const std::string& list) {
-  return join(split(list, ','), ", ");
-}
-
 void add_ladder(Document& document, const FitOutcome& fit) {
-  const std::vector<model::HistoryEntry>& history = fit.model.history;
-  Table table;
-  table.caption = "what is left of the data of the fit";
-  table.columns = {"step", {"rms left", "residual"}};
-  table.quantity = "rms left, deg/h";
-  table.floor = history.back().noise_floor_dph.value_or(0);
-  const double before_dph = history.front().rms_before_dph;
-  Table::Row constant{"by a constant alone", {number(before_dph), before_dph}};
-  constant.colour = "measured";
-  table.rows.push_back(std::move(constant));
-  for (const model::HistoryEntry& step : history) {
-    table.rows.push_back(
-        {verbatim(spaced(step.action)), {number(step.rms_after_dph), step.rms_after_dph}});
-  }
   document.heading("Error ladder");
-  document.table(std::move(table));
+  document.table(error_ladder(fit.model));
   if (const std::optional<double> determined = fit.determined_weights()) {
     document.sentence(
         words(format("of the network's weights the data determine %.1f", *determined)));

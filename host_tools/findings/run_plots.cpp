@@ -37,10 +37,7 @@ Plot plot_over_time(const Text& title, const Text& y_label, const TimeAxis& axis
   plot.y_label = y_label;
   plot.group = axis.group;
   for (const double time : time_s) plot.x.push_back(time / kSecondsPerHour);
-  for (const recording::Segment& segment : axis.segments) {
-    plot.bands.push_back({verbatim(segment.name), segment.start_s / kSecondsPerHour,
-                          segment.end_s / kSecondsPerHour, shade_of(segment.kind)});
-  }
+  plot.bands = bands_of(axis.segments);
   return plot;
 }
 
@@ -57,6 +54,15 @@ TimeAxis time_axis(const compare::Comparison& comparison, const std::string& gro
           starts_of(comparison.rows.stretches()),
           group,
           {comparison.segments.begin(), comparison.segments.end()}};
+}
+
+std::vector<Band> bands_of(const std::vector<recording::Segment>& segments) {
+  std::vector<Band> bands;
+  for (const recording::Segment& segment : segments) {
+    bands.push_back({verbatim(segment.name), segment.start_s / kSecondsPerHour,
+                     segment.end_s / kSecondsPerHour, shade_of(segment.kind)});
+  }
+  return bands;
 }
 
 std::string part_colour(std::size_t i) {

@@ -30,6 +30,9 @@ struct TimeAxis {
 TimeAxis time_axis(const compare::Comparison& comparison, const std::string& group);
 std::vector<std::size_t> starts_of(const std::vector<recording::RowRange>& stretches);
 
+/// Segments of a run as parts of an axis of hours, ramps shaded.
+std::vector<Band> bands_of(const std::vector<recording::Segment>& segments);
+
 /// Traces over hours since power-on, with shaded segments; long traces as minimum and maximum per
 /// pixel column.
 Plot time_plot(const Text& title, const Text& y_label, const TimeAxis& axis,

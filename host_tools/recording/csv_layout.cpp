@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "recording/column_map.hpp"
 #include "recording/columns.hpp"
 #include "recording/decision_rules.hpp"
 #include "support/input_error.hpp"
@@ -109,6 +111,21 @@ class LayoutFinder {
     return finish(best());
   }
 
+  CsvColumns columns() {
+    CsvColumns found;
+    std::optional<CsvLayout> layout;
+    try {
+      layout = find();
+    } catch (const InputError& error) {
+      found.refusal = error.what();
+    }
+    if (layout) {
+      likeliest_ = {layout->header.names, layout->dialect.separator, layout->lines_before_rows - 1};
+    }
+    describe(found, layout ? &layout->header : nullptr);
+    return found;
+  }
+
  private:
   static bool fits(const Reading& reading) { return reading.has_values(); }
 
@@ -136,6 +153,7 @@ class LayoutFinder {
       std::vector<std::string> names = names_in(text, separator);
       const std::size_t found = is_all_numbers(names) ? 0 : required_columns_among(names, options_);
       remember_candidate(i, names, found);
+      note_likeliest(i, separator, names, found);
       if (found < kRequired) continue;
       i = try_header(i, separator, std::move(names));
       if (!readings_.empty() && readings_.back().has_values()) return;
@@ -151,6 +169,14 @@ class LayoutFinder {
       guess_is_numbers_ = is_all_numbers(names);
       guess_ = {names, {}, head_.path, head_.path + ":" + std::to_string(line + 1)};
     }
+  }
+
+  // For somebody who looks at it: of lines that have as many of the three the first one that has
+  // enough fields, parted so that it has most.
+  void note_likeliest(std::size_t line, char separator, const std::vector<std::string>& names,
+                      std::size_t found) {
+    const Likeliest one{names, separator, line, found, is_all_numbers(names)};
+    if (one.rank() > likeliest_.rank()) likeliest_ = one;
   }
 
   // Returns the last line of the header: a row of units belongs to it.
@@ -252,12 +278,49 @@ class LayoutFinder {
                                      "; save it with ';' between columns and '.' in numbers");
   }
 
+  static std::string separator_words(char separator) {
+    if (separator == '\t') return "tabs";
+    return separator == ' ' ? "blanks" : std::string("'") + separator + "'";
+  }
+
   static std::string words(const CsvDialect& dialect) {
-    std::string text = "columns separated by ";
-    text += dialect.separator == '\t'  ? "tabs"
-            : dialect.separator == ' ' ? "blanks"
-                                       : std::string("'") + dialect.separator + "'";
-    return text + (dialect.decimal_comma ? ", decimal comma" : "");
+    return "columns separated by " + separator_words(dialect.separator) +
+           (dialect.decimal_comma ? ", decimal comma" : "");
+  }
+
+  // What the columns of the header, or of the line that is most like one, are or could be.
+  void describe(CsvColumns& found, const CsvHeader* header) const {
+    constexpr std::size_t kRowsShown = 3;
+    found.separator = separator_words(likeliest_.separator);
+    for (std::size_t i = 0; i < likeliest_.names.size(); ++i) {
+      const ColumnName name(likeliest_.is_numbers ? "" : likeliest_.names[i]);
+      const auto meaning = name.meaning();
+      CsvColumns::Column column{displayable(name.text), choice_of(i), "",
+                                name.unit ? name.unit->words : ""};
+      const std::size_t slot = header != nullptr ? header->slots[i]
+                               : meaning         ? meaning->slot
+                                                 : CsvHeader::kIgnored;
+      if (slot < kColumns.size()) column.key = map_key(slot);
+      found.columns.push_back(std::move(column));
+    }
+    for (std::size_t i = next_line(likeliest_.first_row());
+         i < lines_.size() && found.rows.size() < kRowsShown; i = next_line(i + 1)) {
+      std::vector<std::string_view> fields;
+      split_fields(lines_[i], likeliest_.separator, fields);
+      std::vector<std::string>& row = found.rows.emplace_back();
+      for (const std::string_view field : fields) row.push_back(printable(field));
+    }
+  }
+
+  // By its name, or by its number where that says it better: --columns parts names at commas.
+  std::string choice_of(std::size_t field) const {
+    const std::vector<std::string>& names = likeliest_.names;
+    const std::string& name = names[field];
+    const bool alone = std::count(names.begin(), names.end(), name) == 1;
+    const bool plain =
+        name.find_first_of(",\"\n") == std::string::npos && displayable(name) == name;
+    const bool is_name = !likeliest_.is_numbers && !name.empty() && alone && plain;
+    return is_name ? name : std::to_string(field + 1);
   }
 
   // A file without header, whose columns --columns gives by their numbers.
@@ -372,6 +435,19 @@ class LayoutFinder {
   HeaderLines guess_;
   std::size_t guess_found_ = 0;
   bool guess_is_numbers_ = false;
+  struct Likeliest {
+    std::vector<std::string> names{};
+    char separator = ',';
+    std::size_t line = 0;
+    std::size_t found = 0;
+    bool is_numbers = false;
+
+    std::size_t first_row() const { return is_numbers ? line : line + 1; }
+    std::tuple<std::size_t, bool, std::ptrdiff_t, std::size_t> rank() const {
+      return {found, names.size() >= kRequired, -static_cast<std::ptrdiff_t>(line), names.size()};
+    }
+  };
+  Likeliest likeliest_;
 };
 
 }  // namespace
@@ -379,6 +455,10 @@ class LayoutFinder {
 bool is_comment_or_blank(std::string_view line) {
   while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
   return line.empty() || line.front() == '#' || line.front() == '%';
+}
+
+CsvColumns look_at_columns(const FileHead& head, const ReadOptions& options) {
+  return LayoutFinder(head, options).columns();
 }
 
 CsvLayout find_csv_layout(const FileHead& head, const ReadOptions& options) {

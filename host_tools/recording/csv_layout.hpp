@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "recording/csv_fields.hpp"
 #include "recording/csv_header.hpp"
@@ -36,6 +37,25 @@ struct FileHead {
 /// fit, and like understand_header(). Reports the interpretation to options.watch in one line,
 /// unless it is the plain format.
 CsvLayout find_csv_layout(const FileHead& head, const ReadOptions& options);
+
+/// The columns of a CSV for somebody who is to say what they are: as they are understood or, where
+/// they cannot be, as their names suggest.
+struct CsvColumns {
+  struct Column {
+    std::string name;    ///< as in the file; "": it has none
+    std::string choice;  ///< as --columns names it
+    std::string key;     ///< what it is or could be, as --columns has it: "rate"; "": nothing
+    std::string unit;    ///< that its name or a row of units says; "": none
+  };
+  std::vector<Column> columns;
+  std::vector<std::vector<std::string>> rows;  ///< fields of the first ones
+  std::string separator;                       ///< in words
+  std::string refusal;                         ///< why they cannot be understood; "": they can
+};
+
+/// Of the header that find_csv_layout() takes, else of the line that is most like one. What was
+/// understood is told to options.watch.
+CsvColumns look_at_columns(const FileHead& head, const ReadOptions& options);
 
 /// Blank, or a comment ('#', '%').
 bool is_comment_or_blank(std::string_view line);

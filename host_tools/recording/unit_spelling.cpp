@@ -144,6 +144,14 @@ std::optional<Unit> find_unit(std::string_view spelling) {
   return found == units_by_key().end() ? std::nullopt : std::optional(found->second);
 }
 
+std::vector<std::string> units_of(Quantity quantity) {
+  std::vector<std::string> units;
+  for (const Spellings& spellings : kSpellings) {
+    if (spellings.unit.quantity == quantity) units.push_back(spellings.unit.words);
+  }
+  return units;
+}
+
 bool is_unambiguous(std::string_view spelling) {
   constexpr std::size_t kFewestLetters = 3;
   return key_of(spelling).size() >= kFewestLetters;

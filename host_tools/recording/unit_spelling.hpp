@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace fogcomp::recording {
 
@@ -37,6 +38,9 @@ struct Unit {
 /// The unit that `spelling` denotes, ignoring case: "deg/s", "°/s", "dps", "deg s^-1", "degrees per
 /// second". Nothing if unknown.
 std::optional<Unit> find_unit(std::string_view spelling);
+
+/// The units of that quantity, as messages have them.
+std::vector<std::string> units_of(Quantity quantity);
 
 /// Whether it denotes that unit even at the end of a name without brackets ("coil_degc",
 /// "gyro_dps"); a single letter does not.

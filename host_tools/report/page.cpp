@@ -7,7 +7,9 @@
 #include "findings/figures.hpp"
 #include "report/embedded_page.hpp"
 #include "report/html.hpp"
+#include "report/page_frame.hpp"
 #include "report/plot_json.hpp"
+#include "report/plot_svg.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::report {
@@ -190,7 +192,7 @@ class PageWriter {
         element("figcaption", "<strong>" + escaped(plot.title) + "</strong> " + caption) +
         format("<div class=\"canvas\" data-plot=\"%zu\" role=\"img\" aria-label=\"%s\"></div>\n",
                number, (escaped(plot.title) + " " + caption).c_str()) +
-        "</figure>\n";
+        "<noscript>" + plot_svg(plot) + "</noscript></figure>\n";
     plots_.push(plot_json(plot));
   }
   void write(const Document& document) {
@@ -235,28 +237,19 @@ class PageWriter {
 
 }  // namespace
 
-std::string page(const Document& document) {
-  const std::vector<EmbeddedFile>& basis = plot_library_files();
-  const bool drawn = !basis.empty();
+std::string page(const Document& document, const WorkbenchSetup* bench) {
+  const bool drawn = !plot_library_files().empty();
   PageWriter writer(drawn);
   writer.write(document);
-  std::string body = element("h1", escaped(document.found().sentence()));
+  std::string body = "<p class=\"subject\">" + escaped(document.subject()) + "</p>\n";
+  body += element("h1", escaped(document.found().sentence()));
   if (!drawn && writer.plot_count() > 0) {
     body += element("p", "No plots here: this fogcomp was built without npm.");
   }
   body += writer.body();
   if (drawn && writer.plot_count() > 0) body += element("footer", escaped(Text(kHowToRead)));
-  return filled(
-      file_of(page_files(), "frame"),
-      {
-          {"subject", escaped(document.subject())},
-          {"style", (drawn ? file_of(basis, "style") : "") + file_of(page_files(), "style")},
-          {"licence", drawn ? file_of(basis, "licence") : ""},
-          {"library", drawn ? file_of(basis, "script") : ""},
-          {"data", script_data(writer.plots())},
-          {"script", drawn ? file_of(page_files(), "plots") : ""},
-          {"body", body},
-      });
+  return framed({document.subject(), "<main id=\"report\">\n" + body + "</main>\n", writer.plots(),
+                 writer.plot_count() > 0, bench});
 }
 
 }  // namespace fogcomp::report

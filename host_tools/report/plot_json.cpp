@@ -64,6 +64,16 @@ const char* name_of(Plot::Kind kind) {
 
 }  // namespace
 
+Json bands_json(const std::vector<Band>& bands) {
+  return json_array(bands, [](const Band& band) {
+    return Json::object()
+        .set("label", band.label.typeset())
+        .set("from", band.from)
+        .set("to", band.to)
+        .set("colour", band.colour);
+  });
+}
+
 Json plot_json(const Plot& plot) {
   const bool log_y = plot.kind == Plot::Kind::log_log;
   const bool log_x = log_y || plot.kind == Plot::Kind::log_x;
@@ -79,20 +89,13 @@ Json plot_json(const Plot& plot) {
   Json levels = json_array(plot.levels, [&](const Level& level) {
     return Json::object().set("label", level.label.typeset()).set("y", level.y);
   });
-  Json bands = json_array(plot.bands, [&](const Band& band) {
-    return Json::object()
-        .set("label", band.label.typeset())
-        .set("from", band.from)
-        .set("to", band.to)
-        .set("colour", band.colour);
-  });
   Json names = json_array(plot.names, [](const Text& name) { return Json(name.typeset()); });
   Json json = Json::object();
   json.set("kind", name_of(plot.kind)).set("group", plot.group);
   json.set("x_label", plot.x_label.typeset()).set("y_label", plot.y_label.typeset());
   json.set("x", rounded(plot.x, log_x)).set("names", std::move(names));
   json.set("curves", std::move(curves)).set("levels", std::move(levels));
-  json.set("bands", std::move(bands));
+  json.set("bands", bands_json(plot.bands));
   return json;
 }
 

@@ -94,6 +94,7 @@ Json model_json(const model::Model& model) {
   json.set("text", model::model_text(model)).set("terms", terms_json(model));
   json.set("network", model.network.present()).set("history", history_json(model.history));
   json.set("residual_rms_dph", model.residual_rms_dph);
+  json.set("average_s", model.average_s).set("derivative_tau_s", model.derivative_tau_s);
   return json;
 }
 

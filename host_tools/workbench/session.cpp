@@ -10,12 +10,19 @@
 #include "cli/effects_text.hpp"
 #include "cli/fit_command.hpp"
 #include "compare/branches.hpp"
+#include "diagnosis/structure.hpp"
 #include "findings/compare_words.hpp"
 #include "findings/diagnosis_words.hpp"
 #include "findings/json.hpp"
 #include "findings/labels.hpp"
+#include "findings/run_plots.hpp"
 #include "model/input_value.hpp"
 #include "model/model_file.hpp"
+#include "recording/column_map.hpp"
+#include "recording/columns.hpp"
+#include "recording/csv_layout.hpp"
+#include "recording/input_file.hpp"
+#include "report/plot_json.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
@@ -42,32 +49,16 @@ std::vector<std::string> rows_of(const model::Model& model) {
   return {format("%a", model.average_s), model.columns, format("%a", model.scale_factor)};
 }
 
-const char* name_of(recording::SegmentKind kind) {
-  switch (kind) {
-    case recording::SegmentKind::ramp_up:
-      return "heating";
-    case recording::SegmentKind::ramp_down:
-      return "cooling";
-    case recording::SegmentKind::soak:
-      break;
-  }
-  return "soak";
-}
-
-Json segments_json(const compare::Comparison& comparison) {
-  return json_array(comparison.segments, [](const compare::Comparison::SegmentError& segment) {
-    return Json::object()
-        .set("name", segment.name)
-        .set("kind", name_of(segment.kind))
-        .set("start_s", segment.start_s)
-        .set("end_s", segment.end_s);
-  });
+// As an expression has it.
+std::string name_of(const diagnosis::TemperatureHistory& history) {
+  return history.is_play ? format("play(T, %g degC)", history.parameter)
+                         : format("lag(T, %g s)", history.parameter);
 }
 
 // What the residual can be drawn over, with the words of its axis.
 Json variables_json(const compare::Comparison& comparison) {
   Json variables = Json::array();
-  const auto push = [&](const char* name, const findings::Text& label) {
+  const auto push = [&](const std::string& name, const findings::Text& label) {
     variables.push(Json::object().set("name", name).set("label", label.typeset()));
   };
   push("temperature_degc", findings::words("temperature, degC"));
@@ -76,6 +67,12 @@ Json variables_json(const compare::Comparison& comparison) {
   for (const compare::Comparison::VaryingInput& input : comparison.inputs) {
     push(description_of(input.input).name, findings::input_label(input.input));
   }
+  for (const diagnosis::TemperatureHistory& history : diagnosis::kTemperatureHistories) {
+    push(name_of(history),
+         findings::words("history: temperature less " + name_of(history) + ", degC"));
+  }
+  push("measured_dph", findings::words("rate less input rate, deg/h"));
+  push("modelled_dph", findings::words("modelled drift, deg/h"));
   return variables;
 }
 
@@ -114,7 +111,8 @@ std::string Session::answer(const std::vector<std::string>& words) {
       {"fit", &Session::fit},         {"add", &Session::add},
       {"compare", &Session::compare}, {"diagnose", &Session::diagnose},
       {"preview", &Session::preview}, {"formula", &Session::formula},
-      {"info", &Session::info},       {"apply", &Session::written},
+      {"info", &Session::info},       {"columns", &Session::columns},
+      {"history", &Session::written}, {"apply", &Session::written},
       {"export", &Session::written}};
   notes_.clear();
   const auto error = [](const std::string& what) {
@@ -148,12 +146,58 @@ Json Session::effects() const {
   return Json::object().set("effects", json_array(catalogue, cli::effect_json));
 }
 
+namespace {
+
+// A recording, and how it is read.
+struct RecordingCall : cli::Command {
+  cli::RecordingOptions recording{this};
+  RecordingCall() : Command("info", {"RUN", 1, 1}, "", "") {}
+  int run() const override { return 0; }
+};
+
+// What a column of a recording can be, and the units that it can be in.
+Json column_keys() {
+  Json keys = Json::array();
+  for (std::size_t slot = 0; slot < recording::kColumns.size(); ++slot) {
+    std::vector<std::string> units = recording::units_of(recording::quantity_of(slot));
+    if (slot == recording::kRateSlot) units.emplace_back("counts");
+    const bool required = slot == recording::kTimeSlot || slot == recording::kTemperatureSlot ||
+                          slot == recording::kRateSlot;
+    keys.push(Json::object()
+                  .set("key", recording::map_key(slot))
+                  .set("required", required)
+                  .set("units", units));
+  }
+  return keys;
+}
+
+}  // namespace
+
+Json Session::columns(const Words& words) {
+  RecordingCall call;
+  parse_words(call, words);
+  recording::InputFile file(call.arguments[0]);
+  const std::string_view head = file.peek();
+  const recording::CsvColumns found =
+      recording::look_at_columns({head, file.at_end(), file.is_utf16(), file.path()},
+                                 observer().with_observer(call.recording.value()));
+  Json columns = json_array(found.columns, [](const recording::CsvColumns::Column& column) {
+    return Json::object()
+        .set("name", column.name)
+        .set("choice", column.choice)
+        .set("key", column.key)
+        .set("unit", column.unit);
+  });
+  return Json::object()
+      .set("columns", std::move(columns))
+      .set("keys", column_keys())
+      .set("rows", json_array(found.rows, [](const Words& row) { return Json(row); }))
+      .set("separator", found.separator)
+      .set("refusal", found.refusal);
+}
+
 Json Session::info(const Words& words) {
-  struct InfoCall : cli::Command {
-    cli::RecordingOptions recording{this};
-    InfoCall() : Command("info", {"RUN", 1, 1}, "", "") {}
-    int run() const override { return 0; }
-  } call;
+  RecordingCall call;
   parse_words(call, words);
   const workflow::InfoOutcome found =
       workflow::info({call.arguments[0], call.recording.value(), std::nullopt}, observer());
@@ -212,7 +256,8 @@ Json Session::compare(const Words& words) {
     return Json::object()
         .set("file", run.comparison.file)
         .set("words", words_json(run, judged[0].model))
-        .set("segments", segments_json(run.comparison))
+        .set("bands", report::bands_json(findings::bands_of(
+                          {run.comparison.segments.begin(), run.comparison.segments.end()})))
         .set("variables", variables_json(run.comparison));
   });
   Json answer = model_json(judged[0].model);
@@ -236,6 +281,13 @@ void Session::keep_columns(const compare::ModelOnRuns& model) {
     columns["gap_before"] = gaps_of(comparison.rows);
     for (const compare::Comparison::VaryingInput& input : comparison.inputs) {
       columns[description_of(input.input).name] = input.values;
+    }
+    const Eigen::VectorXd temperature = Eigen::Map<const Eigen::VectorXd>(
+        columns["temperature_degc"].data(), comparison.rows.size());
+    for (const diagnosis::TemperatureHistory& history : diagnosis::kTemperatureHistories) {
+      const Eigen::VectorXd beyond =
+          diagnosis::temperature_beyond(comparison.rows, temperature, history);
+      columns[name_of(history)] = {beyond.begin(), beyond.end()};
     }
   }
 }
@@ -307,11 +359,13 @@ Json Session::formula(const Words& words) {
 }
 
 Json Session::written(const Words& words) {
-  const cli::CommandPointer command =
-      words[0] == "apply" ? cli::apply_command() : cli::export_command();
+  const cli::CommandPointer command = words[0] == "apply"    ? cli::apply_command()
+                                      : words[0] == "export" ? cli::export_command()
+                                                             : cli::history_command();
   parse_words(*command, words);
   command->run();
-  return Json::object().set("text", read_file(command->find_option("o")->text()));
+  const cli::Option* const output = command->find_option(words[0] == "history" ? "report" : "o");
+  return Json::object().set("text", read_file(output->text()));
 }
 
 template <class Request>

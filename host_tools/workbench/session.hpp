@@ -22,6 +22,7 @@ class Session {
   /// `words`: a command line without `fogcomp`; beside these,
   ///   effects                      the catalogue
   ///   info RUN                     what was understood of a recording
+  ///   columns RUN                  its columns, and what each is or could be
   ///   formula MODEL 'NAME = EXPR'  whether the model can take this term
   ///   preview MODEL EFFECT RUN...  as `add`, without its judgement: what an effect would do
   /// Returns a JSON object; with "error", one line, where a shell would have exit code 2.
@@ -35,6 +36,7 @@ class Session {
   using Words = std::vector<std::string>;
   Json effects() const;
   Json info(const Words& words);
+  Json columns(const Words& words);
   Json fit(const Words& words);
   Json add(const Words& words);
   Json compare(const Words& words);

@@ -20,7 +20,7 @@ const look = `(() => {
     sideways: document.documentElement.scrollWidth - innerWidth,
     words: document.querySelector("h1").textContent.length,
     // Of a table that is too wide for the window: can it be scrolled, is there a sign, and what stays in view?
-    tables: [...document.querySelectorAll("table:not(.u-legend)")].map((table) => {
+    tables: [...document.querySelectorAll("#report table:not(.u-legend)")].map((table) => {
       const box = table.parentElement;
       const heads = [...table.querySelectorAll("thead th")].map((head) => head.getBoundingClientRect());
       const { overflowX, backgroundImage } = getComputedStyle(box);
@@ -31,14 +31,14 @@ const look = `(() => {
         deciding: heads[Math.min(1, heads.length - 1)].right - innerWidth, broken,
       };
     }),
-    hidden_listings: [...document.querySelectorAll("pre")].filter((pre) => pre.scrollWidth > pre.clientWidth &&
+    hidden_listings: [...document.querySelectorAll("#report pre")].filter((pre) => pre.scrollWidth > pre.clientWidth &&
       !/gradient/.test(getComputedStyle(pre).backgroundImage)).length,
-    captions: [...document.querySelectorAll("figcaption")].map((caption) => caption.textContent),
+    captions: [...document.querySelectorAll("#report figcaption")].map((caption) => caption.textContent),
     unnamed_axes: [...document.querySelectorAll("figure.bars")].filter((figure) => !figure.querySelector(".quantity")?.textContent).length,
     help: /click on a name in a legend/.test(document.querySelector("footer")?.textContent),
     legends: [...document.querySelectorAll(".u-legend .u-series")].map((row) => ({
       text: row.textContent, colon: getComputedStyle(row.querySelector("th"), "::after").content.includes(":") })),
-    plots: [...document.querySelectorAll(".canvas")].map((box) => {
+    plots: [...document.querySelectorAll("#report .canvas")].map((box) => {
       const canvas = box.querySelector("canvas");
       if (!canvas) return { coloured: 0, wide: true };
       const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
@@ -57,7 +57,7 @@ const look = `(() => {
     }),
   };
 })()`;
-const pictures = `[...document.querySelectorAll(".canvas canvas")].map((canvas) => canvas.toDataURL())`;
+const pictures = `[...document.querySelectorAll("#report .canvas canvas")].map((canvas) => canvas.toDataURL())`;
 
 // As printed, between the margins of A4.
 const fits_the_paper = `(async () => {
@@ -67,7 +67,7 @@ const fits_the_paper = `(async () => {
     .filter((rule) => rule.selectorText).map((rule) => rule.cssText);
   style.textContent = printed.join("\\n") + " main { width: 690px; }";
   document.head.append(style);
-  const fits = [...document.querySelectorAll("table:not(.u-legend)")].every((table) => table.getBoundingClientRect().width <= 690);
+  const fits = [...document.querySelectorAll("#report table:not(.u-legend)")].every((table) => table.getBoundingClientRect().width <= 690);
   style.remove();
   return fits;
 })()`;
@@ -118,7 +118,7 @@ const look_at = async (tab, name, shape, plots) => {
 // double click shows all again.
 const zoom = async (tab, name) => {
   const place = await tab.evaluate(`(() => {
-    const over = document.querySelector(".canvas .u-over");
+    const over = document.querySelector("#report .canvas .u-over");
     over.scrollIntoView({ block: "center" });
     const { left, top, width, height } = over.getBoundingClientRect();
     return { left, top: top + height / 2, width };
@@ -128,7 +128,7 @@ const zoom = async (tab, name) => {
   await tab.mouse("mouseMoved", at(0.3), place.top);
   await tab.settle();
   const legends = await tab.evaluate(
-    `[...document.querySelectorAll(".canvas .u-legend")].slice(0, 2).map((legend) => legend.textContent)`);
+    `[...document.querySelectorAll("#report .canvas .u-legend")].slice(0, 2).map((legend) => legend.textContent)`);
   check(name, legends.every((legend) => /\d/.test(legend)), `the linked cursor shows no figures: ${legends.join(" | ")}`);
   await tab.mouse("mousePressed", at(0.3), place.top, { button: "left", buttons: 1, clickCount: 1 });
   await tab.mouse("mouseMoved", at(0.5), place.top, { button: "left", buttons: 1 });
@@ -149,7 +149,7 @@ const zoom = async (tab, name) => {
 // A drag upwards zooms this plot's y alone; a click on a name in the legend hides its curve.
 const zoom_y_and_hide = async (tab, name) => {
   const place = await tab.evaluate(`(() => {
-    const { left, top, width, height } = document.querySelector(".canvas .u-over").getBoundingClientRect();
+    const { left, top, width, height } = document.querySelector("#report .canvas .u-over").getBoundingClientRect();
     return { x: left + width / 2, top: top + 0.7 * height, to: top + 0.3 * height };
   })()`);
   const before = await tab.evaluate(pictures);
@@ -167,7 +167,7 @@ const zoom_y_and_hide = async (tab, name) => {
   }
   await tab.settle();
   check(name, (await tab.evaluate(pictures))[0] === before[0], "a double click does not undo a drag upwards");
-  const click = 'document.querySelectorAll(".canvas .u-legend .u-series")[1].querySelector("th").click()';
+  const click = 'document.querySelectorAll("#report .canvas .u-legend .u-series")[1].querySelector("th").click()';
   await tab.evaluate(click);
   await tab.settle();
   check(name, (await tab.evaluate(pictures))[0] !== before[0], "a click in the legend does not hide a curve");

@@ -1,11 +1,12 @@
-// node workbench.mjs CHROMIUM SHOTS: what workbench.sh says, on its pages in this folder; leaves the commands of a random
+// node workbench.mjs CHROMIUM SHOTS [PART]: what workbench.sh says, on its pages in this folder; leaves the commands of a random
 // session and the model that the page made of it.
 import { writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
+import { trapping, with_memory } from "./altered_module.mjs";
 import { Browser } from "./browser.mjs";
 
-const [program, shots] = process.argv.slice(2);
+const [program, shots, only] = process.argv.slice(2);
 let failures = 0;
 const check = (name, good, what) => {
   if (good) return;
@@ -15,12 +16,12 @@ const check = (name, good, what) => {
 
 // A page, with what a reader does on it.
 class Bench {
-  static async open(browser, name, shape = { width: 1280, dark: false }) {
+  static async open(browser, name, shape = { width: 1280, dark: false }, first = "") {
     const bench = new Bench();
     bench.name = name;
     bench.tab = await browser.tab();
     // Tests see the workers, and what is saved.
-    await bench.tab.send("Page.addScriptToEvaluateOnNewDocument", { source: `
+    await bench.tab.send("Page.addScriptToEvaluateOnNewDocument", { source: first + `
       window.workers = [];
       window.Worker = class extends Worker { constructor(...all) { super(...all); workers.push(this); } };
       const address_of = URL.createObjectURL;
@@ -61,18 +62,53 @@ class Bench {
     await this.tab.mouse("mousePressed", x, y, { button: "left", buttons: 1, clickCount: 1 });
     await this.tab.mouse("mouseReleased", x, y, { button: "left", clickCount: 1 });
   }
-  async drag(selector, from, to) {
+  // `cancelled`: Esc before the button is let go.
+  async drag(selector, from, to, cancelled = false) {
     const { left, width, y } = await this.middle(selector);
     await this.tab.mouse("mouseMoved", left + from * width, y);
     await this.tab.mouse("mousePressed", left + from * width, y, { button: "left", buttons: 1, clickCount: 1 });
     await this.tab.mouse("mouseMoved", left + to * width, y, { button: "left", buttons: 1 });
+    if (cancelled) await this.key("Escape", "Escape");
     await this.tab.mouse("mouseReleased", left + to * width, y, { button: "left", clickCount: 1 });
   }
   async key(key, code, modifiers = 0) {
-    const text = key.length === 1 && modifiers === 0 ? { text: key } : {};
-    const number = { Tab: 9, Enter: 13, " ": 32, z: 90, y: 89 }[key];
+    const text = key === "Enter" ? { text: "\r" } : key.length === 1 && modifiers === 0 ? { text: key } : {};
+    const number = { Tab: 9, Enter: 13, Escape: 27, " ": 32, z: 90, y: 89 }[key];
     await this.tab.send("Input.dispatchKeyEvent", { type: "keyDown", key, code, modifiers, windowsVirtualKeyCode: number, ...text });
     await this.tab.send("Input.dispatchKeyEvent", { type: "keyUp", key, code, modifiers, windowsVirtualKeyCode: number });
+  }
+
+  async write(selector, text) {
+    await this.click(selector);
+    await this.tab.send("Input.insertText", { text });
+  }
+  async choose_file(file) {
+    const { root } = await this.tab.send("DOM.getDocument");
+    const { nodeId } = await this.tab.send("DOM.querySelector", { nodeId: root.nodeId, selector: "#chosen" });
+    await this.tab.send("DOM.setFileInputFiles", { nodeId, files: [resolve(file)] });
+  }
+  async save(button) {
+    await this.tab.evaluate("window.saved = null");
+    await this.click(button);
+    await this.until("window.saved", `what ${button} saves`);
+    return this.tab.evaluate("window.saved.text()");
+  }
+
+  // What a screen reader is told: what can be operated has a name, and what changes by itself is announced.
+  async listen(label, { announced = [] } = {}) {
+    await this.tab.send("Accessibility.enable");
+    const { nodes } = await this.tab.send("Accessibility.getFullAXTree");
+    const seen = nodes.filter((node) => !node.ignored);
+    const operated = ["button", "checkbox", "textbox", "combobox", "slider", "link", "radio", "spinbutton", "DisclosureTriangle", "dialog", "img", "toolbar", "group", "region"];
+    const role = (node) => node.role?.value;
+    const nameless = seen.filter((node) => operated.includes(role(node)) && !(node.name?.value || "").trim() && (role(node) !== "group" || (node.properties || []).some(({ name }) => name === "focusable")));
+    check(label, nameless.length === 0, `without a name: ${nameless.map(role)}`);
+    check(label, seen.filter((node) => role(node) === "button").length > 1, "hardly anything to operate");
+    check(label, seen.some((node) => role(node) === "heading"), "no heading");
+    const live = seen.filter((node) => (node.properties || []).some(({ name, value }) => name === "live" && value.value !== "off"))
+      .map((node) => role(node));
+    announced.forEach((one) => check(label, live.includes(one), `nothing of the role ${one} is announced, but ${live}`));
+    await this.tab.send("Accessibility.disable");
   }
 
   // The error of the state that is shown, from the ladder.
@@ -129,6 +165,7 @@ const loop = async (browser) => {
   await bench.diagnosed();
   check("loop", (await bench.text("#diagnosis .verdict")).startsWith("Several effects together are missing"), await bench.text("#diagnosis"));
   await bench.look("before");
+  await bench.listen("loop", { announced: ["status"] });
   await bench.hover("#diagnosis tbody tr");
   await bench.until(`document.getElementById("candidate").textContent.startsWith("with ")`, "the candidate under the mouse");
   if (shots) writeFileSync(join(shots, "candidate.png"), await bench.tab.screenshot());
@@ -183,29 +220,46 @@ const keyboard = async (browser) => {
   bench.silent();
 };
 
-// Ticks and masks by chance, by a real mouse; what the page then shows to be typed is left for a shell.
+// Ticks, shapes that are dragged, fixed and set free, formulas and masks by chance, by a real mouse; what the page then
+// shows to be typed is left for a shell.
 const session = async (browser) => {
   const bench = await Bench.open(browser, "session.html");
   await bench.state(0);
   await bench.diagnosed();
-  const effects = ["bias_temperature", "temperature_rate", "polarization_ripple", "thermal_lag", "shupe", "thermal_hysteresis"];
+  const effects = ["bias_temperature", "temperature_rate", "thermal_lag", "shupe", "thermal_hysteresis"];
+  const formulas = ["burst = T*T*dTdt", "late = lag(T,?tau[60,900]) - T"];
   let draw = 20261123;
-  const chance = (most) => { draw = (draw * 1103515245 + 12345) % 2147483648; return draw % most; };
-  for (let step = 1; step <= 6; ++step) {
-    if (step === 4) await bench.click("#mask_mode");
-    if (step === 4) await bench.drag("#residual_plot .u-over", 0.4, 0.45);
-    else await bench.click(`#effect_${effects[chance(effects.length)]}`);
-    await bench.until(`document.body.dataset.state === "${step}" || !document.getElementById("trouble").hidden`, `step ${step}`);
-    check("session", await bench.tab.evaluate(`document.getElementById("trouble").hidden`), await bench.text("#trouble"));
+  const chance = (most) => { draw = (draw * 1103515245 + 12345) % 2147483648; return Math.floor((draw / 2147483648) * most); };
+  const ripple = "#effects .shape input[aria-label='period of polarization_ripple']";
+  const acts = {
+    ripple: async () => {
+      await bench.click("#effect_polarization_ripple");
+      await bench.until(`document.querySelector("#effect_polarization_ripple").checked && document.body.dataset.state === "1"`, "the ripple");
+      await bench.tab.evaluate(`document.getElementById("effect_polarization_ripple").closest("li").querySelector(".name").click()`);
+    },
+    tick: () => bench.click(`#effect_${effects[chance(effects.length)]}`),
+    drag: () => bench.drag(ripple, 0.5, 0.2 + 0.001 * chance(600)),
+    free: () => bench.click(`${ripple} + button`), // fixed where it was free
+    formula: async () => { await bench.write("#expression", formulas[chance(formulas.length)]); await bench.key("Enter", "Enter"); },
+    mask: async () => { await bench.click("#mask_mode"); await bench.drag("#residual_plot .u-over", 0.4, 0.45); },
+  };
+  const rest = ["tick", "tick", "drag", "free", "formula", "mask"];
+  const order = ["ripple", "drag", ...rest.map((one) => [chance(1000), one]).sort((a, b) => a[0] - b[0]).map(([, one]) => one), "free"];
+  let step = 0;
+  for (const act of order) {
+    ++step;
+    await acts[act]();
+    await bench.until(`document.body.dataset.state === "${step}" || !document.getElementById("trouble").hidden`, `step ${step}, ${act}`);
+    check("session", await bench.tab.evaluate(`document.getElementById("trouble").hidden`), `${act}: ${await bench.text("#trouble")}`);
   }
   await bench.diagnosed();
   if (await bench.tab.evaluate(`Boolean(document.getElementById("add_missing"))`)) {
     await bench.click("#add_missing");
-    await bench.until(`document.body.dataset.state === "7" || document.querySelector(".judged")`, "a judgement");
+    await bench.until(`document.body.dataset.state === "${step + 1}" || document.querySelector(".judged")`, "a judgement");
   }
-  await bench.click("#save_model");
-  await bench.until("window.saved", "the model file");
-  writeFileSync("page.model", await bench.tab.evaluate("window.saved.text()"));
+  for (const [button, file] of [["#save_model", "page.model"], ["#save_header", "page.h"], ["#save_rows", "page.csv"], ["#save_report", "page.html"]]) {
+    writeFileSync(file, await bench.save(button));
+  }
   await bench.click("#copy_commands");
   await bench.until("window.copied", "the commands");
   writeFileSync("commands.txt", await bench.tab.evaluate("window.copied") + "\n");
@@ -234,12 +288,119 @@ const trouble = async (browser) => {
   await bench.state(0);
   check("hostile", await bench.tab.evaluate(`document.querySelectorAll("img, main b").length === 0 && document.title !== "gone"`), "a name became markup");
   check("hostile", (await bench.text("header .subject")).includes("<img src=x"), "the name is not shown as it is");
-  await bench.tab.evaluate("workers[0].postMessage({ id: 0, words: null, files: [], columns: [] })");
-  await bench.until(`/engine stopped/.test(document.getElementById("trouble").textContent)`, "the reason");
+  // From now on the engine that answers is one that traps.
+  await bench.tab.evaluate(`WebAssembly.compile(Uint8Array.from(atob("${trapping("hostile.html", "fogcomp_call")}"), (letter) => letter.charCodeAt(0)))
+    .then((module) => { workers[0].postMessage({ module }); })`);
+  await bench.click("#effect_bias_temperature");
+  await bench.until(`/engine stopped \\(unreachable\\)/.test(document.getElementById("trouble").textContent)`, "the reason");
+  check("hostile", await bench.tab.evaluate(`document.body.dataset.state === "0"`), "what was shown is lost");
   await bench.click("#effect_bias_temperature");
   await bench.state(1);
   check("hostile", await bench.tab.evaluate(`document.getElementById("trouble").hidden`), "the page does not go on");
   bench.silent();
+};
+
+// A recording for which the memory does not suffice says so, and the next one is read.
+const memory = async (browser) => {
+  const bench = await Bench.open(browser, "empty.html", undefined, `
+    const bytes = Uint8Array.from(atob("${with_memory("empty.html", 290)}"), (letter) => letter.charCodeAt(0));
+    const compile = WebAssembly.compile;
+    WebAssembly.compile = () => compile(bytes);`);
+  await bench.until(`!document.getElementById("opening").hidden`, "the question for files");
+  await bench.choose_file("fast.csv");
+  await bench.until(`/out of memory|engine stopped/.test(document.body.innerText)`, "the reason");
+  await bench.choose_file("mems.csv");
+  await bench.until(`/8399 rows/.test(document.getElementById("dropped").textContent)`, "the next recording");
+};
+
+// Esc leaves everything as it was: a drag across a plot, one of a slider, a dialog.
+const escape = async (browser) => {
+  const bench = await Bench.open(browser, "loop.html");
+  await bench.state(0);
+  await bench.diagnosed();
+  await bench.click("#mask_mode");
+  await bench.drag("#residual_plot .u-over", 0.2, 0.4, true);
+  await bench.click("#effect_thermal_lag");
+  await bench.state(1);
+  check("escape", await bench.text("#masks") === "", "a drag that was cancelled masks");
+  await bench.diagnosed();
+  await bench.tab.evaluate(`document.getElementById("effect_thermal_lag").closest("li").querySelector(".name").click()`);
+  const slider = "[aria-label='tau of thermal_lag']";
+  const shape = () => bench.text(`.shape:has(${slider}) .figure`);
+  const before = await shape();
+  check("escape", /^tau \d/.test(before), `the shape is "${before}"`);
+  await bench.drag(slider, 0.3, 0.8, true);
+  await bench.tab.settle();
+  check("escape", await shape() === before, `a shape that was let go is ${await shape()}, not ${before}`);
+  check("escape", await bench.tab.evaluate("document.body.dataset.state") === "1", "a slider that was cancelled refits");
+  await bench.drag(slider, 0.3, 0.8);
+  await bench.state(2);
+  check("escape", (await bench.text("#commands")).includes("thermal_lag:tau="), "a drag does not fix the shape");
+  await bench.listen("escape", { announced: ["status"] });
+  bench.silent();
+};
+
+// On a rate-table run: compare, see where it fails, learn what is missing, add it until nothing is.
+const rate_table = async (browser) => {
+  const bench = await Bench.open(browser, "table.html");
+  await bench.state(0);
+  await bench.diagnosed();
+  const options = await bench.tab.evaluate(`[...document.querySelectorAll("#variable option")].map((option) => option.textContent)`);
+  check("table", options.includes("input rate, °/h") && options.some((text) => text.startsWith("history: ")), `axes: ${options}`);
+  for (const variable of ["input_rate", "play(T, 5 degC)"]) {
+    await bench.tab.evaluate(`(() => { const select = document.getElementById("variable"); select.value = ${JSON.stringify(variable)}; select.dispatchEvent(new Event("change")); })()`);
+    await bench.tab.settle();
+    const axis = await bench.tab.evaluate(`[document.getElementById("variable").value, document.querySelectorAll("#variable_plot canvas").length]`);
+    check("table", axis[0] === variable && axis[1] === 1, `the axis is ${axis}`);
+    const range = await bench.tab.evaluate(`plots.variable.u.data[0]`);
+    check("table", variable === "input_rate" || range.every((value) => Math.abs(value) < 5.001), `${variable} goes from ${range[0]} to ${range[1]}`);
+    if (shots) writeFileSync(join(shots, `over_${variable.replace(/\W+/g, "_")}.png`), await bench.tab.screenshot());
+  }
+  const before = await bench.error();
+  let state = 0;
+  for (; state < 6 && await bench.tab.evaluate(`Boolean(document.getElementById("add_missing"))`); ++state) {
+    await bench.click("#add_missing");
+    await bench.state(state + 1);
+    await bench.diagnosed();
+  }
+  const after = await bench.error();
+  check("table", state > 0 && after < before / 3, `${state} additions leave ${after} of ${before}`);
+  check("table", /scale_factor/.test(await bench.text("#commands")), `adds ${await bench.text("#commands")}`);
+  check("table", !(await bench.tab.evaluate(`Boolean(document.getElementById("add_missing"))`)), "something is still missing");
+  await bench.look("table");
+  bench.silent();
+};
+
+// A report opens with what was found; its workbench stands at the command's model. Without scripts it can be read.
+const report = async (browser) => {
+  const bench = await Bench.open(browser, "report.html");
+  check("report", await bench.tab.evaluate(`getComputedStyle(document.getElementById("workbench")).display === "none" && workers.length === 0`), "the engine starts unasked");
+  await bench.listen("report");
+  await bench.click("#show_bench");
+  await bench.state(1);
+  check("report", (await bench.text("#commands")).includes("fogcomp add cubic.model temperature_rate mems.csv -o grown.model"), await bench.text("#commands"));
+  check("report", /^helps out of sample/i.test(await bench.text(".judged")), await bench.text(".judged"));
+  await bench.diagnosed();
+  await bench.look("report");
+  await bench.click("#undo");
+  await bench.state(0);
+  await bench.click("#show_report");
+  check("report", await bench.tab.evaluate(`document.getElementById("report").checkVisibility() && !document.getElementById("bench").checkVisibility()`), "does not go back to what was found");
+  bench.silent();
+  const plain = await browser.tab();
+  await plain.send("Emulation.setScriptExecutionDisabled", { value: true });
+  const loaded = new Promise((done) => setTimeout(done, 1500));
+  await plain.send("Page.navigate", { url: pathToFileURL(resolve("report.html")).href });
+  await loaded;
+  const { nodes } = await (await plain.send("Accessibility.enable"), plain.send("Accessibility.getFullAXTree"));
+  const words = nodes.filter((node) => !node.ignored).map((node) => node.name?.value || "").join(" ");
+  check("report", /Accepted: helps out of sample/.test(words) && /Before and after/.test(words), "cannot be read without scripts");
+  check("report", !/Which recordings|What is missing\?/.test(words), "shows a dead workbench without scripts");
+  const { root } = await plain.send("DOM.getDocument");
+  const count = async (selector) => (await plain.send("DOM.querySelectorAll", { nodeId: root.nodeId, selector })).nodeIds.length;
+  const [plots, stills] = [await count("figure.plot"), await count("figure.plot svg.still path")];
+  check("report", plots > 0 && stills > 3 * plots, `draws ${stills} lines in ${plots} plots without scripts`);
+  if (shots) writeFileSync(join(shots, "without_scripts.png"), await plain.screenshot());
 };
 
 // 60,000 rows.
@@ -256,26 +417,59 @@ const long = async (browser) => {
   bench.silent();
 };
 
-// A page without data takes files.
+// A page without data takes files, and asks about columns that are not clear.
 const files = async (browser) => {
   const bench = await Bench.open(browser, "empty.html");
   await bench.until(`!document.getElementById("opening").hidden`, "the question for files");
-  const { root } = await bench.tab.send("DOM.getDocument");
-  const { nodeId } = await bench.tab.send("DOM.querySelector", { nodeId: root.nodeId, selector: "#chosen" });
-  await bench.tab.send("DOM.setFileInputFiles", { nodeId, files: [resolve("mems.csv")] });
+  await bench.choose_file("foreign.csv");
+  await bench.until(`document.getElementById("columns").open`, "the dialog");
+  check("files", /Gyro_X.*or.*Gyro_Y/.test(await bench.text("#columns_said")), await bench.text("#columns_said"));
+  check("files", await bench.tab.evaluate(`document.getElementById("columns_take").disabled`), "takes what is not clear");
+  check("files", (await bench.text("#columns_file")).includes("columns separated by ';'"), await bench.text("#columns_file"));
+  await bench.listen("dialog", { announced: ["status"] });
+  for (const width of [1280, 390]) {
+    for (const dark of [false, true]) {
+      await bench.tab.show({ width, dark });
+      if (shots) writeFileSync(join(shots, `dialog_${width}_${dark ? "dark" : "light"}.png`), await bench.tab.screenshot());
+    }
+  }
+  await bench.tab.show({ width: 1280, dark: false });
+  await bench.key("Escape", "Escape");
+  await bench.until(`!document.getElementById("columns").open`, "the end of the dialog by Esc");
+  check("files", await bench.tab.evaluate(`document.getElementById("begin").disabled`), "begins with columns that are not clear");
+  await bench.click(`[aria-label="columns of foreign.csv"]`);
+  await bench.until(`document.getElementById("columns").open`, "the dialog by its button");
+  const choose = (label, text) => bench.tab.evaluate(`(() => {
+    const select = document.querySelector('[aria-label="${label}"]');
+    select.value = [...select.options].find((option) => option.textContent === "${text}").value;
+    select.dispatchEvent(new Event("change"));
+  })()`);
+  await choose("column of rate", "Gyro_Y");
+  await bench.until(`/no unit/.test(document.getElementById("columns_said").textContent)`, "the question for the unit");
+  await choose("unit of rate", "deg/h");
+  await bench.until(`/no column 'time_s'/.test(document.getElementById("columns_said").textContent)`, "the question for the time");
+  await choose("column of time", "Stamp");
+  await choose("unit of time", "s");
+  await bench.until(`!document.getElementById("columns_take").disabled`, "what is clear now");
+  check("files", /read as .*Gyro_Y/.test(await bench.text("#columns_said")), await bench.text("#columns_said"));
+  await bench.click("#columns_take");
   await bench.until(`/8399 rows/.test(document.getElementById("dropped").textContent)`, "what was understood of the file");
   await bench.until(`!document.getElementById("begin").disabled`, "the button");
   if (shots) writeFileSync(join(shots, "files.png"), await bench.tab.screenshot());
+  await bench.listen("files");
   await bench.click("#begin");
   await bench.state(0);
+  check("files", /--columns '[^']*rate=Gyro_Y\[deg\/h\]'/.test(await bench.text("#commands")), await bench.text("#commands"));
   bench.silent();
 };
 
 const browser = new Browser(program);
 try {
-  for (const part of [loop, keyboard, session, trouble, long, files]) {
+  for (const part of (only ? [{ loop, keyboard, session, trouble, memory, escape, rate_table, report, long, files }[only]]
+                      : [loop, keyboard, session, trouble, memory, escape, rate_table, report, long, files])) {
+    const begin = Date.now();
     await part(browser);
-    console.log(`${part.name}: done`);
+    console.log(`${part.name}: done in ${((Date.now() - begin) / 1000).toFixed(1)} s`);
   }
 } finally {
   await browser.close();

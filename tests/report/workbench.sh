@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # workbench.sh FOGCOMP [SHOTS]: the workbench's page in Chromium, with a mouse and a keyboard: the README's loop, a random
-# session whose commands make the same model in a shell, masked rows, hostile names, an engine that stops, 60,000
-# rows, a narrow window. Screenshots go to the folder SHOTS.
+# session whose commands make the same files in a shell, masked rows, hostile names, an engine that traps, 60,000 rows,
+# a rate table, columns that are not clear, a screen reader, a narrow window. Screenshots go to the folder SHOTS.
 set -euo pipefail
 fogcomp=$(realpath "${1:?usage: workbench.sh FOGCOMP [SHOTS]}")
 shots=${2:+$(realpath "$2")}
@@ -29,12 +29,19 @@ hostile='<img src=x onerror=document.title="gone">.csv'
 awk -F, -v OFS=, '/^time_s/ { print "time_s", "temperature_degc", "<b>rate</b> [deg/h]"; next } 1' mems.csv >"$hostile"
 "$fogcomp" workbench "$hostile" -o hostile.html --columns 'rate=<b>rate</b> [deg/h]' >/dev/null
 "$fogcomp" simulate -o fast.csv --rate 5 >/dev/null # 297,750 rows: the page has their means over 1 s
+"$fogcomp" simulate -o table.csv --profile rate_table --effect scale_factor:peak=1 >/dev/null
+"$fogcomp" fit table.csv -o still.model --effects bias,bias_temperature:order=3 >/dev/null
+"$fogcomp" workbench still.model table.csv -o table.html >/dev/null
+"$fogcomp" add cubic.model temperature_rate mems.csv -o grown.model --report report.html >/dev/null 2>&1
+# As a logger writes it: two axes, and units that are not said.
+awk -F, -v OFS=';' '/^#/ { next } /^time_s/ { print "Stamp", "Chamber temperature", "Gyro_X", "Gyro_Y"; next }
+  { print $1, $2, $3 / 2, $3 }' mems.csv >foreign.csv
 for page in *.html; do
   (($(stat -c %s $page) < 2500000)) || { echo "$page is $(stat -c %s $page) bytes" >&2; exit 1; }
 done
 
 "$fogcomp" workbench fast.csv -o long.html >/dev/null 2>note.txt
-grep -q "has 297750 rows, of which the page has the 59550 means over 1 s" note.txt
+grep -q "has 297750 rows, of which the workbench has the 59550 means over 1 s" note.txt
 
 node "$here/workbench.mjs" chromium "$shots"
 
@@ -43,4 +50,10 @@ mkdir shell
 cp run.csv other.csv shell
 [[ -s commands.txt ]] || { echo "the page shows no commands" >&2; exit 1; }
 (cd shell && PATH=$(dirname "$fogcomp"):$PATH bash -euo pipefail ../commands.txt >said.txt)
-node "$here/compare_models.mjs" page.model "shell/$(sed -n '$ s/.* -o \([^ ]*\).*/\1/p' commands.txt)"
+cd shell
+made=$(sed -n '$ s/.* -o \([^ ]*\).*/\1/p' ../commands.txt)
+"$fogcomp" export "$made" -o made.h >/dev/null
+"$fogcomp" apply "$made" run.csv -o made.csv >/dev/null
+"$fogcomp" history "$made" --report made.html >/dev/null 2>&1
+cd ..
+node "$here/compare_outputs.mjs" page.model "shell/$made" page.h shell/made.h page.csv shell/made.csv page.html shell/made.html

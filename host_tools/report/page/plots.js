@@ -3,8 +3,7 @@
 // and zoom in x.
 "use strict";
 (() => {
-  const plots = JSON.parse(document.getElementById("plots").textContent);
-  const root = document.documentElement;
+  const plots = JSON.parse(byId("plots").textContent);
   const printed_width = 680; // CSS pixels between the margins of A4 and of Letter
   const drawn = [];
   const groups = new Map(); // name -> the plots drawn
@@ -28,20 +27,6 @@
       }
     });
   });
-
-  const colour = (name, opacity = 1) => {
-    const hex = getComputedStyle(root).getPropertyValue("--" + name).trim();
-    const byte = Math.round(255 * opacity).toString(16).padStart(2, "0");
-    return opacity < 1 ? hex + byte : hex;
-  };
-  const significant = (value) => (value == null ? "" : String(Number(value.toPrecision(4))));
-  const decimals = (step) => {
-    let places = 0;
-    while (places < 9 && Math.abs(step * 10 ** places - Math.round(step * 10 ** places)) > 1e-6) {
-      ++places;
-    }
-    return places;
-  };
 
   // The columns that uPlot wants: one x for all. Where curves have their own, every point has a row
   // for itself, as several may have the same x.
@@ -113,49 +98,6 @@
     }),
   });
 
-  // The segments of the x axis that are in view: their edges in canvas pixels.
-  const bands_in_view = (u, plot) => plot.bands.map((band) => ({
-    ...band,
-    left: Math.max(u.bbox.left, u.valToPos(band.from, "x", true)),
-    right: Math.min(u.bbox.left + u.bbox.width, u.valToPos(band.to, "x", true)),
-  })).filter(({ left, right }) => left < right);
-
-  // Behind everything. How many is left in the page for tests.
-  const shade = (u, plot, holder) => {
-    const shaded = bands_in_view(u, plot).filter((band) => band.colour);
-    u.ctx.save();
-    shaded.forEach(({ left, right, colour: name }) => {
-      u.ctx.fillStyle = colour(name, 0.13);
-      u.ctx.fillRect(left, u.bbox.top, right - left, u.bbox.height);
-    });
-    u.ctx.restore();
-    holder.dataset.shaded = shaded.length;
-  };
-  // Before everything, where there is room: the whole name, or what comes behind its first word, as
-  // "-40" of "soak -40".
-  const name_bands = (u, plot, holder) => {
-    const pen = u.ctx;
-    let named = 0;
-    pen.save();
-    pen.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
-    pen.textAlign = "center";
-    pen.textBaseline = "top";
-    pen.lineWidth = 3 * devicePixelRatio;
-    pen.strokeStyle = colour("paper", 0.8);
-    pen.fillStyle = colour("faint");
-    bands_in_view(u, plot).forEach(({ left, right, label }) => {
-      const room = right - left - 4 * devicePixelRatio;
-      const name = [label, label.split(" ").slice(1).join(" ")]
-        .find((text) => text && pen.measureText(text).width <= room);
-      if (!name) return;
-      const place = [name, (left + right) / 2, u.bbox.top + 3 * devicePixelRatio];
-      pen.strokeText(...place);
-      pen.fillText(...place);
-      ++named;
-    });
-    pen.restore();
-    holder.dataset.named = named;
-  };
   const segment_at = (plot, x) => {
     const band = x == null ? undefined : plot.bands.find(({ from, to }) => x >= from && x < to);
     return band ? ` (${band.label})` : "";
@@ -163,40 +105,16 @@
 
   // Standard deviations as vertical bars, levels as lines with their names.
   const annotate = (u, plot) => {
-    const pen = u.ctx;
-    const box = u.bbox;
-    pen.save();
-    pen.beginPath();
-    pen.rect(box.left, box.top, box.width, box.height);
-    pen.clip();
-    pen.lineWidth = devicePixelRatio;
-    pen.setLineDash([]);
-    plot.curves.forEach((curve, c) => {
+    clipped(u, (pen) => plot.curves.forEach((curve, c) => {
       if (!curve.sigma || !u.series[c + 1].show) return;
       pen.strokeStyle = colour(curve.colour);
       u.data[c + 1].forEach((y, i) => {
         if (y == null || curve.sigma[i] == null) return;
-        const x = u.valToPos(u.data[0][i], "x", true);
         const low = u.scales.y.distr === 3 ? Math.max(y - curve.sigma[i], y / 1e3) : y - curve.sigma[i];
-        pen.beginPath();
-        pen.moveTo(x, u.valToPos(low, "y", true));
-        pen.lineTo(x, u.valToPos(y + curve.sigma[i], "y", true));
-        pen.stroke();
+        sigma_bar(u, u.data[0][i], low, y + curve.sigma[i]);
       });
-    });
-    pen.font = `${12 * devicePixelRatio}px system-ui, sans-serif`;
-    pen.textAlign = "right";
-    plot.levels.forEach((level) => {
-      const y = u.valToPos(level.y, "y", true);
-      pen.strokeStyle = pen.fillStyle = colour("mark");
-      pen.setLineDash([2 * devicePixelRatio, 3 * devicePixelRatio]);
-      pen.beginPath();
-      pen.moveTo(box.left, y);
-      pen.lineTo(box.left + box.width, y);
-      pen.stroke();
-      pen.fillText(level.label, box.left + box.width - 4 * devicePixelRatio, y - 4 * devicePixelRatio);
-    });
-    pen.restore();
+    }));
+    draw_levels(u, plot.levels);
   };
 
   // The nearest point of a curve, as clouds share their x with others.
@@ -215,17 +133,6 @@
     return { width, height: Math.round(Math.min(square ? 400 : 280, Math.max(220, 0.7 * width))) };
   };
 
-  const axis = (label, extra) => ({
-    label,
-    font: "12px system-ui, sans-serif",
-    labelFont: "12px system-ui, sans-serif",
-    labelSize: 20,
-    stroke: () => colour("ink"),
-    grid: { stroke: () => colour("rule"), width: 1 },
-    ticks: { stroke: () => colour("rule"), width: 1, size: 5 },
-    ...extra,
-  });
-
   // uPlot colours the marks of its legend once only, and does not say what a click there does.
   const dress_legend = (u) => u.root.querySelectorAll(".u-legend .u-series").forEach((row, i) => {
     if (i === 0) return;
@@ -239,16 +146,11 @@
     const log_x = log_y || plot.kind === "log_x";
     const { data, series, bands } = plot.kind === "stacked" ? stacked(plot) : unstacked(plot);
     const y_range = (u, low, high) => {
-      if (low == null) return [0, 1];
-      plot.levels.forEach((level) => {
-        low = Math.min(low, level.y);
-        high = Math.max(high, level.y);
-      });
-      const spare = 0.06 * (high - low) || 0.1 * Math.abs(high) || 1;
-      return [low - spare, high + spare];
+      if (low == null) return spaced(low, high);
+      const levels = plot.levels.map((level) => level.y);
+      return spaced(Math.min(low, ...levels), Math.max(high, ...levels));
     };
-    const values = (logarithmic) => (logarithmic ? (u, splits) => splits.map(significant)
-      : (u, splits, a, space, step) => splits.map((v) => v.toFixed(decimals(step))));
+    const values = (logarithmic) => (logarithmic ? { values: (u, splits) => splits.map((value) => significant(value)) } : {});
     const named = (i) => (plot.names[i] ? `${plot.names[i]}: ` : "");
     const x_value = (self, v, s, i) => named(i) + significant(v) + segment_at(plot, v);
     const peers = groups.get(plot.group) || [];
@@ -259,12 +161,8 @@
         y: log_y ? { distr: 3 } : { range: y_range },
       },
       axes: [
-        axis(plot.x_label, { values: values(log_x), size: 34 }),
-        axis(plot.y_label, {
-          values: values(log_y),
-          // The same for plots below each other, unless a figure needs more.
-          size: (self, texts) => 18 + 7 * Math.max(6, ...(texts || []).map((text) => (text || "").length)),
-        }),
+        axis(plot.x_label, { ...values(log_x), size: 34 }),
+        axis(plot.y_label, { ...values(log_y), size: width_of_figures }),
       ],
       series: [{ label: plot.x_label, value: x_value },
                ...series.map((one) => ({ value: (self, v) => significant(v), points: { show: false }, ...one }))],
@@ -277,8 +175,9 @@
         points: { size: 7 },
       },
       hooks: {
-        drawClear: [(self) => shade(self, plot, holder)],
-        draw: [(self) => annotate(self, plot), (self) => name_bands(self, plot, holder)],
+        // How many are shaded and named is left in the page for tests.
+        drawClear: [(self) => { holder.dataset.shaded = shade_bands(self, plot.bands, 0.13); }],
+        draw: [(self) => annotate(self, plot), (self) => { holder.dataset.named = name_bands(self, plot.bands); }],
         // Only what the reader did spreads: the others then have the same range and stop there.
         setScale: [(self, key) => {
           if (key !== "x" || !self.ready) return;
@@ -318,8 +217,8 @@
     redraw_all();
   };
 
-  document.querySelectorAll(".canvas[data-plot]").forEach((holder) => draw(holder, plots[holder.dataset.plot]));
-  new ResizeObserver(resize_all).observe(document.querySelector("main"));
+  document.querySelectorAll("#report .canvas").forEach((holder) => draw(holder, plots[holder.dataset.plot]));
+  new ResizeObserver(resize_all).observe(byId("report"));
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw_all);
   addEventListener("beforeprint", () => print(true));
   addEventListener("afterprint", () => print(false));

@@ -1,6 +1,7 @@
 // Where the reader is: each state is a model and the command lines that make it. What is undone stays
 // until something else is done.
 "use strict";
+const base_name = (path) => path.split("/").pop();
 const setup = JSON.parse(text_of("setup"));
 
 const shell_word = (word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
@@ -17,7 +18,7 @@ class States {
   next_model() {
     ++this.#models;
     const name = `m${this.#models}.model`;
-    return name === setup.model ? this.next_model() : name;
+    return setup.states.some(({ model }) => model === name) ? this.next_model() : name;
   }
   reserve(name) { this.#models = Math.max(this.#models, Number((name.match(/^m(\d+)\.model$/) || [0, 0])[1])); }
   push(state) {
@@ -42,15 +43,20 @@ const mask_words = (masks) => masks.flatMap(([run, from, to]) =>
 const masks_from = (words) => words.flatMap((word, i) => {
   if (words[i - 1] !== "--mask") return [];
   const [, run, from, to] = word.match(/^(?:(.*):)?([^:]*)\.\.([^:]*)$/);
-  return [[run || setup.runs[0], Number(from), Number(to)]];
+  return (run ? [run] : [...setup.runs, ...setup.holdouts]).map((name) => [name, Number(from), Number(to)]);
 });
 const masks_on = (masks, verb) => (verb === "fit" ? masks.filter(([run]) => setup.runs.includes(run)) : masks);
 
 // Everything that a command has beside the effects: recordings, those that judge, how they are read.
 const judged_by = () => setup.holdouts.flatMap((name) => ["--holdout", name]);
-const fit_words = (effects, expressions, model, masks) => [
+// `rows`: what else the model of now says of how it is fitted.
+const fit_words = (effects, expressions, model, masks, rows = []) => [
   "fit", ...setup.runs, ...setup.reading, ...mask_words(masks_on(masks, "fit")), "--effects", effects.join(","),
-  ...expressions.flatMap((one) => ["--effect-expr", one]), "-o", model,
+  ...expressions.flatMap((one) => ["--effect-expr", one]), ...rows, "-o", model,
+];
+const rows_of = (view) => [
+  ...(view.average_s === 10 ? [] : ["--average", String(view.average_s)]),
+  ...(view.derivative_tau_s === 30 ? [] : ["--derivative-tau", String(view.derivative_tau_s)]),
 ];
 const add_words = (from, what, model, masks, verb = "add") => [
   verb, from, ...(what.expression ? [] : what.effects), ...setup.runs, ...judged_by(), ...setup.reading, ...mask_words(masks),

@@ -23,12 +23,23 @@ const shape_control = (term, parameter, change) => {
   };
   say(value, true);
   const steps = whole ? max - min : 400;
+  const begin = Math.round(steps * to(Math.max(value, min)));
+  let held = false;
+  let left = false; // by Esc, while the button is down
   const slider = make("input", {
-    type: "range", min: 0, max: steps, step: 1, value: Math.round(steps * to(Math.max(value, min))),
+    type: "range", min: 0, max: steps, step: 1, value: begin,
     ariaLabel: `${name} of ${term.effect}`,
-    oninput: () => say(rounded(), false),
-    onchange: () => change(with_parameter(term.words, name, rounded())),
+    oninput: () => (left ? leave() : say(rounded(), false)),
+    onpointerdown: () => { held = true; },
+    onpointerup: () => setTimeout(() => { held = left = false; }), // after the change, if there is one
+    onkeydown: (event) => { if (event.key === "Escape" && held) leave(); },
+    onchange: () => (left ? leave() : change(with_parameter(term.words, name, rounded()))),
   });
+  const leave = () => {
+    left = true;
+    slider.value = begin;
+    say(value, true);
+  };
   const rounded = () => {
     const x = from(slider.valueAsNumber / steps);
     return whole ? Math.round(x) : Number(x.toPrecision(4));

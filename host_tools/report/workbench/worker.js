@@ -2,6 +2,7 @@
 // files that it needs and names the columns that it wants back.
 "use strict";
 let engine = null;
+const home = "/a/b/c/d/e/f/g/h";
 
 const column = (run, name) => {
   const place = engine._malloc(4);
@@ -11,8 +12,21 @@ const column = (run, name) => {
   return first ? engine.HEAPF64.slice(first >> 3, (first >> 3) + count) : null;
 };
 
+// The folders of a path, as far as they are not there.
+const make_folders = (path) => {
+  const parts = path.split("/").slice(0, -1);
+  parts.forEach((part, i) => {
+    const folder = parts.slice(0, i + 1).join("/");
+    if (part !== "" && !engine.FS.analyzePath(folder).exists) engine.FS.mkdir(folder);
+  });
+};
+
 const answer = ({ words, files, columns }) => {
-  for (const { name, bytes } of files) engine.FS.writeFile(name, bytes);
+  for (const { name, bytes } of files) {
+    make_folders(name);
+    engine.FS.writeFile(name, bytes);
+  }
+  words.forEach((word, i) => { if (words[i - 1] === "-o") make_folders(word); });
   const found = JSON.parse(engine.ccall("fogcomp_call", "string", ["string"], [words.join("\n")]));
   const values = [];
   for (let run = 0; columns.length > 0 && column(run, columns[0]); ++run) {
@@ -35,6 +49,9 @@ onmessage = async ({ data }) => {
   try {
     if (data.module) {
       engine = await start(data.module);
+      // Paths are as the reader's shell has them: some of them go up from its folder.
+      make_folders(home + "/");
+      engine.FS.chdir(home);
       postMessage({ id: data.id });
       return;
     }

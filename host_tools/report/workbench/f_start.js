@@ -66,7 +66,7 @@
     const group = byId("runs");
     group.hidden = view.runs.length < 2;
     group.replaceChildren(...view.runs.map(({ file }, i) => make("button", {
-      type: "button", textContent: file + (setup.holdouts.includes(file) ? " (judges)" : ""), ariaPressed: String(i === run),
+      type: "button", textContent: base_name(file) + (setup.holdouts.includes(file) ? " (judges)" : ""), ariaPressed: String(i === run),
       onclick: () => { run = i; show(); },
     })));
     byId("variable").replaceChildren(...view.runs[run].variables.map(({ name, label }) =>
@@ -127,9 +127,9 @@
   const fit = (label, change) => in_turn(async () => {
     const model = states.next_model();
     const before = states.now ? { effects: effects_of(states.now.view), expressions: expressions_of(states.now.view), masks: states.now.masks }
-      : { effects: ["bias"], expressions: [], masks: [] };
+      : { effects: ["bias"], expressions: [], masks: masks_from(setup.masks) };
     const { effects, expressions, masks } = { ...before, ...change(before) };
-    const words = fit_words(effects, expressions, model, masks);
+    const words = fit_words(effects, expressions, model, masks, states.now ? rows_of(states.now.view) : []);
     const fitted = checked(await fitting.call(words));
     keep_model(model, fitted.text);
     enter({ model, words, label, masks, notes: [...fitted.fit.notes, ...fitted.remarks], view: await view_of(model, masks) });
@@ -156,6 +156,7 @@
     wanted = on ? effect : null;
     const state = states.now;
     if (!on) {
+      if (byId("candidate").textContent === "") return;
       state.view.values.forEach((values) => { delete values.preview; });
       byId("candidate").textContent = "";
       draw();
@@ -216,7 +217,7 @@
     draw();
   };
   const show_masks = () => byId("masks").replaceChildren(...states.now.masks.map((one) => make("li", {}, make("button", {
-    type: "button", title: "count these rows again", textContent: `${one[0]} ${one[1]}..${one[2]} s ×`,
+    type: "button", title: "count these rows again", textContent: `${base_name(one[0])} ${one[1]}..${one[2]} s ×`,
     onclick: () => fit(`unmask ${one[1]}..${one[2]} s`, ({ masks }) => ({ masks: masks.filter((other) => other !== one) })),
   }))));
   byId("mask_mode").onclick = () => set_masking(!masking());
@@ -241,14 +242,18 @@
   byId("undo").onclick = () => go(states.at - 1);
   byId("redo").onclick = () => go(states.at + 1);
   byId("variable").onchange = () => { variable = byId("variable").value; draw_variable(states.now.view, run, variable); };
-  byId("save_model").onclick = () => save(states.now.model, states.now.view.text);
+  byId("save_model").onclick = () => save(base_name(states.now.model), states.now.view.text);
   const save_written = (name, words) => in_turn(async () => save(name, checked(await fitting.call([...words, "-o", name])).text));
   byId("save_header").onclick = () => save_written("fog_model.h", ["export", states.now.model]);
   byId("save_rows").onclick = () => save_written("compensated.csv", ["apply", states.now.model, name_of_run(), ...setup.reading]);
+  byId("save_report").onclick = () => in_turn(async () => {
+    const file = "report.html";
+    save(file, checked(await fitting.call(["history", states.now.model, "--report", file])).text);
+  });
   byId("copy_commands").onclick = () => copy(byId("commands").textContent.replaceAll("$ ", ""), byId("copy_commands"));
   byId("link").onclick = () => copy(location.href.split("#")[0] + "#" + encodeURIComponent(JSON.stringify(states.commands())), byId("link"));
   addEventListener("keydown", (event) => {
-    if (event.key === "Escape" && changing > 0) fitting.cancel();
+    if (event.key === "Escape" && !Object.values(plots).some((plot) => plot.cancel_drag()) && changing > 0) fitting.cancel();
     if (!(event.ctrlKey || event.metaKey) || event.target.matches("input:not([type])")) return;
     const key = event.key.toLowerCase();
     if (key === "z" && !event.shiftKey) byId("undo").click();
@@ -285,6 +290,18 @@
     go(states.list.length - 1);
   };
 
+  // The models that the page was made with.
+  const begin_with_states = async () => {
+    const masks = masks_from(setup.masks);
+    for (const { model, label, words, judgement, accepted } of setup.states) {
+      states.push({
+        model, masks, label: label === model ? base_name(model) : label, words: words.length ? words : null, view: await view_of(model, masks),
+        judged: judgement ? { good: accepted, reason: judgement } : undefined,
+      });
+    }
+    if (setup.states.length > 0) go(states.list.length - 1);
+  };
+
   const begin = async (module, files) => {
     fitting = new Engine(module, new Map(files), working, trouble);
     diagnosing = new Engine(module, new Map(files), () => {}, trouble);
@@ -296,7 +313,7 @@
     byId("link").disabled = false;
     await in_turn(async () => {
       if (location.hash.length > 1) return replay(JSON.parse(decodeURIComponent(location.hash.slice(1))));
-      if (setup.model) enter({ model: setup.model, label: setup.model, masks: [], view: await view_of(setup.model, []) });
+      await begin_with_states();
     });
     if (!states.now) await fit("bias", () => ({}));
   };
@@ -309,9 +326,15 @@
     byId("starting").hidden = true;
     form.hidden = false;
     const engine = new Engine(module, files, working, trouble);
+    const look_at = (name) => async (map) => checked(await engine.call(["columns", name, ...with_columns(words_of(byId("reading").value), map)]));
+    const choose_columns = async (name) => {
+      const map = await ask_for_columns(name, look_at(name), columns_in(words_of(byId("reading").value)));
+      if (map === null) return;
+      byId("reading").value = with_columns(words_of(byId("reading").value), map).map(shell_word).join(" ");
+      await list();
+    };
     const list = async () => {
-      const reading = byId("reading").value.trim();
-      setup.reading = reading ? reading.match(/'[^']*'|"[^"]*"|\S+/g).map((word) => word.replace(/^(['"])(.*)\1$/, "$2")) : [];
+      setup.reading = words_of(byId("reading").value);
       const rows = [];
       let good = files.size > judges.size;
       for (const name of files.keys()) {
@@ -319,23 +342,27 @@
         if (found.error) good = false;
         const use = make("select", { ariaLabel: `use of ${name}`, onchange: () => { if (use.value === "judges") judges.add(name); else judges.delete(name); list(); } },
           make("option", { value: "fit", textContent: "fit to it" }), make("option", { value: "judges", textContent: "judge by it", selected: judges.has(name) }));
-        rows.push(make("li", {}, make("strong", { textContent: name }), use,
+        const choose = make("button", { type: "button", textContent: "Columns …", ariaLabel: `columns of ${name}`, onclick: () => choose_columns(name) });
+        rows.push(make("li", {}, make("strong", { textContent: name }), make("span", {}, choose, " ", use),
           make("p", { textContent: found.error || [`${found.rows} rows, every ${significant(found.period_s)} s.`, ...found.remarks].join(" ") })));
       }
       byId("dropped").replaceChildren(...rows);
       byId("begin").disabled = !good;
     };
+    // Of files whose columns are not clear the reader is asked what they are.
     const take = async (chosen) => {
-      for (const file of chosen) {
-        engine.put(file.name, new Uint8Array(await file.arrayBuffer()));
-      }
+      for (const file of chosen) engine.put(file.name, new Uint8Array(await file.arrayBuffer()));
       await list();
+      for (const { name } of chosen) {
+        const { found } = await engine.call(["columns", name, ...setup.reading]);
+        if (found.refusal && found.columns.length > 1) await choose_columns(name);
+      }
     };
-    byId("chosen").onchange = () => take(byId("chosen").files);
+    byId("chosen").onchange = () => take([...byId("chosen").files]);
     byId("reading").onchange = list;
     document.body.ondragover = (event) => { event.preventDefault(); form.classList.add("over"); };
     document.body.ondragleave = () => form.classList.remove("over");
-    document.body.ondrop = (event) => { event.preventDefault(); form.classList.remove("over"); if (!form.hidden) take(event.dataTransfer.files); };
+    document.body.ondrop = (event) => { event.preventDefault(); form.classList.remove("over"); if (!form.hidden) take([...event.dataTransfer.files]); };
     form.onsubmit = (event) => {
       event.preventDefault();
       setup.runs = [...files.keys()].filter((name) => !judges.has(name));
@@ -344,14 +371,30 @@
     };
   };
 
-  try {
-    byId("starting").hidden = false;
-    const module = await compile_engine();
-    const files = [...document.querySelectorAll("script[data-file]")].map((script) => [script.dataset.file, bytes_of(script.textContent)]);
-    if (setup.runs.length > 0) await begin(module, files);
-    else ask_for_files(module);
-  } catch (fault) {
-    byId("starting").hidden = true;
-    trouble(`This page cannot calculate here: ${fault.message}. It needs a browser of 2023 or later.`);
-  }
+  const start = async () => {
+    try {
+      byId("starting").hidden = false;
+      const module = await compile_engine();
+      const files = [...document.querySelectorAll("script[data-file]")].map((script) => [script.dataset.file, bytes_of(script.textContent)]);
+      if (setup.runs.length > 0) await begin(module, files);
+      else ask_for_files(module);
+    } catch (fault) {
+      byId("starting").hidden = true;
+      trouble(`This page cannot calculate here: ${fault.message}. It needs a browser of 2023 or later.`);
+    }
+  };
+
+  // A report opens with what was found; the engine starts when the reader turns to the workbench.
+  let started = null;
+  const show_view = (bench) => {
+    document.body.dataset.view = bench ? "bench" : "report";
+    byId("show_report").ariaPressed = String(!bench);
+    byId("show_bench").ariaPressed = String(bench);
+    if (bench) started = started || start();
+  };
+  byId("show_report").onclick = () => show_view(false);
+  byId("show_bench").onclick = () => show_view(true);
+  const has_report = Boolean(byId("report"));
+  byId("views").hidden = !has_report;
+  show_view(!has_report || location.hash.length > 1);
 })();

@@ -1,0 +1,111 @@
+#include "findings/history_findings.hpp"
+
+#include "findings/figures.hpp"
+#include "model/catalogue.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+using Steps = std::vector<model::HistoryEntry>;
+
+// A list of effects that can be broken into lines.
+Text action_of(const model::HistoryEntry& step) {
+  return verbatim(join(split(step.action, ','), ", "));
+}
+
+Text found(const Steps& steps) {
+  Text text = words(counted(steps.size(), "step")) + ": from " +
+              number(steps.front().rms_before_dph) + " to " + number(steps.back().rms_after_dph) +
+              " deg/h rms";
+  if (const auto floor = steps.back().noise_floor_dph) {
+    text += "; noise alone would leave " + number(*floor);
+  }
+  return text;
+}
+
+Table steps_table(const Steps& steps) {
+  Table table;
+  table.columns = {"step", "before", "after", "of excess", "held out", "data"};
+  table.notes =
+      "rms left, deg/h; of excess: of what lay above the noise floor, the part that the step "
+      "removed; held out: on runs that it was not fitted to; data: hash of the recordings, within "
+      "which errors compare";
+  for (const model::HistoryEntry& step : steps) {
+    const auto removed = step.excess_removed();
+    const Text held_out = step.holdout ? number(step.holdout->rms_before_dph) + " -> " +
+                                             number(step.holdout->rms_after_dph)
+                                       : Text("-");
+    const Text forced = step.forced ? " (forced: did not help out of sample)" : "";
+    table.rows.push_back({action_of(step) + forced, number(step.rms_before_dph),
+                          number(step.rms_after_dph),
+                          words(removed ? percent(*removed) : std::string("-")), held_out,
+                          words(format("%08x", static_cast<unsigned>(step.data_hash)))});
+  }
+  return table;
+}
+
+void add_figure(Table& table, Text& effect, const Text& name, double value, double sigma,
+                const std::string& unit, bool is_given) {
+  table.rows.push_back({effect, name, significant(value),
+                        is_given ? Text("given") : significant(sigma), words(unit)});
+  effect = "";  // named once
+}
+
+Table terms_table(const model::Model& model) {
+  Table table;
+  table.columns = {"effect", "figure", "value", "+-", "unit"};
+  for (const model::EffectTerm& term : model.terms) {
+    const model::TermInfo info = model::info_of(term);
+    Text effect = verbatim(term.expression ? term.name + " = " + term.expression->expression.text
+                                           : term.name);
+    for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
+      const fog::CoefficientDescription& description = info.coefficients[i];
+      add_figure(table, effect, words(description.symbol), model::natural_coefficient(term, i),
+                 model::in_natural_unit(term.sigma_dph[i], description), description.unit, false);
+    }
+    for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+      add_figure(table, effect, words(info.parameters[i].name), term.parameters[i],
+                 term.parameter_sigma[i], info.parameters[i].unit, !term.identified[i]);
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+Table error_ladder(const model::Model& model) {
+  const Steps& history = model.history;
+  Table table;
+  table.caption = "what is left of the data of the fit";
+  table.columns = {"step", {"rms left", "residual"}};
+  table.quantity = "rms left, deg/h";
+  table.floor = history.back().noise_floor_dph.value_or(0);
+  const double before_dph = history.front().rms_before_dph;
+  Table::Row constant{"by a constant alone", {number(before_dph), before_dph}};
+  constant.colour = "measured";
+  table.rows.push_back(std::move(constant));
+  for (const model::HistoryEntry& step : history) {
+    table.rows.push_back({action_of(step), {number(step.rms_after_dph), step.rms_after_dph}});
+  }
+  return table;
+}
+
+Document history_findings(const model::Model& model, const std::string& file) {
+  Document document("fogcomp history " + file, found(model.history));
+  document.heading("Error ladder");
+  document.table(error_ladder(model));
+  document.heading("Steps");
+  document.table(steps_table(model.history));
+  document.heading("Model");
+  document.table(terms_table(model));
+  if (model.network.present()) {
+    document.sentence(
+        words("and a network of " +
+              counted(static_cast<std::size_t>(model.network.hidden.biases.size()), "neuron") +
+              " on what these leave"));
+  }
+  return document;
+}
+
+}  // namespace fogcomp::findings

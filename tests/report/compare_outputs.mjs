@@ -1,0 +1,32 @@
+// node compare_outputs.mjs PAGE SHELL...: pairs of files word by word. Numbers may differ in what the C libraries'
+// functions differ in: the page's and the host's round the last bit of exp and sin unlike; and so may hashes of them.
+import { readFileSync } from "node:fs";
+
+const tolerance = 1e-6; // relative; below every uncertainty of a coefficient
+const hash = /\b(crc|hash)\b/i; // here, or in the comment above
+const names = process.argv.slice(2);
+const lines_of = (name) => readFileSync(name, "utf8").trim().split("\n");
+const compare = (page_name, shell_name) => {
+  const page = lines_of(page_name);
+  const shell = lines_of(shell_name);
+  let largest = 0;
+  const differ = (what) => {
+    console.error(`the page's ${page_name} is not the shell's: ${what}`);
+    process.exit(1);
+  };
+  if (page.length !== shell.length) differ(`${page.length} lines, ${shell.length} lines`);
+  page.forEach((line, i) => {
+    if (line === shell[i] || hash.test(line) || (i > 0 && hash.test(page[i - 1]))) return;
+    const words = [line, shell[i]].map((text) => text.split(/[ ,<>]/));
+    if (words[0].length !== words[1].length) differ(`${line} | ${shell[i]}`);
+    words[0].forEach((word, w) => {
+      const other = words[1][w];
+      if (word === other) return;
+      const off = Math.abs(word - other) / Math.max(Math.abs(word), Math.abs(other));
+      if (!(off <= tolerance)) differ(`${line} | ${shell[i]}`);
+      largest = Math.max(largest, off);
+    });
+  });
+  console.log(`${page_name}: ${largest === 0 ? "the same bytes" : `differs by at most ${largest.toExponential(1)} of a figure`}`);
+};
+for (let i = 0; i < names.length; i += 2) compare(names[i], names[i + 1]);
