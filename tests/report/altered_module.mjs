@@ -4,7 +4,9 @@ import { gunzipSync } from "node:zlib";
 
 // Sections of a module, and its numbers (LEB128).
 class Module {
-  constructor(bytes) { this.bytes = bytes; }
+  constructor(bytes) {
+    this.bytes = bytes;
+  }
   number(at) {
     let value = 0;
     for (let shift = 0; ; shift += 7) {
@@ -75,7 +77,7 @@ const module_of = (page) => {
 export const trapping = (page, name) => {
   const module = module_of(page);
   const body = module.body(module.exported(name));
-  body.fill(1);        // nop
+  body.fill(1); // nop
   body.set([0, 0], 0); // no locals; unreachable
   body[body.length - 1] = 11;
   return module.bytes.toString("base64");

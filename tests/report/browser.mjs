@@ -5,9 +5,17 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 const flags = [
-  "--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-  "--disable-background-networking", "--disable-component-update", "--disable-sync",
-  "--disable-dev-shm-usage", "--hide-scrollbars", "--remote-debugging-pipe",
+  "--headless=new",
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--disable-dev-shm-usage",
+  "--hide-scrollbars",
+  "--remote-debugging-pipe",
 ];
 
 export class Browser {
@@ -19,8 +27,9 @@ export class Browser {
   #id = 0;
 
   constructor(program) {
-    this.#process = spawn(program, [...flags, `--user-data-dir=${this.#profile}`, "about:blank"],
-                          { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
+    this.#process = spawn(program, [...flags, `--user-data-dir=${this.#profile}`, "about:blank"], {
+      stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"],
+    });
     this.#process.on("exit", () => {
       for (const { reject } of this.#waiting.values()) reject(new Error("the browser is gone"));
     });
@@ -56,7 +65,9 @@ export class Browser {
     return new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
   }
 
-  on(listener) { this.#listeners.push(listener); }
+  on(listener) {
+    this.#listeners.push(listener);
+  }
 
   async tab() {
     const { targetId } = await this.send("Target.createTarget", { url: "about:blank" });
@@ -76,7 +87,7 @@ export class Browser {
 
 class Tab {
   complaints = []; // console errors and warnings, exceptions
-  requests = [];   // addresses asked for
+  requests = []; // addresses asked for
   #loaded = () => {};
 
   constructor(browser, session) {
@@ -98,18 +109,23 @@ class Tab {
     });
   }
 
-  send(method, params) { return this.browser.send(method, params, this.session); }
+  send(method, params) {
+    return this.browser.send(method, params, this.session);
+  }
 
   async show({ width, dark }) {
     const height = width < 600 ? 844 : 900;
     await this.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: false });
-    await this.send("Emulation.setEmulatedMedia",
-                    { features: [{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }] });
+    await this.send("Emulation.setEmulatedMedia", {
+      features: [{ name: "prefers-color-scheme", value: dark ? "dark" : "light" }],
+    });
     await this.settle();
   }
 
   async open(url) {
-    const loaded = new Promise((resolve) => { this.#loaded = resolve; });
+    const loaded = new Promise((resolve) => {
+      this.#loaded = resolve;
+    });
     await this.send("Page.navigate", { url });
     await loaded;
     await this.settle();
@@ -117,12 +133,17 @@ class Tab {
 
   // Two frames: one in which observers run, one in which what they changed is drawn.
   settle() {
-    return this.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 0))))");
+    return this.evaluate(
+      "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 0))))",
+    );
   }
 
   async evaluate(expression) {
-    const { result, exceptionDetails } =
-      await this.send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true });
+    const { result, exceptionDetails } = await this.send("Runtime.evaluate", {
+      expression,
+      awaitPromise: true,
+      returnByValue: true,
+    });
     if (exceptionDetails) throw new Error(exceptionDetails.exception?.description || exceptionDetails.text);
     return result.value;
   }

@@ -65,16 +65,25 @@ const compare = async () => {
     const figures = bars_of({ bars: [seen.bars[i]] }, "rms left, °/h", "all");
     check("compare.html", figures, `run ${i} has no bars of rms left`);
     if (!figures) return;
-    [...run.segments, { ...run, name: "all", mean_dph: run.residual_mean_dph, rms_dph: run.residual_rms_dph }]
-      .forEach((segment) => {
+    [...run.segments, { ...run, name: "all", mean_dph: run.residual_mean_dph, rms_dph: run.residual_rms_dph }].forEach(
+      (segment) => {
         const row = figures.rows.find(({ name }) => name === segment.name);
-        const before = Math.sqrt(segment.raw_std_dph ** 2 * (1 - 1 / segment.rows) + (segment.raw_mean_dph - constant) ** 2);
-        check("compare.html", row && near(row.values[0], before) && near(row.values[1], segment.rms_dph),
-              `${segment.name}: bars ${row && row.values} are not ${before} and ${segment.rms_dph}`);
-      });
+        const before = Math.sqrt(
+          segment.raw_std_dph ** 2 * (1 - 1 / segment.rows) + (segment.raw_mean_dph - constant) ** 2,
+        );
+        check(
+          "compare.html",
+          row && near(row.values[0], before) && near(row.values[1], segment.rms_dph),
+          `${segment.name}: bars ${row && row.values} are not ${before} and ${segment.rms_dph}`,
+        );
+      },
+    );
     const all = figures.rows.find(({ name }) => name === "all");
-    check("compare.html", (all.values[1] < all.values[0]) === (run.residual_std_dph < run.raw_std_dph),
-          "a model that helps looks as if it harmed");
+    check(
+      "compare.html",
+      all.values[1] < all.values[0] === run.residual_std_dph < run.raw_std_dph,
+      "a model that helps looks as if it harmed",
+    );
   });
 };
 
@@ -83,8 +92,11 @@ const fit = async () => {
   const { rows, quantity } = (await page("fit.html")).bars[0];
   const said = json("fit.json");
   check("fit.html", quantity === "rms left, °/h", `the ladder is of "${quantity}"`);
-  check("fit.html", near(rows[0].values[0], said.raw_std_dph) && near(rows[rows.length - 1].values[0], said.residual_rms_dph),
-        `the ladder goes from ${rows[0].values} to ${rows[rows.length - 1].values}`);
+  check(
+    "fit.html",
+    near(rows[0].values[0], said.raw_std_dph) && near(rows[rows.length - 1].values[0], said.residual_rms_dph),
+    `the ladder goes from ${rows[0].values} to ${rows[rows.length - 1].values}`,
+  );
 };
 
 // Several models: everything of the best, which is drawn last and so on top; the curves named.
@@ -96,17 +108,28 @@ const models = async () => {
   const plot = (title) => seen.plots.find((one) => one.title === title);
   for (const title of ["Residual.", "Rate less input rate, the model on top.", "Autocorrelation of the residual."]) {
     const labels = plot(title).curves.map(({ label }) => label);
-    check(name, labels[labels.length - 1] === "rate.model" && labels.includes("static.model"),
-          `${title} draws ${labels.join(", ")}`);
+    check(
+      name,
+      labels[labels.length - 1] === "rate.model" && labels.includes("static.model"),
+      `${title} draws ${labels.join(", ")}`,
+    );
   }
   const allan = plot("Allan deviation in soaks.").curves.map(({ label }) => label);
   check(name, as_json(allan.slice(0, 3)) === as_json(["before", "static.model", "rate.model"]), `Allan: ${allan}`);
   const best = json("models.json").models.find(({ model }) => model === "rate.model").runs[0];
-  const loop = seen.plots.find(({ title }) => title === "Residual over temperature.").curves
-    .find(({ label }) => label === "heating, mean");
-  check(name, loop.y.every((y, i) => near(y, best.structure.history.heating_dph[i])), "the loop is of another model");
-  check(name, as_json(bars_of(seen, "rms left, °/h", "all").rows.map(({ values }) => values.length)).match(/^\[3(,3)*\]$/),
-        "the bars do not have both models");
+  const loop = seen.plots
+    .find(({ title }) => title === "Residual over temperature.")
+    .curves.find(({ label }) => label === "heating, mean");
+  check(
+    name,
+    loop.y.every((y, i) => near(y, best.structure.history.heating_dph[i])),
+    "the loop is of another model",
+  );
+  check(
+    name,
+    as_json(bars_of(seen, "rms left, °/h", "all").rows.map(({ values }) => values.length)).match(/^\[3(,3)*\]$/),
+    "the bars do not have both models",
+  );
 };
 
 // Bars of probability, the candidates in the order of the JSON; what is named drawn over the residual.
@@ -117,18 +140,31 @@ const diagnose = async () => {
   const effects = seen.bars.filter(({ quantity }) => quantity === "probability");
   check(name, effects.length === 2, `has ${effects.length} lists of probability, not sets and effects`);
   const [sets, candidates] = effects;
-  check(name, as_json(candidates.rows.map((row) => row.name)) === as_json(said.candidates.map((one) => one.effect)),
-        "the candidates have another order than the JSON");
+  check(
+    name,
+    as_json(candidates.rows.map((row) => row.name)) === as_json(said.candidates.map((one) => one.effect)),
+    "the candidates have another order than the JSON",
+  );
   said.candidates.forEach(({ effect, probability }, i) => {
     const { values, widths } = candidates.rows[i];
-    check(name, Math.abs(values[0] - probability) < 6e-4 && Math.abs(widths[0] - 100 * probability) < 0.06,
-          `${effect}: bar ${values[0]}, ${widths[0]} %, is not ${probability}`);
+    check(
+      name,
+      Math.abs(values[0] - probability) < 6e-4 && Math.abs(widths[0] - 100 * probability) < 0.06,
+      `${effect}: bar ${values[0]}, ${widths[0]} %, is not ${probability}`,
+    );
   });
   check(name, /named/.test(candidates.caption), "the colours have no key");
-  check(name, sets.rows[0].name === said.explanations[0].effects.join(" and "), "does not begin with the likeliest set");
+  check(
+    name,
+    sets.rows[0].name === said.explanations[0].effects.join(" and "),
+    "does not begin with the likeliest set",
+  );
   const residual = seen.plots.find(({ title }) => title.startsWith("Residual, the model refitted"));
-  check(name, residual.curves.some(({ label }) => label === `${said.effect} would take out`),
-        "does not draw what the named effect would take out");
+  check(
+    name,
+    residual.curves.some(({ label }) => label === `${said.effect} would take out`),
+    "does not draw what the named effect would take out",
+  );
 };
 
 // Over every input that varies; what the residual depends on most comes first.
@@ -137,9 +173,16 @@ const inputs = async () => {
     const seen = await page(name);
     const over = seen.plots.filter(({ title }) => /^Residual over /.test(title));
     const titles = over.map(({ title }) => title);
-    check(name, titles[0] === "Residual over input rate." && titles.includes("Residual over light power."),
-          `has ${titles.join(" ")}`);
-    check(name, over.every(({ curves }) => curves.some(({ label }) => /mean/.test(label))), "a plot has no means");
+    check(
+      name,
+      titles[0] === "Residual over input rate." && titles.includes("Residual over light power."),
+      `has ${titles.join(" ")}`,
+    );
+    check(
+      name,
+      over.every(({ curves }) => curves.some(({ label }) => /mean/.test(label))),
+      "a plot has no means",
+    );
     check(name, over[0].x_label === "input rate, °/h", `the axis is "${over[0].x_label}"`);
   }
 };
@@ -147,7 +190,11 @@ const inputs = async () => {
 const batch = async () => {
   const seen = await page("batch.html");
   const [plot] = seen.plots;
-  check("batch.html", as_json(plot.names.slice().sort()) === as_json(["G1", "SN0042", "loud"]), `the dots are ${plot.names}`);
+  check(
+    "batch.html",
+    as_json(plot.names.slice().sort()) === as_json(["G1", "SN0042", "loud"]),
+    `the dots are ${plot.names}`,
+  );
   check("batch.html", plot.kind === "log_x", "an outlier ruins the axis");
   check("batch.html", plot.x_label === "drift left, fit, °/h", `the axis is "${plot.x_label}"`);
 };
@@ -157,8 +204,11 @@ const add = async () => {
   const rows = seen.bars[0].rows;
   check("add.html", seen.bars[0].quantity === "rms left, °/h", "does not say what its bars are of");
   json("add.json").runs.forEach((run, i) => {
-    check("add.html", near(rows[i].values[0], run.rms_before_dph) && near(rows[i].values[1], run.rms_after_dph),
-          `run ${i}: bars are ${rows[i].values}`);
+    check(
+      "add.html",
+      near(rows[i].values[0], run.rms_before_dph) && near(rows[i].values[1], run.rms_after_dph),
+      `run ${i}: bars are ${rows[i].values}`,
+    );
   });
 };
 

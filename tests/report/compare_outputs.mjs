@@ -27,6 +27,8 @@ const compare = (page_name, shell_name) => {
       largest = Math.max(largest, off);
     });
   });
-  console.log(`${page_name}: ${largest === 0 ? "the same bytes" : `differs by at most ${largest.toExponential(1)} of a figure`}`);
+  console.log(
+    `${page_name}: ${largest === 0 ? "the same bytes" : `differs by at most ${largest.toExponential(1)} of a figure`}`,
+  );
 };
 for (let i = 0; i < names.length; i += 2) compare(names[i], names[i + 1]);

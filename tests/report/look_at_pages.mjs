@@ -90,7 +90,11 @@ const look_at = async (tab, name, shape, plots) => {
     check(view, plot.coloured > 40, `plot ${i} shows no curve (${plot.coloured} coloured pixels)`);
     check(view, plot.lost <= 0, `plot ${i} lacks ${plot.lost} of its points`);
     check(view, !plot.wide, `plot ${i} is wider than its box`);
-    check(view, !plot.labels.some((label) => /_|deg|^gyro,/.test(label)), `plot ${i} has axes "${plot.labels.join('", "')}"`);
+    check(
+      view,
+      !plot.labels.some((label) => /_|deg|^gyro,/.test(label)),
+      `plot ${i} has axes "${plot.labels.join('", "')}"`,
+    );
     if (!plot.over_time) return;
     check(view, plot.ramps > 0 && plot.shaded === plot.ramps, `plot ${i} shades ${plot.shaded} of ${plot.ramps} ramps`);
     check(view, plot.named > 0, `plot ${i} names no segment`);
@@ -102,15 +106,20 @@ const look_at = async (tab, name, shape, plots) => {
     check(view, shape.width > 600 || table.keeps_name, `table ${i} loses the names of its rows`);
     check(view, table.deciding <= 0, `the first figures of table ${i} are out of view`);
   });
-  check(view, !seen.captions.some((caption) => /columns|\d rows|is the mean of/.test(caption)),
-        `a caption tells how it was made: ${seen.captions.find((caption) => /columns|\d rows|is the mean of/.test(caption))}`);
+  check(
+    view,
+    !seen.captions.some((caption) => /columns|\d rows|is the mean of/.test(caption)),
+    `a caption tells how it was made: ${seen.captions.find((caption) => /columns|\d rows|is the mean of/.test(caption))}`,
+  );
   check(view, seen.hidden_listings === 0, `${seen.hidden_listings} listings are cut off without a sign`);
   check(view, seen.unnamed_axes === 0, `${seen.unnamed_axes} lists of bars do not say what they are of`);
   check(view, seen.help, "does not say that a click in a legend hides a curve");
   check(view, !seen.legends.some(({ text, colon }) => colon || /[–:]\s*$/.test(text)), "a legend waits for a cursor");
   if (shots) {
-    writeFileSync(join(shots, `${basename(name, ".html")}_${shape.width}_${shape.dark ? "dark" : "light"}.png`),
-                  await tab.screenshot());
+    writeFileSync(
+      join(shots, `${basename(name, ".html")}_${shape.width}_${shape.dark ? "dark" : "light"}.png`),
+      await tab.screenshot(),
+    );
   }
 };
 
@@ -128,8 +137,13 @@ const zoom = async (tab, name) => {
   await tab.mouse("mouseMoved", at(0.3), place.top);
   await tab.settle();
   const legends = await tab.evaluate(
-    `[...document.querySelectorAll("#report .canvas .u-legend")].slice(0, 2).map((legend) => legend.textContent)`);
-  check(name, legends.every((legend) => /\d/.test(legend)), `the linked cursor shows no figures: ${legends.join(" | ")}`);
+    `[...document.querySelectorAll("#report .canvas .u-legend")].slice(0, 2).map((legend) => legend.textContent)`,
+  );
+  check(
+    name,
+    legends.every((legend) => /\d/.test(legend)),
+    `the linked cursor shows no figures: ${legends.join(" | ")}`,
+  );
   await tab.mouse("mousePressed", at(0.3), place.top, { button: "left", buttons: 1, clickCount: 1 });
   await tab.mouse("mouseMoved", at(0.5), place.top, { button: "left", buttons: 1 });
   await tab.mouse("mouseReleased", at(0.5), place.top, { button: "left", clickCount: 1 });
@@ -143,7 +157,11 @@ const zoom = async (tab, name) => {
   }
   await tab.settle();
   const after = await tab.evaluate(pictures);
-  check(name, after.every((picture, i) => picture === before[i]), "a double click does not show all again");
+  check(
+    name,
+    after.every((picture, i) => picture === before[i]),
+    "a double click does not show all again",
+  );
 };
 
 // A drag upwards zooms this plot's y alone; a click on a name in the legend hides its curve.
@@ -160,7 +178,11 @@ const zoom_y_and_hide = async (tab, name) => {
   await tab.settle();
   const zoomed = await tab.evaluate(pictures);
   check(name, zoomed[0] !== before[0], "a drag upwards does not zoom");
-  check(name, zoomed.slice(1).every((picture, i) => picture === before[i + 1]), "a drag upwards changes other plots");
+  check(
+    name,
+    zoomed.slice(1).every((picture, i) => picture === before[i + 1]),
+    "a drag upwards changes other plots",
+  );
   for (const clickCount of [1, 2]) {
     await tab.mouse("mousePressed", place.x, place.top, { button: "left", buttons: 1, clickCount });
     await tab.mouse("mouseReleased", place.x, place.top, { button: "left", clickCount });
@@ -199,8 +221,11 @@ try {
     check(name, await tab.evaluate(fits_the_paper), "a table is wider than the paper");
     check(name, print.subarray(0, 5).toString() === "%PDF-", "cannot be printed");
     await tab.settle();
-    check(name, (await tab.evaluate(pictures)).every((picture, i) => picture === before[i]),
-          "the plots are not as before after printing");
+    check(
+      name,
+      (await tab.evaluate(pictures)).every((picture, i) => picture === before[i]),
+      "the plots are not as before after printing",
+    );
     if (shots) writeFileSync(join(shots, basename(name, ".html") + ".pdf"), print);
     check(name, tab.complaints.length === 0, `the console says: ${tab.complaints.join("; ")}`);
     const others = tab.requests.filter((request) => request !== url);

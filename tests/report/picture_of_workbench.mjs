@@ -11,9 +11,10 @@ try {
   await tab.show({ width: 1280, dark: false });
   await tab.open(pathToFileURL(resolve(page)).href);
   const until = async (expression) => {
-    while (!await tab.evaluate(expression)) await new Promise((done) => setTimeout(done, 50));
+    while (!(await tab.evaluate(expression))) await new Promise((done) => setTimeout(done, 50));
   };
-  const diagnosed = (state) => until(`document.body.dataset.state === "${state}" && document.body.dataset.diagnosed === "yes"`);
+  const diagnosed = (state) =>
+    until(`document.body.dataset.state === "${state}" && document.body.dataset.diagnosed === "yes"`);
   await diagnosed(0);
   await tab.evaluate(`document.getElementById("add_missing").click()`);
   await diagnosed(1);

@@ -21,12 +21,16 @@ class Bench {
     bench.name = name;
     bench.tab = await browser.tab();
     // Tests see the workers, and what is saved.
-    await bench.tab.send("Page.addScriptToEvaluateOnNewDocument", { source: first + `
+    await bench.tab.send("Page.addScriptToEvaluateOnNewDocument", {
+      source:
+        first +
+        `
       window.workers = [];
       window.Worker = class extends Worker { constructor(...all) { super(...all); workers.push(this); } };
       const address_of = URL.createObjectURL;
       URL.createObjectURL = (blob) => { if (blob.type === "") window.saved = blob; return address_of(blob); };
-      if (navigator.clipboard) navigator.clipboard.writeText = async (text) => { window.copied = text; };` });
+      if (navigator.clipboard) navigator.clipboard.writeText = async (text) => { window.copied = text; };`,
+    });
     await bench.tab.show(shape);
     await bench.tab.open(pathToFileURL(resolve(name)).href);
     return bench;
@@ -38,11 +42,19 @@ class Bench {
       if (await this.tab.evaluate(expression)) return;
       await new Promise((done) => setTimeout(done, 25));
     }
-    throw new Error(`${this.name}: ${what} does not come; ${await this.tab.evaluate("document.body.innerText.slice(0, 600)")}`);
+    throw new Error(
+      `${this.name}: ${what} does not come; ${await this.tab.evaluate("document.body.innerText.slice(0, 600)")}`,
+    );
   }
-  state(index) { return this.until(`document.body.dataset.state === "${index}"`, `state ${index}`); }
-  diagnosed() { return this.until(`document.body.dataset.diagnosed === "yes"`, "the diagnosis"); }
-  text(selector) { return this.tab.evaluate(`document.querySelector(${JSON.stringify(selector)})?.textContent ?? ""`); }
+  state(index) {
+    return this.until(`document.body.dataset.state === "${index}"`, `state ${index}`);
+  }
+  diagnosed() {
+    return this.until(`document.body.dataset.diagnosed === "yes"`, "the diagnosis");
+  }
+  text(selector) {
+    return this.tab.evaluate(`document.querySelector(${JSON.stringify(selector)})?.textContent ?? ""`);
+  }
 
   async middle(selector) {
     return this.tab.evaluate(`(() => {
@@ -74,8 +86,21 @@ class Bench {
   async key(key, code, modifiers = 0) {
     const text = key === "Enter" ? { text: "\r" } : key.length === 1 && modifiers === 0 ? { text: key } : {};
     const number = { Tab: 9, Enter: 13, Escape: 27, " ": 32, z: 90, y: 89 }[key];
-    await this.tab.send("Input.dispatchKeyEvent", { type: "keyDown", key, code, modifiers, windowsVirtualKeyCode: number, ...text });
-    await this.tab.send("Input.dispatchKeyEvent", { type: "keyUp", key, code, modifiers, windowsVirtualKeyCode: number });
+    await this.tab.send("Input.dispatchKeyEvent", {
+      type: "keyDown",
+      key,
+      code,
+      modifiers,
+      windowsVirtualKeyCode: number,
+      ...text,
+    });
+    await this.tab.send("Input.dispatchKeyEvent", {
+      type: "keyUp",
+      key,
+      code,
+      modifiers,
+      windowsVirtualKeyCode: number,
+    });
   }
 
   async write(selector, text) {
@@ -99,20 +124,49 @@ class Bench {
     await this.tab.send("Accessibility.enable");
     const { nodes } = await this.tab.send("Accessibility.getFullAXTree");
     const seen = nodes.filter((node) => !node.ignored);
-    const operated = ["button", "checkbox", "textbox", "combobox", "slider", "link", "radio", "spinbutton", "DisclosureTriangle", "dialog", "img", "toolbar", "group", "region"];
+    const operated = [
+      "button",
+      "checkbox",
+      "textbox",
+      "combobox",
+      "slider",
+      "link",
+      "radio",
+      "spinbutton",
+      "DisclosureTriangle",
+      "dialog",
+      "img",
+      "toolbar",
+      "group",
+      "region",
+    ];
     const role = (node) => node.role?.value;
-    const nameless = seen.filter((node) => operated.includes(role(node)) && !(node.name?.value || "").trim() && (role(node) !== "group" || (node.properties || []).some(({ name }) => name === "focusable")));
+    const nameless = seen.filter(
+      (node) =>
+        operated.includes(role(node)) &&
+        !(node.name?.value || "").trim() &&
+        (role(node) !== "group" || (node.properties || []).some(({ name }) => name === "focusable")),
+    );
     check(label, nameless.length === 0, `without a name: ${nameless.map(role)}`);
     check(label, seen.filter((node) => role(node) === "button").length > 1, "hardly anything to operate");
-    check(label, seen.some((node) => role(node) === "heading"), "no heading");
-    const live = seen.filter((node) => (node.properties || []).some(({ name, value }) => name === "live" && value.value !== "off"))
+    check(
+      label,
+      seen.some((node) => role(node) === "heading"),
+      "no heading",
+    );
+    const live = seen
+      .filter((node) => (node.properties || []).some(({ name, value }) => name === "live" && value.value !== "off"))
       .map((node) => role(node));
-    announced.forEach((one) => check(label, live.includes(one), `nothing of the role ${one} is announced, but ${live}`));
+    announced.forEach((one) =>
+      check(label, live.includes(one), `nothing of the role ${one} is announced, but ${live}`),
+    );
     await this.tab.send("Accessibility.disable");
   }
 
   // The error of the state that is shown, from the ladder.
-  async error() { return Number(await this.text("#ladder [aria-current] .value")); }
+  async error() {
+    return Number(await this.text("#ladder [aria-current] .value"));
+  }
 
   // Paper, width, names, console and requests, wide and narrow, light and dark.
   async look(label) {
@@ -143,17 +197,28 @@ class Bench {
         check(view, dark ? seen.paper < 60 : seen.paper > 230, `paper of brightness ${seen.paper}`);
         check(view, seen.sideways <= 0, `is ${seen.sideways} px wider than the window`);
         check(view, seen.nameless === 0, `${seen.nameless} controls have no name`);
-        check(view, seen.coloured.length === 3 && seen.coloured.every((count) => count > 40), `coloured pixels: ${seen.coloured}`);
-        if (shots) writeFileSync(join(shots, `${label}_${width}_${dark ? "dark" : "light"}.png`), await this.tab.screenshot());
+        check(
+          view,
+          seen.coloured.length === 3 && seen.coloured.every((count) => count > 40),
+          `coloured pixels: ${seen.coloured}`,
+        );
+        if (shots)
+          writeFileSync(join(shots, `${label}_${width}_${dark ? "dark" : "light"}.png`), await this.tab.screenshot());
       }
     }
     await this.tab.show({ width: 1280, dark: false });
   }
   silent() {
     check(this.name, this.tab.complaints.length === 0, `the console says: ${this.tab.complaints.join("; ")}`);
-    const others = this.tab.requests.filter((request) => !request.startsWith("file://") && !request.startsWith("blob:"));
+    const others = this.tab.requests.filter(
+      (request) => !request.startsWith("file://") && !request.startsWith("blob:"),
+    );
     check(this.name, others.length === 0, `asks for ${others.join(", ")}`);
-    check(this.name, this.tab.requests.filter((request) => request.startsWith("file://")).length === 1, "reads another file");
+    check(
+      this.name,
+      this.tab.requests.filter((request) => request.startsWith("file://")).length === 1,
+      "reads another file",
+    );
   }
 }
 
@@ -161,25 +226,40 @@ class Bench {
 const loop = async (browser) => {
   const bench = await Bench.open(browser, "loop.html");
   await bench.state(0);
-  check("loop", (await bench.text("#found")).startsWith("Residual 852.3 against a floor of 9.679"), await bench.text("#found"));
+  check(
+    "loop",
+    (await bench.text("#found")).startsWith("Residual 852.3 against a floor of 9.679"),
+    await bench.text("#found"),
+  );
   await bench.diagnosed();
-  check("loop", (await bench.text("#diagnosis .verdict")).startsWith("Several effects together are missing"), await bench.text("#diagnosis"));
+  check(
+    "loop",
+    (await bench.text("#diagnosis .verdict")).startsWith("Several effects together are missing"),
+    await bench.text("#diagnosis"),
+  );
   await bench.look("before");
   await bench.listen("loop", { announced: ["status"] });
   await bench.hover("#diagnosis tbody tr");
-  await bench.until(`document.getElementById("candidate").textContent.startsWith("with ")`, "the candidate under the mouse");
+  await bench.until(
+    `document.getElementById("candidate").textContent.startsWith("with ")`,
+    "the candidate under the mouse",
+  );
   if (shots) writeFileSync(join(shots, "candidate.png"), await bench.tab.screenshot());
   const before = await bench.error();
   await bench.click("#add_missing");
   await bench.state(1);
   const after = await bench.error();
   check("loop", after < before / 5, `adding what is missing leaves ${after} of ${before}`);
-  check("loop", /^.?.?Helps out of sample|^helps out of sample/i.test(await bench.text(".judged")), await bench.text(".judged"));
+  check(
+    "loop",
+    /^.?.?Helps out of sample|^helps out of sample/i.test(await bench.text(".judged")),
+    await bench.text(".judged"),
+  );
   await bench.diagnosed();
   await bench.look("after");
   await bench.key("z", "KeyZ", 2);
   await bench.state(0);
-  check("loop", await bench.error() === before, "Ctrl+Z does not undo");
+  check("loop", (await bench.error()) === before, "Ctrl+Z does not undo");
   await bench.click("#redo");
   await bench.state(1);
   // Rows are masked by a drag, listed, and counted again.
@@ -190,7 +270,7 @@ const loop = async (browser) => {
   check("loop", /--mask \d+\.\.\d+/.test(await bench.text("#commands")), "the mask is in no command");
   await bench.click("#masks button");
   await bench.state(3);
-  check("loop", await bench.text("#masks") === "", "a mask cannot be taken away");
+  check("loop", (await bench.text("#masks")) === "", "a mask cannot be taken away");
   await bench.diagnosed();
   // What does not help is refused with the reason, and added all the same on request.
   await bench.click(`#diagnosis [aria-label="Add temperature_rate"]`);
@@ -212,11 +292,20 @@ const keyboard = async (browser) => {
   await bench.state(0);
   await bench.diagnosed();
   const focus = () => bench.tab.evaluate("document.activeElement.id");
-  for (let presses = 0; presses < 60 && await focus() !== "effect_temperature_rate"; ++presses) await bench.key("Tab", "Tab");
-  check("keyboard", await focus() === "effect_temperature_rate", `Tab does not come to the effects but to ${await focus()}`);
+  for (let presses = 0; presses < 60 && (await focus()) !== "effect_temperature_rate"; ++presses)
+    await bench.key("Tab", "Tab");
+  check(
+    "keyboard",
+    (await focus()) === "effect_temperature_rate",
+    `Tab does not come to the effects but to ${await focus()}`,
+  );
   await bench.key(" ", "Space");
   await bench.state(1);
-  check("keyboard", await bench.tab.evaluate(`document.getElementById("effect_temperature_rate").checked`), "Space does not tick");
+  check(
+    "keyboard",
+    await bench.tab.evaluate(`document.getElementById("effect_temperature_rate").checked`),
+    "Space does not tick",
+  );
   bench.silent();
 };
 
@@ -229,40 +318,77 @@ const session = async (browser) => {
   const effects = ["bias_temperature", "temperature_rate", "thermal_lag", "shupe", "thermal_hysteresis"];
   const formulas = ["burst = T*T*dTdt", "late = lag(T,?tau[60,900]) - T"];
   let draw = 20261123;
-  const chance = (most) => { draw = (draw * 1103515245 + 12345) % 2147483648; return Math.floor((draw / 2147483648) * most); };
+  const chance = (most) => {
+    draw = (draw * 1103515245 + 12345) % 2147483648;
+    return Math.floor((draw / 2147483648) * most);
+  };
   const ripple = "#effects .shape input[aria-label='period of polarization_ripple']";
   const acts = {
     ripple: async () => {
       await bench.click("#effect_polarization_ripple");
-      await bench.until(`document.querySelector("#effect_polarization_ripple").checked && document.body.dataset.state === "1"`, "the ripple");
-      await bench.tab.evaluate(`document.getElementById("effect_polarization_ripple").closest("li").querySelector(".name").click()`);
+      await bench.until(
+        `document.querySelector("#effect_polarization_ripple").checked && document.body.dataset.state === "1"`,
+        "the ripple",
+      );
+      await bench.tab.evaluate(
+        `document.getElementById("effect_polarization_ripple").closest("li").querySelector(".name").click()`,
+      );
     },
     tick: () => bench.click(`#effect_${effects[chance(effects.length)]}`),
     drag: () => bench.drag(ripple, 0.5, 0.2 + 0.001 * chance(600)),
     free: () => bench.click(`${ripple} + button`), // fixed where it was free
-    formula: async () => { await bench.write("#expression", formulas[chance(formulas.length)]); await bench.key("Enter", "Enter"); },
-    mask: async () => { await bench.click("#mask_mode"); await bench.drag("#residual_plot .u-over", 0.4, 0.45); },
+    formula: async () => {
+      await bench.write("#expression", formulas[chance(formulas.length)]);
+      await bench.key("Enter", "Enter");
+    },
+    mask: async () => {
+      await bench.click("#mask_mode");
+      await bench.drag("#residual_plot .u-over", 0.4, 0.45);
+    },
   };
   const rest = ["tick", "tick", "drag", "free", "formula", "mask"];
-  const order = ["ripple", "drag", ...rest.map((one) => [chance(1000), one]).sort((a, b) => a[0] - b[0]).map(([, one]) => one), "free"];
+  const order = [
+    "ripple",
+    "drag",
+    ...rest
+      .map((one) => [chance(1000), one])
+      .sort((a, b) => a[0] - b[0])
+      .map(([, one]) => one),
+    "free",
+  ];
   let step = 0;
   for (const act of order) {
     ++step;
     await acts[act]();
-    await bench.until(`document.body.dataset.state === "${step}" || !document.getElementById("trouble").hidden`, `step ${step}, ${act}`);
-    check("session", await bench.tab.evaluate(`document.getElementById("trouble").hidden`), `${act}: ${await bench.text("#trouble")}`);
+    await bench.until(
+      `document.body.dataset.state === "${step}" || !document.getElementById("trouble").hidden`,
+      `step ${step}, ${act}`,
+    );
+    check(
+      "session",
+      await bench.tab.evaluate(`document.getElementById("trouble").hidden`),
+      `${act}: ${await bench.text("#trouble")}`,
+    );
   }
   await bench.diagnosed();
   if (await bench.tab.evaluate(`Boolean(document.getElementById("add_missing"))`)) {
     await bench.click("#add_missing");
-    await bench.until(`document.body.dataset.state === "${step + 1}" || document.querySelector(".judged")`, "a judgement");
+    await bench.until(
+      `document.body.dataset.state === "${step + 1}" || document.querySelector(".judged")`,
+      "a judgement",
+    );
   }
-  for (const [button, file] of [["#save_model", "page.model"], ["#save_header", "page.h"], ["#save_rows", "page.csv"], ["#save_report", "page.html"]]) {
+  for (const [button, file] of [
+    ["#save_model", "page.model"],
+    ["#save_header", "page.h"],
+    ["#save_rows", "page.csv"],
+    ["#save_report", "page.html"],
+  ]) {
     writeFileSync(file, await bench.save(button));
   }
   await bench.click("#copy_commands");
   await bench.until("window.copied", "the commands");
-  writeFileSync("commands.txt", await bench.tab.evaluate("window.copied") + "\n");
+  writeFileSync("commands.txt", (await bench.tab.evaluate("window.copied")) + "\n");
   const error = await bench.error();
   await bench.look("session");
   // The same state from its link.
@@ -278,7 +404,7 @@ const session = async (browser) => {
   again.tab = other;
   await other.open(link);
   await again.state(count - 1);
-  check("link", await again.error() === error, `leaves ${await again.error()}, not ${error}`);
+  check("link", (await again.error()) === error, `leaves ${await again.error()}, not ${error}`);
   bench.silent();
 };
 
@@ -286,13 +412,21 @@ const session = async (browser) => {
 const trouble = async (browser) => {
   const bench = await Bench.open(browser, "hostile.html");
   await bench.state(0);
-  check("hostile", await bench.tab.evaluate(`document.querySelectorAll("img, main b").length === 0 && document.title !== "gone"`), "a name became markup");
+  check(
+    "hostile",
+    await bench.tab.evaluate(`document.querySelectorAll("img, main b").length === 0 && document.title !== "gone"`),
+    "a name became markup",
+  );
   check("hostile", (await bench.text("header .subject")).includes("<img src=x"), "the name is not shown as it is");
   // From now on the engine that answers is one that traps.
-  await bench.tab.evaluate(`WebAssembly.compile(Uint8Array.from(atob("${trapping("hostile.html", "fogcomp_call")}"), (letter) => letter.charCodeAt(0)))
+  await bench.tab
+    .evaluate(`WebAssembly.compile(Uint8Array.from(atob("${trapping("hostile.html", "fogcomp_call")}"), (letter) => letter.charCodeAt(0)))
     .then((module) => { workers[0].postMessage({ module }); })`);
   await bench.click("#effect_bias_temperature");
-  await bench.until(`/engine stopped \\(unreachable\\)/.test(document.getElementById("trouble").textContent)`, "the reason");
+  await bench.until(
+    `/engine stopped \\(unreachable\\)/.test(document.getElementById("trouble").textContent)`,
+    "the reason",
+  );
   check("hostile", await bench.tab.evaluate(`document.body.dataset.state === "0"`), "what was shown is lost");
   await bench.click("#effect_bias_temperature");
   await bench.state(1);
@@ -302,10 +436,15 @@ const trouble = async (browser) => {
 
 // A recording for which the memory does not suffice says so, and the next one is read.
 const memory = async (browser) => {
-  const bench = await Bench.open(browser, "empty.html", undefined, `
+  const bench = await Bench.open(
+    browser,
+    "empty.html",
+    undefined,
+    `
     const bytes = Uint8Array.from(atob("${with_memory("empty.html", 290)}"), (letter) => letter.charCodeAt(0));
     const compile = WebAssembly.compile;
-    WebAssembly.compile = () => compile(bytes);`);
+    WebAssembly.compile = () => compile(bytes);`,
+  );
   await bench.until(`!document.getElementById("opening").hidden`, "the question for files");
   await bench.choose_file("fast.csv");
   await bench.until(`/out of memory|engine stopped/.test(document.body.innerText)`, "the reason");
@@ -322,17 +461,23 @@ const escape = async (browser) => {
   await bench.drag("#residual_plot .u-over", 0.2, 0.4, true);
   await bench.click("#effect_thermal_lag");
   await bench.state(1);
-  check("escape", await bench.text("#masks") === "", "a drag that was cancelled masks");
+  check("escape", (await bench.text("#masks")) === "", "a drag that was cancelled masks");
   await bench.diagnosed();
-  await bench.tab.evaluate(`document.getElementById("effect_thermal_lag").closest("li").querySelector(".name").click()`);
+  await bench.tab.evaluate(
+    `document.getElementById("effect_thermal_lag").closest("li").querySelector(".name").click()`,
+  );
   const slider = "[aria-label='tau of thermal_lag']";
   const shape = () => bench.text(`.shape:has(${slider}) .figure`);
   const before = await shape();
   check("escape", /^tau \d/.test(before), `the shape is "${before}"`);
   await bench.drag(slider, 0.3, 0.8, true);
   await bench.tab.settle();
-  check("escape", await shape() === before, `a shape that was let go is ${await shape()}, not ${before}`);
-  check("escape", await bench.tab.evaluate("document.body.dataset.state") === "1", "a slider that was cancelled refits");
+  check("escape", (await shape()) === before, `a shape that was let go is ${await shape()}, not ${before}`);
+  check(
+    "escape",
+    (await bench.tab.evaluate("document.body.dataset.state")) === "1",
+    "a slider that was cancelled refits",
+  );
   await bench.drag(slider, 0.3, 0.8);
   await bench.state(2);
   check("escape", (await bench.text("#commands")).includes("thermal_lag:tau="), "a drag does not fix the shape");
@@ -345,20 +490,34 @@ const rate_table = async (browser) => {
   const bench = await Bench.open(browser, "table.html");
   await bench.state(0);
   await bench.diagnosed();
-  const options = await bench.tab.evaluate(`[...document.querySelectorAll("#variable option")].map((option) => option.textContent)`);
-  check("table", options.includes("input rate, °/h") && options.some((text) => text.startsWith("history: ")), `axes: ${options}`);
+  const options = await bench.tab.evaluate(
+    `[...document.querySelectorAll("#variable option")].map((option) => option.textContent)`,
+  );
+  check(
+    "table",
+    options.includes("input rate, °/h") && options.some((text) => text.startsWith("history: ")),
+    `axes: ${options}`,
+  );
   for (const variable of ["input_rate", "play(T, 5 degC)"]) {
-    await bench.tab.evaluate(`(() => { const select = document.getElementById("variable"); select.value = ${JSON.stringify(variable)}; select.dispatchEvent(new Event("change")); })()`);
+    await bench.tab.evaluate(
+      `(() => { const select = document.getElementById("variable"); select.value = ${JSON.stringify(variable)}; select.dispatchEvent(new Event("change")); })()`,
+    );
     await bench.tab.settle();
-    const axis = await bench.tab.evaluate(`[document.getElementById("variable").value, document.querySelectorAll("#variable_plot canvas").length]`);
+    const axis = await bench.tab.evaluate(
+      `[document.getElementById("variable").value, document.querySelectorAll("#variable_plot canvas").length]`,
+    );
     check("table", axis[0] === variable && axis[1] === 1, `the axis is ${axis}`);
     const range = await bench.tab.evaluate(`plots.variable.u.data[0]`);
-    check("table", variable === "input_rate" || range.every((value) => Math.abs(value) < 5.001), `${variable} goes from ${range[0]} to ${range[1]}`);
+    check(
+      "table",
+      variable === "input_rate" || range.every((value) => Math.abs(value) < 5.001),
+      `${variable} goes from ${range[0]} to ${range[1]}`,
+    );
     if (shots) writeFileSync(join(shots, `over_${variable.replace(/\W+/g, "_")}.png`), await bench.tab.screenshot());
   }
   const before = await bench.error();
   let state = 0;
-  for (; state < 6 && await bench.tab.evaluate(`Boolean(document.getElementById("add_missing"))`); ++state) {
+  for (; state < 6 && (await bench.tab.evaluate(`Boolean(document.getElementById("add_missing"))`)); ++state) {
     await bench.click("#add_missing");
     await bench.state(state + 1);
     await bench.diagnosed();
@@ -366,7 +525,11 @@ const rate_table = async (browser) => {
   const after = await bench.error();
   check("table", state > 0 && after < before / 3, `${state} additions leave ${after} of ${before}`);
   check("table", /scale_factor/.test(await bench.text("#commands")), `adds ${await bench.text("#commands")}`);
-  check("table", !(await bench.tab.evaluate(`Boolean(document.getElementById("add_missing"))`)), "something is still missing");
+  check(
+    "table",
+    !(await bench.tab.evaluate(`Boolean(document.getElementById("add_missing"))`)),
+    "something is still missing",
+  );
   await bench.look("table");
   bench.silent();
 };
@@ -374,18 +537,34 @@ const rate_table = async (browser) => {
 // A report opens with what was found; its workbench stands at the command's model. Without scripts it can be read.
 const report = async (browser) => {
   const bench = await Bench.open(browser, "report.html");
-  check("report", await bench.tab.evaluate(`getComputedStyle(document.getElementById("workbench")).display === "none" && workers.length === 0`), "the engine starts unasked");
+  check(
+    "report",
+    await bench.tab.evaluate(
+      `getComputedStyle(document.getElementById("workbench")).display === "none" && workers.length === 0`,
+    ),
+    "the engine starts unasked",
+  );
   await bench.listen("report");
   await bench.click("#show_bench");
   await bench.state(1);
-  check("report", (await bench.text("#commands")).includes("fogcomp add cubic.model temperature_rate mems.csv -o grown.model"), await bench.text("#commands"));
+  check(
+    "report",
+    (await bench.text("#commands")).includes("fogcomp add cubic.model temperature_rate mems.csv -o grown.model"),
+    await bench.text("#commands"),
+  );
   check("report", /^helps out of sample/i.test(await bench.text(".judged")), await bench.text(".judged"));
   await bench.diagnosed();
   await bench.look("report");
   await bench.click("#undo");
   await bench.state(0);
   await bench.click("#show_report");
-  check("report", await bench.tab.evaluate(`document.getElementById("report").checkVisibility() && !document.getElementById("bench").checkVisibility()`), "does not go back to what was found");
+  check(
+    "report",
+    await bench.tab.evaluate(
+      `document.getElementById("report").checkVisibility() && !document.getElementById("bench").checkVisibility()`,
+    ),
+    "does not go back to what was found",
+  );
   bench.silent();
   const plain = await browser.tab();
   await plain.send("Emulation.setScriptExecutionDisabled", { value: true });
@@ -393,11 +572,19 @@ const report = async (browser) => {
   await plain.send("Page.navigate", { url: pathToFileURL(resolve("report.html")).href });
   await loaded;
   const { nodes } = await (await plain.send("Accessibility.enable"), plain.send("Accessibility.getFullAXTree"));
-  const words = nodes.filter((node) => !node.ignored).map((node) => node.name?.value || "").join(" ");
-  check("report", /Accepted: helps out of sample/.test(words) && /Before and after/.test(words), "cannot be read without scripts");
+  const words = nodes
+    .filter((node) => !node.ignored)
+    .map((node) => node.name?.value || "")
+    .join(" ");
+  check(
+    "report",
+    /Accepted: helps out of sample/.test(words) && /Before and after/.test(words),
+    "cannot be read without scripts",
+  );
   check("report", !/Which recordings|What is missing\?/.test(words), "shows a dead workbench without scripts");
   const { root } = await plain.send("DOM.getDocument");
-  const count = async (selector) => (await plain.send("DOM.querySelectorAll", { nodeId: root.nodeId, selector })).nodeIds.length;
+  const count = async (selector) =>
+    (await plain.send("DOM.querySelectorAll", { nodeId: root.nodeId, selector })).nodeIds.length;
   const [plots, stills] = [await count("figure.plot"), await count("figure.plot svg.still path")];
   check("report", plots > 0 && stills > 3 * plots, `draws ${stills} lines in ${plots} plots without scripts`);
   if (shots) writeFileSync(join(shots, "without_scripts.png"), await plain.screenshot());
@@ -409,7 +596,11 @@ const long = async (browser) => {
   await bench.state(0);
   await bench.click("#effect_temperature_rate");
   await bench.state(1);
-  check("long", (await bench.text("#notes")).includes("59550 means over 1 s"), "the page does not say that it has means");
+  check(
+    "long",
+    (await bench.text("#notes")).includes("59550 means over 1 s"),
+    "the page does not say that it has means",
+  );
   await bench.tab.send("Performance.enable");
   const { metrics } = await bench.tab.send("Performance.getMetrics");
   const megabytes = metrics.find(({ name }) => name === "JSHeapUsedSize").value / 1e6;
@@ -424,22 +615,36 @@ const files = async (browser) => {
   await bench.choose_file("foreign.csv");
   await bench.until(`document.getElementById("columns").open`, "the dialog");
   check("files", /Gyro_X.*or.*Gyro_Y/.test(await bench.text("#columns_said")), await bench.text("#columns_said"));
-  check("files", await bench.tab.evaluate(`document.getElementById("columns_take").disabled`), "takes what is not clear");
-  check("files", (await bench.text("#columns_file")).includes("columns separated by ';'"), await bench.text("#columns_file"));
+  check(
+    "files",
+    await bench.tab.evaluate(`document.getElementById("columns_take").disabled`),
+    "takes what is not clear",
+  );
+  check(
+    "files",
+    (await bench.text("#columns_file")).includes("columns separated by ';'"),
+    await bench.text("#columns_file"),
+  );
   await bench.listen("dialog", { announced: ["status"] });
   for (const width of [1280, 390]) {
     for (const dark of [false, true]) {
       await bench.tab.show({ width, dark });
-      if (shots) writeFileSync(join(shots, `dialog_${width}_${dark ? "dark" : "light"}.png`), await bench.tab.screenshot());
+      if (shots)
+        writeFileSync(join(shots, `dialog_${width}_${dark ? "dark" : "light"}.png`), await bench.tab.screenshot());
     }
   }
   await bench.tab.show({ width: 1280, dark: false });
   await bench.key("Escape", "Escape");
   await bench.until(`!document.getElementById("columns").open`, "the end of the dialog by Esc");
-  check("files", await bench.tab.evaluate(`document.getElementById("begin").disabled`), "begins with columns that are not clear");
+  check(
+    "files",
+    await bench.tab.evaluate(`document.getElementById("begin").disabled`),
+    "begins with columns that are not clear",
+  );
   await bench.click(`[aria-label="columns of foreign.csv"]`);
   await bench.until(`document.getElementById("columns").open`, "the dialog by its button");
-  const choose = (label, text) => bench.tab.evaluate(`(() => {
+  const choose = (label, text) =>
+    bench.tab.evaluate(`(() => {
     const select = document.querySelector('[aria-label="${label}"]');
     select.value = [...select.options].find((option) => option.textContent === "${text}").value;
     select.dispatchEvent(new Event("change"));
@@ -447,26 +652,37 @@ const files = async (browser) => {
   await choose("column of rate", "Gyro_Y");
   await bench.until(`/no unit/.test(document.getElementById("columns_said").textContent)`, "the question for the unit");
   await choose("unit of rate", "deg/h");
-  await bench.until(`/no column 'time_s'/.test(document.getElementById("columns_said").textContent)`, "the question for the time");
+  await bench.until(
+    `/no column 'time_s'/.test(document.getElementById("columns_said").textContent)`,
+    "the question for the time",
+  );
   await choose("column of time", "Stamp");
   await choose("unit of time", "s");
   await bench.until(`!document.getElementById("columns_take").disabled`, "what is clear now");
   check("files", /read as .*Gyro_Y/.test(await bench.text("#columns_said")), await bench.text("#columns_said"));
   await bench.click("#columns_take");
-  await bench.until(`/8399 rows/.test(document.getElementById("dropped").textContent)`, "what was understood of the file");
+  await bench.until(
+    `/8399 rows/.test(document.getElementById("dropped").textContent)`,
+    "what was understood of the file",
+  );
   await bench.until(`!document.getElementById("begin").disabled`, "the button");
   if (shots) writeFileSync(join(shots, "files.png"), await bench.tab.screenshot());
   await bench.listen("files");
   await bench.click("#begin");
   await bench.state(0);
-  check("files", /--columns '[^']*rate=Gyro_Y\[deg\/h\]'/.test(await bench.text("#commands")), await bench.text("#commands"));
+  check(
+    "files",
+    /--columns '[^']*rate=Gyro_Y\[deg\/h\]'/.test(await bench.text("#commands")),
+    await bench.text("#commands"),
+  );
   bench.silent();
 };
 
 const browser = new Browser(program);
 try {
-  for (const part of (only ? [{ loop, keyboard, session, trouble, memory, escape, rate_table, report, long, files }[only]]
-                      : [loop, keyboard, session, trouble, memory, escape, rate_table, report, long, files])) {
+  for (const part of only
+    ? [{ loop, keyboard, session, trouble, memory, escape, rate_table, report, long, files }[only]]
+    : [loop, keyboard, session, trouble, memory, escape, rate_table, report, long, files]) {
     const begin = Date.now();
     await part(browser);
     console.log(`${part.name}: done in ${((Date.now() - begin) / 1000).toFixed(1)} s`);

@@ -4,11 +4,18 @@ const root = document.documentElement;
 const byId = (id) => document.getElementById(id);
 
 const colour = (name, opacity = 1) => {
-  const hex = getComputedStyle(root).getPropertyValue("--" + name).trim();
-  return opacity < 1 ? hex + Math.round(255 * opacity).toString(16).padStart(2, "0") : hex;
+  const hex = getComputedStyle(root)
+    .getPropertyValue("--" + name)
+    .trim();
+  return opacity < 1
+    ? hex +
+        Math.round(255 * opacity)
+          .toString(16)
+          .padStart(2, "0")
+    : hex;
 };
 const significant = (value, digits = 4) =>
-  (value == null || !isFinite(value) ? "" : String(Number(value.toPrecision(digits))));
+  value == null || !isFinite(value) ? "" : String(Number(value.toPrecision(digits)));
 const decimals = (step) => {
   let places = 0;
   while (places < 9 && Math.abs(step * 10 ** places - Math.round(step * 10 ** places)) > 1e-6) ++places;
@@ -38,11 +45,14 @@ const spaced = (min, max) => {
 };
 
 // The bands of the x axis that are in view: their edges in canvas pixels.
-const bands_in_view = (u, bands) => bands.map((band) => ({
-  ...band,
-  left: Math.max(u.bbox.left, u.valToPos(band.from, "x", true)),
-  right: Math.min(u.bbox.left + u.bbox.width, u.valToPos(band.to, "x", true)),
-})).filter(({ left, right }) => left < right);
+const bands_in_view = (u, bands) =>
+  bands
+    .map((band) => ({
+      ...band,
+      left: Math.max(u.bbox.left, u.valToPos(band.from, "x", true)),
+      right: Math.min(u.bbox.left + u.bbox.width, u.valToPos(band.to, "x", true)),
+    }))
+    .filter(({ left, right }) => left < right);
 
 // Behind everything; returns how many.
 const shade_bands = (u, bands, opacity) => {
@@ -70,8 +80,9 @@ const name_bands = (u, bands) => {
   pen.fillStyle = colour("faint");
   bands_in_view(u, bands).forEach(({ left, right, label }) => {
     const room = right - left - 4 * devicePixelRatio;
-    const name = [label, label.split(" ").slice(1).join(" ")]
-      .find((text) => text && pen.measureText(text).width <= room);
+    const name = [label, label.split(" ").slice(1).join(" ")].find(
+      (text) => text && pen.measureText(text).width <= room,
+    );
     if (!name) return;
     const place = [name, (left + right) / 2, u.bbox.top + 3 * devicePixelRatio];
     pen.strokeText(...place);
@@ -105,18 +116,19 @@ const sigma_bar = (u, at, low, high) => {
 };
 
 // Dashed lines across the plot, with their names.
-const draw_levels = (u, levels) => clipped(u, (pen) => {
-  const { left, width } = u.bbox;
-  pen.font = figures(12 * devicePixelRatio);
-  pen.textAlign = "right";
-  pen.strokeStyle = pen.fillStyle = colour("mark");
-  pen.setLineDash([2 * devicePixelRatio, 3 * devicePixelRatio]);
-  levels.forEach(({ y: value, label = "" }) => {
-    const y = u.valToPos(value, "y", true);
-    pen.beginPath();
-    pen.moveTo(left, y);
-    pen.lineTo(left + width, y);
-    pen.stroke();
-    pen.fillText(label, left + width - 4 * devicePixelRatio, y - 4 * devicePixelRatio);
+const draw_levels = (u, levels) =>
+  clipped(u, (pen) => {
+    const { left, width } = u.bbox;
+    pen.font = figures(12 * devicePixelRatio);
+    pen.textAlign = "right";
+    pen.strokeStyle = pen.fillStyle = colour("mark");
+    pen.setLineDash([2 * devicePixelRatio, 3 * devicePixelRatio]);
+    levels.forEach(({ y: value, label = "" }) => {
+      const y = u.valToPos(value, "y", true);
+      pen.beginPath();
+      pen.moveTo(left, y);
+      pen.lineTo(left + width, y);
+      pen.stroke();
+      pen.fillText(label, left + width - 4 * devicePixelRatio, y - 4 * devicePixelRatio);
+    });
   });
-});

@@ -10,9 +10,11 @@
 
   // Plots of one group begin and end together, so that showing all means the same for each.
   const with_group = new Map();
-  plots.filter((plot) => plot.group).forEach((plot) => {
-    with_group.set(plot.group, [...(with_group.get(plot.group) || []), plot]);
-  });
+  plots
+    .filter((plot) => plot.group)
+    .forEach((plot) => {
+      with_group.set(plot.group, [...(with_group.get(plot.group) || []), plot]);
+    });
   with_group.forEach((members) => {
     const low = Math.min(...members.map((plot) => plot.x[0]));
     const high = Math.max(...members.map((plot) => plot.x[plot.x.length - 1]));
@@ -33,7 +35,8 @@
   const aligned = (plot) => {
     if (plot.curves.every((curve) => !curve.x)) return [plot.x, ...plot.curves.map((curve) => curve.y)];
     const points = plot.curves.flatMap((curve, c) =>
-      (curve.x || plot.x).map((x, i) => ({ x, c, y: curve.y[i], sigma: curve.sigma && curve.sigma[i] })));
+      (curve.x || plot.x).map((x, i) => ({ x, c, y: curve.y[i], sigma: curve.sigma && curve.sigma[i] })),
+    );
     points.sort((a, b) => a.x - b.x);
     const column = (c, value) => points.map((point) => (point.c === c ? value(point) : null));
     plot.curves.forEach((curve, c) => {
@@ -56,7 +59,8 @@
       let below_index = 1;
       parts.forEach((part) => {
         const sum = below.map((base, i) =>
-          (base == null || part.y[i] == null ? null : base + sign * Math.max(0, sign * part.y[i])));
+          base == null || part.y[i] == null ? null : base + sign * Math.max(0, sign * part.y[i]),
+        );
         data.push(sum);
         series.push({
           label: part.label,
@@ -66,8 +70,10 @@
           value: (u, v, s, i) => significant(i == null ? null : part.y[i]),
         });
         const index = data.length - 1;
-        bands.push({ series: sign > 0 ? [index, below_index] : [below_index, index],
-                     fill: () => colour(part.colour, 0.7) });
+        bands.push({
+          series: sign > 0 ? [index, below_index] : [below_index, index],
+          fill: () => colour(part.colour, 0.7),
+        });
         below = sum;
         below_index = index;
       });
@@ -92,8 +98,12 @@
         dash: curve.look === "dashed" ? [6, 4] : undefined,
         spanGaps: Boolean(curve.x),
         paths: points ? () => null : undefined,
-        points: { show: points, size: curve.look === "cloud" ? 3 : 6, width: 0,
-                  fill: () => colour(curve.colour, opacity) },
+        points: {
+          show: points,
+          size: curve.look === "cloud" ? 3 : 6,
+          width: 0,
+          fill: () => colour(curve.colour, opacity),
+        },
       };
     }),
   });
@@ -105,15 +115,17 @@
 
   // Standard deviations as vertical bars, levels as lines with their names.
   const annotate = (u, plot) => {
-    clipped(u, (pen) => plot.curves.forEach((curve, c) => {
-      if (!curve.sigma || !u.series[c + 1].show) return;
-      pen.strokeStyle = colour(curve.colour);
-      u.data[c + 1].forEach((y, i) => {
-        if (y == null || curve.sigma[i] == null) return;
-        const low = u.scales.y.distr === 3 ? Math.max(y - curve.sigma[i], y / 1e3) : y - curve.sigma[i];
-        sigma_bar(u, u.data[0][i], low, y + curve.sigma[i]);
-      });
-    }));
+    clipped(u, (pen) =>
+      plot.curves.forEach((curve, c) => {
+        if (!curve.sigma || !u.series[c + 1].show) return;
+        pen.strokeStyle = colour(curve.colour);
+        u.data[c + 1].forEach((y, i) => {
+          if (y == null || curve.sigma[i] == null) return;
+          const low = u.scales.y.distr === 3 ? Math.max(y - curve.sigma[i], y / 1e3) : y - curve.sigma[i];
+          sigma_bar(u, u.data[0][i], low, y + curve.sigma[i]);
+        });
+      }),
+    );
     draw_levels(u, plot.levels);
   };
 
@@ -134,12 +146,13 @@
   };
 
   // uPlot colours the marks of its legend once only, and does not say what a click there does.
-  const dress_legend = (u) => u.root.querySelectorAll(".u-legend .u-series").forEach((row, i) => {
-    if (i === 0) return;
-    row.title = "click: hide or show this curve";
-    const stroke = u.series[i].stroke;
-    if (stroke) row.querySelector(".u-marker").style.background = stroke();
-  });
+  const dress_legend = (u) =>
+    u.root.querySelectorAll(".u-legend .u-series").forEach((row, i) => {
+      if (i === 0) return;
+      row.title = "click: hide or show this curve";
+      const stroke = u.series[i].stroke;
+      if (stroke) row.querySelector(".u-marker").style.background = stroke();
+    });
 
   const draw = (holder, plot) => {
     const log_y = plot.kind === "log_log";
@@ -150,46 +163,69 @@
       const levels = plot.levels.map((level) => level.y);
       return spaced(Math.min(low, ...levels), Math.max(high, ...levels));
     };
-    const values = (logarithmic) => (logarithmic ? { values: (u, splits) => splits.map((value) => significant(value)) } : {});
+    const values = (logarithmic) =>
+      logarithmic ? { values: (u, splits) => splits.map((value) => significant(value)) } : {};
     const named = (i) => (plot.names[i] ? `${plot.names[i]}: ` : "");
     const x_value = (self, v, s, i) => named(i) + significant(v) + segment_at(plot, v);
     const peers = groups.get(plot.group) || [];
-    const u = new uPlot({
-      ...size_of(holder, plot),
-      scales: {
-        x: { time: false, distr: log_x ? 3 : 1 },
-        y: log_y ? { distr: 3 } : { range: y_range },
+    const u = new uPlot(
+      {
+        ...size_of(holder, plot),
+        scales: {
+          x: { time: false, distr: log_x ? 3 : 1 },
+          y: log_y ? { distr: 3 } : { range: y_range },
+        },
+        axes: [
+          axis(plot.x_label, { ...values(log_x), size: 34 }),
+          axis(plot.y_label, { ...values(log_y), size: width_of_figures }),
+        ],
+        series: [
+          { label: plot.x_label, value: x_value },
+          ...series.map((one) => ({ value: (self, v) => significant(v), points: { show: false }, ...one })),
+        ],
+        bands,
+        cursor: {
+          drag: { x: true, y: true, uni: 30 },
+          sync: plot.group
+            ? { key: plot.group, filters: { pub: (type) => type === "mousemove" || type === "mouseleave" } }
+            : undefined,
+          dataIdx: plot.curves.some((curve) => curve.x) ? nearest : undefined,
+          points: { size: 7 },
+        },
+        hooks: {
+          // How many are shaded and named is left in the page for tests.
+          drawClear: [
+            (self) => {
+              holder.dataset.shaded = shade_bands(self, plot.bands, 0.13);
+            },
+          ],
+          draw: [
+            (self) => annotate(self, plot),
+            (self) => {
+              holder.dataset.named = name_bands(self, plot.bands);
+            },
+          ],
+          // Only what the reader did spreads: the others then have the same range and stop there.
+          setScale: [
+            (self, key) => {
+              if (key !== "x" || !self.ready) return;
+              const { min, max } = self.scales.x;
+              peers.forEach((peer) => {
+                if (peer === self || (peer.scales.x.min === min && peer.scales.x.max === max)) return;
+                peer.setScale("x", { min, max });
+              });
+            },
+          ],
+          ready: [
+            (self) => {
+              self.ready = true;
+            },
+          ],
+        },
       },
-      axes: [
-        axis(plot.x_label, { ...values(log_x), size: 34 }),
-        axis(plot.y_label, { ...values(log_y), size: width_of_figures }),
-      ],
-      series: [{ label: plot.x_label, value: x_value },
-               ...series.map((one) => ({ value: (self, v) => significant(v), points: { show: false }, ...one }))],
-      bands,
-      cursor: {
-        drag: { x: true, y: true, uni: 30 },
-        sync: plot.group ? { key: plot.group, filters: { pub: (type) => type === "mousemove" || type === "mouseleave" } }
-          : undefined,
-        dataIdx: plot.curves.some((curve) => curve.x) ? nearest : undefined,
-        points: { size: 7 },
-      },
-      hooks: {
-        // How many are shaded and named is left in the page for tests.
-        drawClear: [(self) => { holder.dataset.shaded = shade_bands(self, plot.bands, 0.13); }],
-        draw: [(self) => annotate(self, plot), (self) => { holder.dataset.named = name_bands(self, plot.bands); }],
-        // Only what the reader did spreads: the others then have the same range and stop there.
-        setScale: [(self, key) => {
-          if (key !== "x" || !self.ready) return;
-          const { min, max } = self.scales.x;
-          peers.forEach((peer) => {
-            if (peer === self || (peer.scales.x.min === min && peer.scales.x.max === max)) return;
-            peer.setScale("x", { min, max });
-          });
-        }],
-        ready: [(self) => { self.ready = true; }],
-      },
-    }, data, holder);
+      data,
+      holder,
+    );
     series.forEach((one, i) => {
       if (one.hidden) u.root.querySelectorAll(".u-legend .u-series")[i + 1].style.display = "none";
     });
@@ -198,18 +234,23 @@
       groups.set(plot.group, peers);
     }
     dress_legend(u);
-    holder.dataset.points = data.slice(1).flat().filter((y) => y !== null).length;
+    holder.dataset.points = data
+      .slice(1)
+      .flat()
+      .filter((y) => y !== null).length;
     drawn.push({ u, holder, plot });
   };
 
-  const resize_all = () => drawn.forEach(({ u, holder, plot }) => {
-    const size = size_of(holder, plot);
-    if (size.width > 0 && (size.width !== u.width || size.height !== u.height)) u.setSize(size);
-  });
-  const redraw_all = () => drawn.forEach(({ u }) => {
-    u.redraw(false, true);
-    dress_legend(u);
-  });
+  const resize_all = () =>
+    drawn.forEach(({ u, holder, plot }) => {
+      const size = size_of(holder, plot);
+      if (size.width > 0 && (size.width !== u.width || size.height !== u.height)) u.setSize(size);
+    });
+  const redraw_all = () =>
+    drawn.forEach(({ u }) => {
+      u.redraw(false, true);
+      dress_legend(u);
+    });
   const print = (on) => {
     if (on) root.dataset.printing = "yes";
     else delete root.dataset.printing;

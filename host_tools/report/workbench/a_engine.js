@@ -69,7 +69,9 @@ class Engine {
     this.on_fault(error);
   }
 
-  get busy() { return this.#waiting.size > 0; }
+  get busy() {
+    return this.#waiting.size > 0;
+  }
 
   // A file for the calls to come, in the place of one of that name.
   put(name, bytes) {
@@ -95,5 +97,7 @@ class Engine {
 }
 
 class Cancelled extends Error {
-  constructor() { super("Cancelled."); }
+  constructor() {
+    super("Cancelled.");
+  }
 }

@@ -11,7 +11,12 @@ const make = (tag, attributes = {}, ...children) => {
   return element;
 };
 
-const rms = (value) => (value == null ? "" : Math.abs(value) >= 1e-6 && Math.abs(value) < 1e4 ? value.toPrecision(4) : String(Number(value.toPrecision(4))));
+const rms = (value) =>
+  value == null
+    ? ""
+    : Math.abs(value) >= 1e-6 && Math.abs(value) < 1e4
+      ? value.toPrecision(4)
+      : String(Number(value.toPrecision(4)));
 const all_plots = new Set();
 new ResizeObserver(() => all_plots.forEach((plot) => plot.resize())).observe(document.body);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => all_plots.forEach((plot) => plot.redraw()));
@@ -23,8 +28,16 @@ class Plot {
     this.holder = holder;
     this.height = height;
     this.held = false; // the mouse button, down within the axes
-    holder.addEventListener("mousedown", ({ button }) => { this.held = button === 0; }, true);
-    document.addEventListener("mouseup", () => { this.held = false; });
+    holder.addEventListener(
+      "mousedown",
+      ({ button }) => {
+        this.held = button === 0;
+      },
+      true,
+    );
+    document.addEventListener("mouseup", () => {
+      this.held = false;
+    });
     all_plots.add(this);
   }
 
@@ -43,26 +56,32 @@ class Plot {
     if (this.u) this.u.destroy();
     this.shape = shape;
     this.options = options;
-    this.u = new uPlot({
-      ...this.size(),
-      scales: { x: { time: false }, y: { range: (u, min, max) => this.options.range(min, max) } },
-      axes: [axis(options.label, { size: 34 }), axis(undefined, { size: width_of_figures })],
-      series: [{}, ...options.series],
-      legend: { show: false },
-      cursor: {
-        drag: { x: true, y: false, setScale: true },
-        sync: options.group ? { key: options.group, scales: ["x", null] } : undefined,
-        points: { show: false },
+    this.u = new uPlot(
+      {
+        ...this.size(),
+        scales: { x: { time: false }, y: { range: (u, min, max) => this.options.range(min, max) } },
+        axes: [axis(options.label, { size: 34 }), axis(undefined, { size: width_of_figures })],
+        series: [{}, ...options.series],
+        legend: { show: false },
+        cursor: {
+          drag: { x: true, y: false, setScale: true },
+          sync: options.group ? { key: options.group, scales: ["x", null] } : undefined,
+          points: { show: false },
+        },
+        hooks: {
+          drawClear: [(u) => this.options.under && this.options.under(u)],
+          draw: [(u) => this.options.over && this.options.over(u)],
+          setSelect: [(u) => this.options.selected && this.options.selected(u)],
+        },
       },
-      hooks: {
-        drawClear: [(u) => this.options.under && this.options.under(u)],
-        draw: [(u) => this.options.over && this.options.over(u)],
-        setSelect: [(u) => this.options.selected && this.options.selected(u)],
-      },
-    }, data, this.holder);
+      data,
+      this.holder,
+    );
   }
 
-  size() { return { width: this.holder.clientWidth, height: this.height }; }
+  size() {
+    return { width: this.holder.clientWidth, height: this.height };
+  }
   resize() {
     if (this.u && this.holder.clientWidth > 0 && this.holder.clientWidth !== this.u.width) this.u.setSize(this.size());
   }
@@ -72,39 +91,52 @@ class Plot {
     const clear = () => this.u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
     clear();
     this.holder.classList.add("cancelled");
-    document.addEventListener("mouseup", () => {
-      clear();
-      this.holder.classList.remove("cancelled");
-    }, { capture: true, once: true });
+    document.addEventListener(
+      "mouseup",
+      () => {
+        clear();
+        this.holder.classList.remove("cancelled");
+      },
+      { capture: true, once: true },
+    );
     return true;
   }
-  redraw() { if (this.u) this.u.redraw(false, true); }
+  redraw() {
+    if (this.u) this.u.redraw(false, true);
+  }
 }
 
 // A point for each row, in the colour of its branch; of many rows every second, third, ...
 const most_points = 20000;
-const cloud = (u, x, y, colours, size) => clipped(u, (pen) => {
-  const side = size * devicePixelRatio;
-  const step = Math.ceil(x.length / most_points);
-  for (const [kind, fill] of Object.entries(colours)) {
-    pen.fillStyle = fill;
-    for (let i = 0; i < x.length; i += step) {
-      if (y.kind[i] !== Number(kind) || !isFinite(y.value[i])) continue;
-      pen.fillRect(u.valToPos(x[i], "x", true) - side / 2, u.valToPos(y.value[i], "y", true) - side / 2, side, side);
+const cloud = (u, x, y, colours, size) =>
+  clipped(u, (pen) => {
+    const side = size * devicePixelRatio;
+    const step = Math.ceil(x.length / most_points);
+    for (const [kind, fill] of Object.entries(colours)) {
+      pen.fillStyle = fill;
+      for (let i = 0; i < x.length; i += step) {
+        if (y.kind[i] !== Number(kind) || !isFinite(y.value[i])) continue;
+        pen.fillRect(u.valToPos(x[i], "x", true) - side / 2, u.valToPos(y.value[i], "y", true) - side / 2, side, side);
+      }
     }
-  }
-});
+  });
 
 // Means of classes with their standard errors, as the engine has them.
-const means = (u, bins) => clipped(u, (pen) => {
-  const side = 5 * devicePixelRatio;
-  pen.strokeStyle = colour("mark", 0.45);
-  pen.fillStyle = colour("mark");
-  bins.at.forEach((at, i) => {
-    sigma_bar(u, at, bins.mean_dph[i] - bins.sigma_dph[i], bins.mean_dph[i] + bins.sigma_dph[i]);
-    pen.fillRect(u.valToPos(at, "x", true) - side / 2, u.valToPos(bins.mean_dph[i], "y", true) - side / 2, side, side);
+const means = (u, bins) =>
+  clipped(u, (pen) => {
+    const side = 5 * devicePixelRatio;
+    pen.strokeStyle = colour("mark", 0.45);
+    pen.fillStyle = colour("mark");
+    bins.at.forEach((at, i) => {
+      sigma_bar(u, at, bins.mean_dph[i] - bins.sigma_dph[i], bins.mean_dph[i] + bins.sigma_dph[i]);
+      pen.fillRect(
+        u.valToPos(at, "x", true) - side / 2,
+        u.valToPos(bins.mean_dph[i], "y", true) - side / 2,
+        side,
+        side,
+      );
+    });
   });
-});
 
 const curve = (name, more = {}) => ({ stroke: () => colour(name), width: 1.25, points: { show: false }, ...more });
 
@@ -130,7 +162,8 @@ const plots = {
 };
 
 // What is masked, as bands of the plots over time.
-const bands_of = (masks) => masks.map(([from, to]) => ({ from: from / 3600, to: to / 3600, colour: "measured", label: "" }));
+const bands_of = (masks) =>
+  masks.map(([from, to]) => ({ from: from / 3600, to: to / 3600, colour: "measured", label: "" }));
 
 const draw_run = (view, run, variable, masks, selected) => {
   const facts = view.runs[run];
@@ -142,17 +175,32 @@ const draw_run = (view, run, variable, masks, selected) => {
     shade_bands(u, bands_of(masks), 0.3);
   };
   const names = (u) => name_bands(u, facts.bands);
-  plots.rate.show({ label: "time since power-on, h", group: "time", range: spaced, under, over: names,
-                    series: [curve("measured", { width: 1.5 }), curve("model", { width: 1.5 })] },
-                  with_gaps(values, ["measured_dph", "modelled_dph"]));
-  plots.residual.show({
-    label: "time since power-on, h", group: "time", range: spaced, under, selected,
-    over: (u) => {
-      draw_levels(u, floor ? [{ y: -floor }, { y: floor }] : []);
-      names(u);
+  plots.rate.show(
+    {
+      label: "time since power-on, h",
+      group: "time",
+      range: spaced,
+      under,
+      over: names,
+      series: [curve("measured", { width: 1.5 }), curve("model", { width: 1.5 })],
     },
-    series: [curve("residual", { width: 1 }), curve("model", { width: 1.75, dash: [6, 4] })],
-  }, with_gaps(values, ["residual_dph", "preview"]));
+    with_gaps(values, ["measured_dph", "modelled_dph"]),
+  );
+  plots.residual.show(
+    {
+      label: "time since power-on, h",
+      group: "time",
+      range: spaced,
+      under,
+      selected,
+      over: (u) => {
+        draw_levels(u, floor ? [{ y: -floor }, { y: floor }] : []);
+        names(u);
+      },
+      series: [curve("residual", { width: 1 }), curve("model", { width: 1.75, dash: [6, 4] })],
+    },
+    with_gaps(values, ["residual_dph", "preview"]),
+  );
   draw_variable(view, run, variable);
 };
 
@@ -162,21 +210,44 @@ const draw_variable = (view, run, variable) => {
   const x = values[name];
   const bins = (view.compare.runs[run].structure || {})[name];
   const ends = [Infinity, -Infinity];
-  x.forEach((value) => { ends[0] = Math.min(ends[0], value); ends[1] = Math.max(ends[1], value); });
-  const residual = { value: values.residual_dph.map((value, i) => (values.outlier[i] ? NaN : value)), kind: values.branch };
+  x.forEach((value) => {
+    ends[0] = Math.min(ends[0], value);
+    ends[1] = Math.max(ends[1], value);
+  });
+  const residual = {
+    value: values.residual_dph.map((value, i) => (values.outlier[i] ? NaN : value)),
+    kind: values.branch,
+  };
   const limits = [Infinity, -Infinity];
   residual.value.forEach((value) => {
     if (!isFinite(value)) return;
     limits[0] = Math.min(limits[0], value);
     limits[1] = Math.max(limits[1], value);
   });
-  plots.variable.show({
-    label, range: spaced,
-    over: (u) => {
-      cloud(u, x, residual, { 2: colour("measured", 0.5), 0: colour("heating", 0.55), 1: colour("cooling", 0.55) }, 2);
-      if (values.preview) cloud(u, x, { value: values.preview, kind: values.branch }, { 2: colour("mark"), 0: colour("mark"), 1: colour("mark") }, 1.5);
-      if (bins) means(u, bins);
+  plots.variable.show(
+    {
+      label,
+      range: spaced,
+      over: (u) => {
+        cloud(
+          u,
+          x,
+          residual,
+          { 2: colour("measured", 0.5), 0: colour("heating", 0.55), 1: colour("cooling", 0.55) },
+          2,
+        );
+        if (values.preview)
+          cloud(
+            u,
+            x,
+            { value: values.preview, kind: values.branch },
+            { 2: colour("mark"), 0: colour("mark"), 1: colour("mark") },
+            1.5,
+          );
+        if (bins) means(u, bins);
+      },
+      series: [{ points: { show: false }, width: 0 }],
     },
-    series: [{ points: { show: false }, width: 0 }],
-  }, [[ends[0], ends[1]], limits]);
+    [[ends[0], ends[1]], limits],
+  );
 };

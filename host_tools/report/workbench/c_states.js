@@ -12,61 +12,109 @@ class States {
   at = -1;
   #models = 0;
 
-  get now() { return this.list[this.at]; }
-  get path() { return this.list.slice(0, this.at + 1); }
+  get now() {
+    return this.list[this.at];
+  }
+  get path() {
+    return this.list.slice(0, this.at + 1);
+  }
   // A name that no model of the page has had.
   next_model() {
     ++this.#models;
     const name = `m${this.#models}.model`;
     return setup.states.some(({ model }) => model === name) ? this.next_model() : name;
   }
-  reserve(name) { this.#models = Math.max(this.#models, Number((name.match(/^m(\d+)\.model$/) || [0, 0])[1])); }
+  reserve(name) {
+    this.#models = Math.max(this.#models, Number((name.match(/^m(\d+)\.model$/) || [0, 0])[1]));
+  }
   push(state) {
     this.list.splice(this.at + 1);
     this.list.push(state);
     this.at = this.list.length - 1;
   }
-  go(index) { if (index >= 0 && index < this.list.length) this.at = index; }
+  go(index) {
+    if (index >= 0 && index < this.list.length) this.at = index;
+  }
 
   // The commands that make the model of now: from the last one that began anew.
   commands() {
     const begin = this.path.map((state) => state.words && state.words[0] === "fit").lastIndexOf(true);
-    return this.path.slice(Math.max(begin, 0)).filter((state) => state.words).map((state) => state.words);
+    return this.path
+      .slice(Math.max(begin, 0))
+      .filter((state) => state.words)
+      .map((state) => state.words);
   }
 }
 
 const states = new States();
 
 // Rows that do not count: [run, from, to] in seconds.
-const mask_words = (masks) => masks.flatMap(([run, from, to]) =>
-  ["--mask", (setup.runs.length + setup.holdouts.length > 1 ? run + ":" : "") + `${from}..${to}`]);
-const masks_from = (words) => words.flatMap((word, i) => {
-  if (words[i - 1] !== "--mask") return [];
-  const [, run, from, to] = word.match(/^(?:(.*):)?([^:]*)\.\.([^:]*)$/);
-  return (run ? [run] : [...setup.runs, ...setup.holdouts]).map((name) => [name, Number(from), Number(to)]);
-});
+const mask_words = (masks) =>
+  masks.flatMap(([run, from, to]) => [
+    "--mask",
+    (setup.runs.length + setup.holdouts.length > 1 ? run + ":" : "") + `${from}..${to}`,
+  ]);
+const masks_from = (words) =>
+  words.flatMap((word, i) => {
+    if (words[i - 1] !== "--mask") return [];
+    const [, run, from, to] = word.match(/^(?:(.*):)?([^:]*)\.\.([^:]*)$/);
+    return (run ? [run] : [...setup.runs, ...setup.holdouts]).map((name) => [name, Number(from), Number(to)]);
+  });
 const masks_on = (masks, verb) => (verb === "fit" ? masks.filter(([run]) => setup.runs.includes(run)) : masks);
 
 // Everything that a command has beside the effects: recordings, those that judge, how they are read.
 const judged_by = () => setup.holdouts.flatMap((name) => ["--holdout", name]);
 // `rows`: what else the model of now says of how it is fitted.
 const fit_words = (effects, expressions, model, masks, rows = []) => [
-  "fit", ...setup.runs, ...setup.reading, ...mask_words(masks_on(masks, "fit")), "--effects", effects.join(","),
-  ...expressions.flatMap((one) => ["--effect-expr", one]), ...rows, "-o", model,
+  "fit",
+  ...setup.runs,
+  ...setup.reading,
+  ...mask_words(masks_on(masks, "fit")),
+  "--effects",
+  effects.join(","),
+  ...expressions.flatMap((one) => ["--effect-expr", one]),
+  ...rows,
+  "-o",
+  model,
 ];
 const rows_of = (view) => [
   ...(view.average_s === 10 ? [] : ["--average", String(view.average_s)]),
   ...(view.derivative_tau_s === 30 ? [] : ["--derivative-tau", String(view.derivative_tau_s)]),
 ];
 const add_words = (from, what, model, masks, verb = "add") => [
-  verb, from, ...(what.expression ? [] : what.effects), ...setup.runs, ...judged_by(), ...setup.reading, ...mask_words(masks),
-  ...(what.expression ? ["--effect-expr", what.expression] : []), "-o", model,
+  verb,
+  from,
+  ...(what.expression ? [] : what.effects),
+  ...setup.runs,
+  ...judged_by(),
+  ...setup.reading,
+  ...mask_words(masks),
+  ...(what.expression ? ["--effect-expr", what.expression] : []),
+  "-o",
+  model,
 ];
-const compare_words = (model, masks) => ["compare", model, ...setup.runs, ...setup.holdouts, ...setup.reading, ...mask_words(masks)];
-const diagnose_words = (model, masks) => ["diagnose", model, ...setup.runs, ...judged_by(), ...setup.reading, ...mask_words(masks)];
+const compare_words = (model, masks) => [
+  "compare",
+  model,
+  ...setup.runs,
+  ...setup.holdouts,
+  ...setup.reading,
+  ...mask_words(masks),
+];
+const diagnose_words = (model, masks) => [
+  "diagnose",
+  model,
+  ...setup.runs,
+  ...judged_by(),
+  ...setup.reading,
+  ...mask_words(masks),
+];
 
-const effects_of = (view) => view.terms.filter((term) => !term.is_expression).map((term) => term.words)
-  .filter((words, i, all) => all.indexOf(words) === i);
+const effects_of = (view) =>
+  view.terms
+    .filter((term) => !term.is_expression)
+    .map((term) => term.words)
+    .filter((words, i, all) => all.indexOf(words) === i);
 const expressions_of = (view) => view.terms.filter((term) => term.is_expression).map((term) => term.words);
 const effect_name = (words) => words.split(":")[0];
 

@@ -19,7 +19,10 @@ const shape_control = (term, parameter, change) => {
   const figure = make("span", { className: "figure" });
   const say = (x, own) => {
     const found = own && identified ? with_sigma(x, sigma) : significant(x);
-    figure.textContent = left_out && own ? `${name}: left out` : `${name} ${found}${unit ? " " + unit : ""}${own && !identified ? ", fixed" : ""}`;
+    figure.textContent =
+      left_out && own
+        ? `${name}: left out`
+        : `${name} ${found}${unit ? " " + unit : ""}${own && !identified ? ", fixed" : ""}`;
   };
   say(value, true);
   const steps = whole ? max - min : 400;
@@ -27,12 +30,23 @@ const shape_control = (term, parameter, change) => {
   let held = false;
   let left = false; // by Esc, while the button is down
   const slider = make("input", {
-    type: "range", min: 0, max: steps, step: 1, value: begin,
+    type: "range",
+    min: 0,
+    max: steps,
+    step: 1,
+    value: begin,
     ariaLabel: `${name} of ${term.effect}`,
     oninput: () => (left ? leave() : say(rounded(), false)),
-    onpointerdown: () => { held = true; },
-    onpointerup: () => setTimeout(() => { held = left = false; }), // after the change, if there is one
-    onkeydown: (event) => { if (event.key === "Escape" && held) leave(); },
+    onpointerdown: () => {
+      held = true;
+    },
+    onpointerup: () =>
+      setTimeout(() => {
+        held = left = false;
+      }), // after the change, if there is one
+    onkeydown: (event) => {
+      if (event.key === "Escape" && held) leave();
+    },
     onchange: () => (left ? leave() : change(with_parameter(term.words, name, rounded()))),
   });
   const leave = () => {
@@ -44,11 +58,15 @@ const shape_control = (term, parameter, change) => {
     const x = from(slider.valueAsNumber / steps);
     return whole ? Math.round(x) : Number(x.toPrecision(4));
   };
-  const free = whole ? "" : make("button", {
-    type: "button", ariaPressed: String(identified), textContent: identified ? "free" : "set free",
-    title: identified ? "identified by the fit; press to fix it where it is" : "let the fit identify it",
-    onclick: () => change(with_parameter(term.words, name, identified ? Number(value.toPrecision(6)) : "?")),
-  });
+  const free = whole
+    ? ""
+    : make("button", {
+        type: "button",
+        ariaPressed: String(identified),
+        textContent: identified ? "free" : "set free",
+        title: identified ? "identified by the fit; press to fix it where it is" : "let the fit identify it",
+        onclick: () => change(with_parameter(term.words, name, identified ? Number(value.toPrecision(6)) : "?")),
+      });
   return make("div", { className: "shape" }, figure, slider, free);
 };
 
@@ -56,29 +74,52 @@ const shape_control = (term, parameter, change) => {
 const breakable = (name) => name.split(/(?<=_)/).flatMap((part, i) => (i > 0 ? [make("wbr"), part] : [part]));
 
 const about_term = (term, notes, change) => {
-  const rows = term.coefficients.map(({ symbol, value, sigma, unit }) => make("tr", {},
-    make("td", { textContent: symbol }), make("td", { className: "value", textContent: with_sigma(value, sigma) }), make("td", { textContent: unit })));
+  const rows = term.coefficients.map(({ symbol, value, sigma, unit }) =>
+    make(
+      "tr",
+      {},
+      make("td", { textContent: symbol }),
+      make("td", { className: "value", textContent: with_sigma(value, sigma) }),
+      make("td", { textContent: unit }),
+    ),
+  );
   return [
     make("table", {}, make("tbody", {}, ...rows)),
-    ...(term.is_expression ? [] : term.parameters.filter((one) => one.max > one.min).map((one) => shape_control(term, one, change))),
-    ...[term.doubt, ...notes.filter((note) => note.includes("`" + term.effect + "`"))].filter(Boolean).map((text) => make("p", { textContent: text })),
+    ...(term.is_expression
+      ? []
+      : term.parameters.filter((one) => one.max > one.min).map((one) => shape_control(term, one, change))),
+    ...[term.doubt, ...notes.filter((note) => note.includes("`" + term.effect + "`"))]
+      .filter(Boolean)
+      .map((text) => make("p", { textContent: text })),
   ];
 };
 
-const about_effect = (effect) => (effect ? [
-  make("p", { textContent: effect.title }),
-  make("p", {}, make("code", { textContent: effect.equation })),
-  make("p", { className: "faint", textContent: effect.signature }),
-] : []);
+const about_effect = (effect) =>
+  effect
+    ? [
+        make("p", { textContent: effect.title }),
+        make("p", {}, make("code", { textContent: effect.equation })),
+        make("p", { className: "faint", textContent: effect.signature }),
+      ]
+    : [];
 
 // One effect of the catalogue, or an expression: in or out, what it brings, and more on request.
 class EffectRow {
   constructor({ name, ticked, brings = "", strong = false, why = "", about, toggle, hover, open, opened }) {
-    const box = make("input", { type: "checkbox", checked: ticked, id: `effect_${name}`, onchange: () => toggle(box.checked) });
+    const box = make("input", {
+      type: "checkbox",
+      checked: ticked,
+      id: `effect_${name}`,
+      onchange: () => toggle(box.checked),
+    });
     if (why && !ticked) box.disabled = true;
     const more = make("div", { className: "about", hidden: !opened.has(name) }, ...about);
     const title = make("button", {
-      type: "button", className: "name", textContent: name, ariaExpanded: String(opened.has(name)), title: why,
+      type: "button",
+      className: "name",
+      textContent: name,
+      ariaExpanded: String(opened.has(name)),
+      title: why,
       onclick: () => {
         more.hidden = !more.hidden;
         title.ariaExpanded = String(!more.hidden);
@@ -110,34 +151,51 @@ const show_effects = (catalogue, view, notes, diagnosis, actions) => {
   const by_name = new Map(catalogue.map((effect) => [effect.effect, effect]));
   const shares = new Map((view.compare.runs[0].effects || []).map((one) => [one.effect, one.share]));
   const names = new Set(view.terms.map((term) => term.effect));
-  const inside = view.terms.map((term) => new EffectRow({
-    name: term.effect, ticked: true, opened: opened_effects,
-    brings: term.effect === "bias" ? "" : shares.has(term.effect) ? percent(shares.get(term.effect)) : "",
-    about: [...about_term(term, notes, actions.change), ...about_effect(by_name.get(term.effect))],
-    toggle: () => actions.remove(term),
-  }).element);
+  const inside = view.terms.map(
+    (term) =>
+      new EffectRow({
+        name: term.effect,
+        ticked: true,
+        opened: opened_effects,
+        brings: term.effect === "bias" ? "" : shares.has(term.effect) ? percent(shares.get(term.effect)) : "",
+        about: [...about_term(term, notes, actions.change), ...about_effect(by_name.get(term.effect))],
+        toggle: () => actions.remove(term),
+      }).element,
+  );
   const candidates = new Map((diagnosis ? diagnosis.candidates : []).map((one) => [one.effect, one]));
   known_untestable = diagnosis ? diagnosis.untestable : known_untestable;
   const untestable = new Map(known_untestable.map((one) => [one.effect, one.needs]));
-  const others = catalogue.filter((effect) => !names.has(effect.effect))
+  const others = catalogue
+    .filter((effect) => !names.has(effect.effect))
     .sort((a, b) => ((candidates.get(b.effect) || {}).lead || 0) - ((candidates.get(a.effect) || {}).lead || 0));
   const row = (effect) => {
     const candidate = candidates.get(effect.effect);
     return new EffectRow({
-      name: effect.effect, ticked: false, opened: opened_effects,
+      name: effect.effect,
+      ticked: false,
+      opened: opened_effects,
       brings: candidate ? significant(candidate.rms_after_dph, 3) : "",
       strong: Boolean(candidate && candidate.lead > 0.5),
       why: untestable.has(effect.effect) ? `needs ${untestable.get(effect.effect)}` : "",
-      about: [...(untestable.has(effect.effect) ? [make("p", { textContent: `These recordings do not show it: it needs ${untestable.get(effect.effect)}.` })] : []), ...about_effect(effect)],
+      about: [
+        ...(untestable.has(effect.effect)
+          ? [make("p", { textContent: `These recordings do not show it: it needs ${untestable.get(effect.effect)}.` })]
+          : []),
+        ...about_effect(effect),
+      ],
       toggle: () => actions.add(effect.effect),
       hover: (on) => actions.preview(effect.effect, on),
     }).element;
   };
   const can = others.filter((effect) => !untestable.has(effect.effect));
   const cannot = others.filter((effect) => untestable.has(effect.effect));
-  list.replaceChildren(group("in the model, and its share of the drift"), ...inside,
-    group(diagnosis ? "to be added, and what would be left, °/h" : "to be added"), ...can.map(row),
-    ...(cannot.length ? [group("not to be seen in these recordings"), ...cannot.map(row)] : []));
+  list.replaceChildren(
+    group("in the model, and its share of the drift"),
+    ...inside,
+    group(diagnosis ? "to be added, and what would be left, °/h" : "to be added"),
+    ...can.map(row),
+    ...(cannot.length ? [group("not to be seen in these recordings"), ...cannot.map(row)] : []),
+  );
   if (focused && focused.startsWith("effect_") && byId(focused)) byId(focused).focus();
 };
 
@@ -148,11 +206,23 @@ const errors_of = (view) => ({
   judged: setup.holdouts.length ? worst(view.compare.runs.filter(({ file }) => setup.holdouts.includes(file))) : null,
 });
 
-const bar = (value, full, floor, name) => make("span", { className: "bar" },
-  make("span", { className: "track" },
-    make("span", { className: "fill", style: `width:${Math.min(100, 100 * value / full).toFixed(1)}%;background:var(--${name})` }),
-    ...(floor ? [make("span", { className: "mark", style: `left:${Math.min(100, 100 * floor / full).toFixed(1)}%` })] : [])),
-  make("span", { className: "value", textContent: rms(value) }));
+const bar = (value, full, floor, name) =>
+  make(
+    "span",
+    { className: "bar" },
+    make(
+      "span",
+      { className: "track" },
+      make("span", {
+        className: "fill",
+        style: `width:${Math.min(100, (100 * value) / full).toFixed(1)}%;background:var(--${name})`,
+      }),
+      ...(floor
+        ? [make("span", { className: "mark", style: `left:${Math.min(100, (100 * floor) / full).toFixed(1)}%` })]
+        : []),
+    ),
+    make("span", { className: "value", textContent: rms(value) }),
+  );
 
 const show_ladder = (go) => {
   const first = states.list[0].view.compare.runs;
@@ -161,44 +231,133 @@ const show_ladder = (go) => {
   const full = Math.max(raw, ...states.list.map((state) => errors_of(state.view).fitted));
   const rows = states.list.map((state, i) => {
     const { fitted, judged } = errors_of(state.view);
-    return make("li", {}, make("button", { type: "button", className: i > states.at ? "later" : "", onclick: () => go(i), ...(i === states.at ? { ariaCurrent: "step" } : {}) },
-      make("span", { className: "what", textContent: state.label }), bar(fitted, full, floor, "residual"),
-      ...(judged === null ? [] : [bar(judged, full, null, "second")])));
+    return make(
+      "li",
+      {},
+      make(
+        "button",
+        {
+          type: "button",
+          className: i > states.at ? "later" : "",
+          onclick: () => go(i),
+          ...(i === states.at ? { ariaCurrent: "step" } : {}),
+        },
+        make("span", { className: "what", textContent: state.label }),
+        bar(fitted, full, floor, "residual"),
+        ...(judged === null ? [] : [bar(judged, full, null, "second")]),
+      ),
+    );
   });
   const keys = [`°/h rms${floor ? `; dashed: the noise floor, ${rms(floor)}` : ""}`];
-  const legend = make("li", { className: "legend" }, ...keys,
-    ...(setup.holdouts.length ? ["; ", make("span", { className: "key", style: "background:var(--second)" }), " on runs that judge"] : []));
-  byId("ladder").replaceChildren(make("li", {}, make("span", { className: "what", textContent: "measured" }), bar(raw, full, floor, "measured")), ...rows, legend);
+  const legend = make(
+    "li",
+    { className: "legend" },
+    ...keys,
+    ...(setup.holdouts.length
+      ? ["; ", make("span", { className: "key", style: "background:var(--second)" }), " on runs that judge"]
+      : []),
+  );
+  byId("ladder").replaceChildren(
+    make("li", {}, make("span", { className: "what", textContent: "measured" }), bar(raw, full, floor, "measured")),
+    ...rows,
+    legend,
+  );
 };
 
 const show_diagnosis = (state, actions) => {
   const place = byId("diagnosis");
-  const judged = state.judged ? [make("p", { className: `judged${state.judged.good ? " good" : ""}` }, state.judged.reason + " ",
-    ...(state.judged.anyway ? [make("button", { type: "button", textContent: "Add it all the same", onclick: state.judged.anyway })] : []))] : [];
+  const judged = state.judged
+    ? [
+        make(
+          "p",
+          { className: `judged${state.judged.good ? " good" : ""}` },
+          state.judged.reason + " ",
+          ...(state.judged.anyway
+            ? [make("button", { type: "button", textContent: "Add it all the same", onclick: state.judged.anyway })]
+            : []),
+        ),
+      ]
+    : [];
   if (!state.diagnosis) {
     place.replaceChildren(...judged, make("p", { className: "faint", textContent: state.trouble || "looking …" }));
     return;
   }
   const { words, diagnosis, add } = state.diagnosis;
-  const paragraphs = (lines, className = "") => lines.filter(Boolean).map((line) => make("p", { className, textContent: line }));
-  const button = add ? [make("p", {}, make("button", {
-    type: "button", className: "main", id: "add_missing",
-    textContent: add.expression ? `Add ${add.expression}` : `Add ${add.effects.join(" and ")}`,
-    onclick: () => actions.judge(add),
-  }))] : [];
+  const paragraphs = (lines, className = "") =>
+    lines.filter(Boolean).map((line) => make("p", { className, textContent: line }));
+  const button = add
+    ? [
+        make(
+          "p",
+          {},
+          make("button", {
+            type: "button",
+            className: "main",
+            id: "add_missing",
+            textContent: add.expression ? `Add ${add.expression}` : `Add ${add.effects.join(" and ")}`,
+            onclick: () => actions.judge(add),
+          }),
+        ),
+      ]
+    : [];
   const rivals = diagnosis.candidates.filter((one) => one.lead > 0.001 || one.explained_fraction > 0.1).slice(0, 7);
-  const table = rivals.length ? [make("table", {},
-    make("thead", {}, make("tr", {}, ...["candidate", "largest", "explains", "leaves", ""].map((text) => make("th", { textContent: text, scope: "col" })))),
-    make("tbody", {}, ...rivals.map((one) => {
-      const row = make("tr", {},
-        make("td", {}, ...breakable(one.effect)), make("td", { textContent: percent(one.lead) }),
-        make("td", { textContent: percent(one.explained_fraction) }), make("td", { textContent: significant(one.rms_after_dph, 3) }),
-        make("td", {}, make("button", { type: "button", textContent: "+", title: `add ${one.effect}, judged out of sample`, ariaLabel: `Add ${one.effect}`, onclick: () => actions.judge({ effects: [one.effect] }) })));
-      row.addEventListener("mouseenter", () => actions.preview(one.effect, true));
-      row.addEventListener("mouseleave", () => actions.preview(one.effect, false));
-      return row;
-    })))] : [];
-  place.replaceChildren(...judged, ...paragraphs([words.verdict], "verdict"), ...paragraphs([words.certainty]), ...button,
-    ...paragraphs([words.next]), ...table, ...paragraphs(words.findings),
-    ...(words.limits.length ? [make("details", {}, make("summary", { textContent: "What limits this" }), ...paragraphs(words.limits))] : []));
+  const table = rivals.length
+    ? [
+        make(
+          "table",
+          {},
+          make(
+            "thead",
+            {},
+            make(
+              "tr",
+              {},
+              ...["candidate", "largest", "explains", "leaves", ""].map((text) =>
+                make("th", { textContent: text, scope: "col" }),
+              ),
+            ),
+          ),
+          make(
+            "tbody",
+            {},
+            ...rivals.map((one) => {
+              const row = make(
+                "tr",
+                {},
+                make("td", {}, ...breakable(one.effect)),
+                make("td", { textContent: percent(one.lead) }),
+                make("td", { textContent: percent(one.explained_fraction) }),
+                make("td", { textContent: significant(one.rms_after_dph, 3) }),
+                make(
+                  "td",
+                  {},
+                  make("button", {
+                    type: "button",
+                    textContent: "+",
+                    title: `add ${one.effect}, judged out of sample`,
+                    ariaLabel: `Add ${one.effect}`,
+                    onclick: () => actions.judge({ effects: [one.effect] }),
+                  }),
+                ),
+              );
+              row.addEventListener("mouseenter", () => actions.preview(one.effect, true));
+              row.addEventListener("mouseleave", () => actions.preview(one.effect, false));
+              return row;
+            }),
+          ),
+        ),
+      ]
+    : [];
+  place.replaceChildren(
+    ...judged,
+    ...paragraphs([words.verdict], "verdict"),
+    ...paragraphs([words.certainty]),
+    ...button,
+    ...paragraphs([words.next]),
+    ...table,
+    ...paragraphs(words.findings),
+    ...(words.limits.length
+      ? [make("details", {}, make("summary", { textContent: "What limits this" }), ...paragraphs(words.limits))]
+      : []),
+  );
 };

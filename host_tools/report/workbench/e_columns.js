@@ -8,11 +8,14 @@ const ask_for_columns = async (name, look, given) => {
   const first = await look(given);
   const choices = new Map(); // of what a recording has: the selects for column and unit
 
-  const map = () => first.keys.flatMap(({ key }) => {
-    const { column, unit } = choices.get(key);
-    if (column.value === "") return [];
-    return [`${key}=${first.columns[column.value].choice}${unit.value ? `[${unit.value}]` : ""}`];
-  }).join(",");
+  const map = () =>
+    first.keys
+      .flatMap(({ key }) => {
+        const { column, unit } = choices.get(key);
+        if (column.value === "") return [];
+        return [`${key}=${first.columns[column.value].choice}${unit.value ? `[${unit.value}]` : ""}`];
+      })
+      .join(",");
 
   // A map is read as it stands there: what is chosen later counts.
   let asked = 0;
@@ -39,31 +42,70 @@ const ask_for_columns = async (name, look, given) => {
     // Of several that it could be none is taken for granted.
     const could_be = first.columns.flatMap((one, i) => (one.key === key ? [i] : []));
     const meant = could_be.length === 1 ? could_be[0] : -1;
-    const column = make("select", { ariaLabel: `column of ${key}` }, make("option", { value: "", textContent: required ? "choose" : "none" }),
-      ...first.columns.map((one, i) => make("option", { value: String(i), textContent: one.name || `column ${i + 1}`, selected: i === meant })));
-    const unit = make("select", { ariaLabel: `unit of ${key}` }, ...["", ...units].map((word) => make("option", { value: word, textContent: word })));
+    const column = make(
+      "select",
+      { ariaLabel: `column of ${key}` },
+      make("option", { value: "", textContent: required ? "choose" : "none" }),
+      ...first.columns.map((one, i) =>
+        make("option", { value: String(i), textContent: one.name || `column ${i + 1}`, selected: i === meant }),
+      ),
+    );
+    const unit = make(
+      "select",
+      { ariaLabel: `unit of ${key}` },
+      ...["", ...units].map((word) => make("option", { value: word, textContent: word })),
+    );
     choices.set(key, { column, unit });
     show_unit({ column, unit });
-    for (const select of [column, unit]) select.onchange = () => { show_unit({ column, unit }); judge(); };
-    return make("tr", {}, make("th", { scope: "row", textContent: key.replaceAll("_", " ") }), make("td", {}, column), make("td", {}, unit));
+    for (const select of [column, unit])
+      select.onchange = () => {
+        show_unit({ column, unit });
+        judge();
+      };
+    return make(
+      "tr",
+      {},
+      make("th", { scope: "row", textContent: key.replaceAll("_", " ") }),
+      make("td", {}, column),
+      make("td", {}, unit),
+    );
   };
   byId("columns_required").replaceChildren(...first.keys.filter((one) => one.required).map(row));
   byId("columns_more").replaceChildren(...first.keys.filter((one) => !one.required).map(row));
   byId("columns_file").textContent = `${name}: columns separated by ${first.separator}`;
   byId("columns_rows").replaceChildren(
-    make("thead", {}, make("tr", {}, ...first.columns.map((one, i) => make("th", { scope: "col", textContent: one.name || `column ${i + 1}` })))),
-    make("tbody", {}, ...first.rows.map((fields) => make("tr", {}, ...fields.map((field) => make("td", { textContent: field }))))));
+    make(
+      "thead",
+      {},
+      make(
+        "tr",
+        {},
+        ...first.columns.map((one, i) => make("th", { scope: "col", textContent: one.name || `column ${i + 1}` })),
+      ),
+    ),
+    make(
+      "tbody",
+      {},
+      ...first.rows.map((fields) => make("tr", {}, ...fields.map((field) => make("td", { textContent: field })))),
+    ),
+  );
   if (first.refusal) show_judgement(asked, first);
   else await judge();
   dialog.returnValue = "";
   dialog.showModal();
-  return new Promise((done) => { dialog.onclose = () => done(dialog.returnValue === "take" ? map() : null); });
+  return new Promise((done) => {
+    dialog.onclose = () => done(dialog.returnValue === "take" ? map() : null);
+  });
 };
-byId("columns_form").onsubmit = (event) => { event.preventDefault(); byId("columns").close("take"); };
+byId("columns_form").onsubmit = (event) => {
+  event.preventDefault();
+  byId("columns").close("take");
+};
 byId("columns_cancel").onclick = () => byId("columns").close();
 
 // The options of a reader, as words; what --columns is among them, and they with another one.
-const words_of = (text) => (text.match(/'[^']*'|"[^"]*"|\S+/g) || []).map((word) => word.replace(/^(['"])(.*)\1$/, "$2"));
+const words_of = (text) =>
+  (text.match(/'[^']*'|"[^"]*"|\S+/g) || []).map((word) => word.replace(/^(['"])(.*)\1$/, "$2"));
 const columns_in = (words) => (words.includes("--columns") ? words[words.indexOf("--columns") + 1] || "" : "");
 const with_columns = (words, map) => {
   const others = words.filter((word, i) => word !== "--columns" && words[i - 1] !== "--columns");

@@ -2,14 +2,23 @@
 // diagnosed beside.
 "use strict";
 (async () => {
-  let fitting = null;   // the engine that answers what the reader does
+  let fitting = null; // the engine that answers what the reader does
   let diagnosing = null; // another one, for what takes longer
   let previewing = null; // and one for the candidate under the mouse
   let catalogue = [];
   let run = 0;
   let variable = "temperature_degc";
-  const columns = ["time_s", "gap_before", "outlier", "branch", "measured_dph", "modelled_dph", "residual_dph",
-                   "temperature_degc", "temperature_rate"];
+  const columns = [
+    "time_s",
+    "gap_before",
+    "outlier",
+    "branch",
+    "measured_dph",
+    "modelled_dph",
+    "residual_dph",
+    "temperature_degc",
+    "temperature_rate",
+  ];
 
   const trouble = (what) => {
     byId("trouble").textContent = what || "";
@@ -35,7 +44,9 @@
     const inputs = setup.columns || [];
     const view = checked(await fitting.call(compare_words(model, masks), [...columns, ...inputs]));
     // What a recording has beside the three columns is known by now.
-    const more = view.runs.flatMap((one) => one.variables.map(({ name }) => name)).filter((name) => ![...columns, ...inputs].includes(name));
+    const more = view.runs
+      .flatMap((one) => one.variables.map(({ name }) => name))
+      .filter((name) => ![...columns, ...inputs].includes(name));
     if (more.length === 0) return view;
     setup.columns = [...inputs, ...new Set(more)];
     return view_of(model, masks);
@@ -65,12 +76,24 @@
   const show_runs = (view) => {
     const group = byId("runs");
     group.hidden = view.runs.length < 2;
-    group.replaceChildren(...view.runs.map(({ file }, i) => make("button", {
-      type: "button", textContent: base_name(file) + (setup.holdouts.includes(file) ? " (judges)" : ""), ariaPressed: String(i === run),
-      onclick: () => { run = i; show(); },
-    })));
-    byId("variable").replaceChildren(...view.runs[run].variables.map(({ name, label }) =>
-      make("option", { value: name, textContent: label, selected: name === variable })));
+    group.replaceChildren(
+      ...view.runs.map(({ file }, i) =>
+        make("button", {
+          type: "button",
+          textContent: base_name(file) + (setup.holdouts.includes(file) ? " (judges)" : ""),
+          ariaPressed: String(i === run),
+          onclick: () => {
+            run = i;
+            show();
+          },
+        }),
+      ),
+    );
+    byId("variable").replaceChildren(
+      ...view.runs[run].variables.map(({ name, label }) =>
+        make("option", { value: name, textContent: label, selected: name === variable }),
+      ),
+    );
   };
 
   const show = () => {
@@ -83,7 +106,11 @@
     byId("depends").textContent = rest.join(" ");
     show_ladder(go);
     show_findings();
-    byId("commands").textContent = states.commands().map((words) => "$ " + shell_line(words)).join("\n") || `$ ${shell_line(compare_words(states.now.model, states.now.masks))}`;
+    byId("commands").textContent =
+      states
+        .commands()
+        .map((words) => "$ " + shell_line(words))
+        .join("\n") || `$ ${shell_line(compare_words(states.now.model, states.now.masks))}`;
     show_masks();
     const notes = [...(setup.notes || []), ...(states.now.notes || [])];
     byId("notes").replaceChildren(...notes.map((note) => make("li", { textContent: note })));
@@ -108,12 +135,15 @@
     ++changing;
     diagnosing.cancel();
     previewing.cancel();
-    last = last.then(work).catch((fault) => {
-      trouble(fault.message);
-      if (states.now) show();
-    }).then(() => {
-      if (--changing === 0 && states.now && !states.now.diagnosis) diagnose(states.now);
-    });
+    last = last
+      .then(work)
+      .catch((fault) => {
+        trouble(fault.message);
+        if (states.now) show();
+      })
+      .then(() => {
+        if (--changing === 0 && states.now && !states.now.diagnosis) diagnose(states.now);
+      });
     return last;
   };
 
@@ -124,31 +154,52 @@
   };
 
   // `change` makes of the model as it then is what is to be fitted.
-  const fit = (label, change) => in_turn(async () => {
-    const model = states.next_model();
-    const before = states.now ? { effects: effects_of(states.now.view), expressions: expressions_of(states.now.view), masks: states.now.masks }
-      : { effects: ["bias"], expressions: [], masks: masks_from(setup.masks) };
-    const { effects, expressions, masks } = { ...before, ...change(before) };
-    const words = fit_words(effects, expressions, model, masks, states.now ? rows_of(states.now.view) : []);
-    const fitted = checked(await fitting.call(words));
-    keep_model(model, fitted.text);
-    enter({ model, words, label, masks, notes: [...fitted.fit.notes, ...fitted.remarks], view: await view_of(model, masks) });
-  });
+  const fit = (label, change) =>
+    in_turn(async () => {
+      const model = states.next_model();
+      const before = states.now
+        ? {
+            effects: effects_of(states.now.view),
+            expressions: expressions_of(states.now.view),
+            masks: states.now.masks,
+          }
+        : { effects: ["bias"], expressions: [], masks: masks_from(setup.masks) };
+      const { effects, expressions, masks } = { ...before, ...change(before) };
+      const words = fit_words(effects, expressions, model, masks, states.now ? rows_of(states.now.view) : []);
+      const fitted = checked(await fitting.call(words));
+      keep_model(model, fitted.text);
+      enter({
+        model,
+        words,
+        label,
+        masks,
+        notes: [...fitted.fit.notes, ...fitted.remarks],
+        view: await view_of(model, masks),
+      });
+    });
 
-  const judge = (what, force = false) => in_turn(async () => {
-    const model = states.next_model();
-    const masks = states.now.masks;
-    const words = [...add_words(states.now.model, what, model, masks), ...(force ? ["--force"] : [])];
-    const answer = checked(await fitting.call(words));
-    if (!answer.add.model) {
-      states.now.judged = { good: false, reason: `Not added. ${answer.reason}`, anyway: () => judge(what, true) };
-      show_findings();
-      return;
-    }
-    keep_model(model, answer.text);
-    enter({ model, words, label: `+ ${answer.add.effects.join(", ")}`, masks, judged: { good: answer.add.accepted, reason: answer.reason },
-            notes: [...answer.add.notes, ...answer.remarks], view: await view_of(model, masks) });
-  });
+  const judge = (what, force = false) =>
+    in_turn(async () => {
+      const model = states.next_model();
+      const masks = states.now.masks;
+      const words = [...add_words(states.now.model, what, model, masks), ...(force ? ["--force"] : [])];
+      const answer = checked(await fitting.call(words));
+      if (!answer.add.model) {
+        states.now.judged = { good: false, reason: `Not added. ${answer.reason}`, anyway: () => judge(what, true) };
+        show_findings();
+        return;
+      }
+      keep_model(model, answer.text);
+      enter({
+        model,
+        words,
+        label: `+ ${answer.add.effects.join(", ")}`,
+        masks,
+        judged: { good: answer.add.accepted, reason: answer.reason },
+        notes: [...answer.add.notes, ...answer.remarks],
+        view: await view_of(model, masks),
+      });
+    });
 
   // The candidate under the mouse over what is left; a change does not wait for it.
   let wanted = null;
@@ -157,7 +208,9 @@
     const state = states.now;
     if (!on) {
       if (byId("candidate").textContent === "") return;
-      state.view.values.forEach((values) => { delete values.preview; });
+      state.view.values.forEach((values) => {
+        delete values.preview;
+      });
       byId("candidate").textContent = "";
       draw();
       return;
@@ -185,14 +238,17 @@
 
   const actions = {
     add: (effect) => fit(`+ ${effect}`, ({ effects }) => ({ effects: [...effects, effect] })),
-    remove: (term) => fit(`− ${term.effect}`, ({ effects, expressions }) => ({
-      effects: effects.filter((words) => effect_name(words) !== term.effect),
-      expressions: expressions.filter((words) => words !== term.words),
-    })),
-    change: (changed) => fit(changed, ({ effects }) => ({
-      effects: effects.map((words) => (effect_name(words) === effect_name(changed) ? changed : words)),
-    })),
-    judge, preview,
+    remove: (term) =>
+      fit(`− ${term.effect}`, ({ effects, expressions }) => ({
+        effects: effects.filter((words) => effect_name(words) !== term.effect),
+        expressions: expressions.filter((words) => words !== term.words),
+      })),
+    change: (changed) =>
+      fit(changed, ({ effects }) => ({
+        effects: effects.map((words) => (effect_name(words) === effect_name(changed) ? changed : words)),
+      })),
+    judge,
+    preview,
   };
 
   // Rows of the run in view that are not to count.
@@ -203,10 +259,13 @@
   };
   const name_of_run = () => states.now.view.runs[run].file;
   const masking = () => byId("mask_mode").ariaPressed === "true";
-  const mask = (from, to) => fit(`mask ${from}..${to} s`, ({ masks }) => ({ masks: [...masks, [name_of_run(), from, to]] }));
+  const mask = (from, to) =>
+    fit(`mask ${from}..${to} s`, ({ masks }) => ({ masks: [...masks, [name_of_run(), from, to]] }));
   const select_mask = (u) => {
     if (u.select.width < 3) return;
-    const [from, to] = [u.select.left, u.select.left + u.select.width].map((x) => Math.round(3600 * u.posToVal(x, "x")));
+    const [from, to] = [u.select.left, u.select.left + u.select.width].map((x) =>
+      Math.round(3600 * u.posToVal(x, "x")),
+    );
     set_masking(false);
     mask(from, to);
   };
@@ -216,10 +275,22 @@
     plots.residual.u.cursor.drag.setScale = !on;
     draw();
   };
-  const show_masks = () => byId("masks").replaceChildren(...states.now.masks.map((one) => make("li", {}, make("button", {
-    type: "button", title: "count these rows again", textContent: `${base_name(one[0])} ${one[1]}..${one[2]} s ×`,
-    onclick: () => fit(`unmask ${one[1]}..${one[2]} s`, ({ masks }) => ({ masks: masks.filter((other) => other !== one) })),
-  }))));
+  const show_masks = () =>
+    byId("masks").replaceChildren(
+      ...states.now.masks.map((one) =>
+        make(
+          "li",
+          {},
+          make("button", {
+            type: "button",
+            title: "count these rows again",
+            textContent: `${base_name(one[0])} ${one[1]}..${one[2]} s ×`,
+            onclick: () =>
+              fit(`unmask ${one[1]}..${one[2]} s`, ({ masks }) => ({ masks: masks.filter((other) => other !== one) })),
+          }),
+        ),
+      ),
+    );
   byId("mask_mode").onclick = () => set_masking(!masking());
   byId("masking").onsubmit = (event) => {
     event.preventDefault();
@@ -235,25 +306,42 @@
   };
   const copy = async (text, button) => {
     const said = button.textContent;
-    await navigator.clipboard.writeText(text).then(() => { button.textContent = "Copied"; }, () => { trouble(text); });
-    setTimeout(() => { button.textContent = said; }, 1200);
+    await navigator.clipboard.writeText(text).then(
+      () => {
+        button.textContent = "Copied";
+      },
+      () => {
+        trouble(text);
+      },
+    );
+    setTimeout(() => {
+      button.textContent = said;
+    }, 1200);
   };
 
   byId("undo").onclick = () => go(states.at - 1);
   byId("redo").onclick = () => go(states.at + 1);
-  byId("variable").onchange = () => { variable = byId("variable").value; draw_variable(states.now.view, run, variable); };
+  byId("variable").onchange = () => {
+    variable = byId("variable").value;
+    draw_variable(states.now.view, run, variable);
+  };
   byId("save_model").onclick = () => save(base_name(states.now.model), states.now.view.text);
-  const save_written = (name, words) => in_turn(async () => save(name, checked(await fitting.call([...words, "-o", name])).text));
+  const save_written = (name, words) =>
+    in_turn(async () => save(name, checked(await fitting.call([...words, "-o", name])).text));
   byId("save_header").onclick = () => save_written("fog_model.h", ["export", states.now.model]);
-  byId("save_rows").onclick = () => save_written("compensated.csv", ["apply", states.now.model, name_of_run(), ...setup.reading]);
-  byId("save_report").onclick = () => in_turn(async () => {
-    const file = "report.html";
-    save(file, checked(await fitting.call(["history", states.now.model, "--report", file])).text);
-  });
+  byId("save_rows").onclick = () =>
+    save_written("compensated.csv", ["apply", states.now.model, name_of_run(), ...setup.reading]);
+  byId("save_report").onclick = () =>
+    in_turn(async () => {
+      const file = "report.html";
+      save(file, checked(await fitting.call(["history", states.now.model, "--report", file])).text);
+    });
   byId("copy_commands").onclick = () => copy(byId("commands").textContent.replaceAll("$ ", ""), byId("copy_commands"));
-  byId("link").onclick = () => copy(location.href.split("#")[0] + "#" + encodeURIComponent(JSON.stringify(states.commands())), byId("link"));
+  byId("link").onclick = () =>
+    copy(location.href.split("#")[0] + "#" + encodeURIComponent(JSON.stringify(states.commands())), byId("link"));
   addEventListener("keydown", (event) => {
-    if (event.key === "Escape" && !Object.values(plots).some((plot) => plot.cancel_drag()) && changing > 0) fitting.cancel();
+    if (event.key === "Escape" && !Object.values(plots).some((plot) => plot.cancel_drag()) && changing > 0)
+      fitting.cancel();
     if (!(event.ctrlKey || event.metaKey) || event.target.matches("input:not([type])")) return;
     const key = event.key.toLowerCase();
     if (key === "z" && !event.shiftKey) byId("undo").click();
@@ -265,10 +353,16 @@
   // A formula is read as it is typed.
   byId("expression").oninput = () => {
     const text = byId("expression").value.trim();
-    if (!text) { byId("formula_error").textContent = ""; return; }
-    fitting.call(["formula", states.now.model, text]).then(({ found }) => {
-      if (text === byId("expression").value.trim()) byId("formula_error").textContent = found.error || "";
-    }).catch(() => {}); // cancelled with a change
+    if (!text) {
+      byId("formula_error").textContent = "";
+      return;
+    }
+    fitting
+      .call(["formula", states.now.model, text])
+      .then(({ found }) => {
+        if (text === byId("expression").value.trim()) byId("formula_error").textContent = found.error || "";
+      })
+      .catch(() => {}); // cancelled with a change
   };
   byId("formula").onsubmit = (event) => {
     event.preventDefault();
@@ -285,7 +379,13 @@
       keep_model(model, answer.text);
       states.reserve(model);
       const masks = masks_from(words);
-      states.push({ model, words, masks, label: words[0] === "fit" ? words[words.indexOf("--effects") + 1] : `+ ${answer.add.effects.join(", ")}`, view: await view_of(model, masks) });
+      states.push({
+        model,
+        words,
+        masks,
+        label: words[0] === "fit" ? words[words.indexOf("--effects") + 1] : `+ ${answer.add.effects.join(", ")}`,
+        view: await view_of(model, masks),
+      });
     }
     go(states.list.length - 1);
   };
@@ -295,7 +395,11 @@
     const masks = masks_from(setup.masks);
     for (const { model, label, words, judgement, accepted } of setup.states) {
       states.push({
-        model, masks, label: label === model ? base_name(model) : label, words: words.length ? words : null, view: await view_of(model, masks),
+        model,
+        masks,
+        label: label === model ? base_name(model) : label,
+        words: words.length ? words : null,
+        view: await view_of(model, masks),
         judged: judgement ? { good: accepted, reason: judgement } : undefined,
       });
     }
@@ -326,11 +430,14 @@
     byId("starting").hidden = true;
     form.hidden = false;
     const engine = new Engine(module, files, working, trouble);
-    const look_at = (name) => async (map) => checked(await engine.call(["columns", name, ...with_columns(words_of(byId("reading").value), map)]));
+    const look_at = (name) => async (map) =>
+      checked(await engine.call(["columns", name, ...with_columns(words_of(byId("reading").value), map)]));
     const choose_columns = async (name) => {
       const map = await ask_for_columns(name, look_at(name), columns_in(words_of(byId("reading").value)));
       if (map === null) return;
-      byId("reading").value = with_columns(words_of(byId("reading").value), map).map(shell_word).join(" ");
+      byId("reading").value = with_columns(words_of(byId("reading").value), map)
+        .map(shell_word)
+        .join(" ");
       await list();
     };
     const list = async () => {
@@ -340,11 +447,38 @@
       for (const name of files.keys()) {
         const { found } = await engine.call(["info", name, ...setup.reading]);
         if (found.error) good = false;
-        const use = make("select", { ariaLabel: `use of ${name}`, onchange: () => { if (use.value === "judges") judges.add(name); else judges.delete(name); list(); } },
-          make("option", { value: "fit", textContent: "fit to it" }), make("option", { value: "judges", textContent: "judge by it", selected: judges.has(name) }));
-        const choose = make("button", { type: "button", textContent: "Columns …", ariaLabel: `columns of ${name}`, onclick: () => choose_columns(name) });
-        rows.push(make("li", {}, make("strong", { textContent: name }), make("span", {}, choose, " ", use),
-          make("p", { textContent: found.error || [`${found.rows} rows, every ${significant(found.period_s)} s.`, ...found.remarks].join(" ") })));
+        const use = make(
+          "select",
+          {
+            ariaLabel: `use of ${name}`,
+            onchange: () => {
+              if (use.value === "judges") judges.add(name);
+              else judges.delete(name);
+              list();
+            },
+          },
+          make("option", { value: "fit", textContent: "fit to it" }),
+          make("option", { value: "judges", textContent: "judge by it", selected: judges.has(name) }),
+        );
+        const choose = make("button", {
+          type: "button",
+          textContent: "Columns …",
+          ariaLabel: `columns of ${name}`,
+          onclick: () => choose_columns(name),
+        });
+        rows.push(
+          make(
+            "li",
+            {},
+            make("strong", { textContent: name }),
+            make("span", {}, choose, " ", use),
+            make("p", {
+              textContent:
+                found.error ||
+                [`${found.rows} rows, every ${significant(found.period_s)} s.`, ...found.remarks].join(" "),
+            }),
+          ),
+        );
       }
       byId("dropped").replaceChildren(...rows);
       byId("begin").disabled = !good;
@@ -360,9 +494,16 @@
     };
     byId("chosen").onchange = () => take([...byId("chosen").files]);
     byId("reading").onchange = list;
-    document.body.ondragover = (event) => { event.preventDefault(); form.classList.add("over"); };
+    document.body.ondragover = (event) => {
+      event.preventDefault();
+      form.classList.add("over");
+    };
     document.body.ondragleave = () => form.classList.remove("over");
-    document.body.ondrop = (event) => { event.preventDefault(); form.classList.remove("over"); if (!form.hidden) take([...event.dataTransfer.files]); };
+    document.body.ondrop = (event) => {
+      event.preventDefault();
+      form.classList.remove("over");
+      if (!form.hidden) take([...event.dataTransfer.files]);
+    };
     form.onsubmit = (event) => {
       event.preventDefault();
       setup.runs = [...files.keys()].filter((name) => !judges.has(name));
@@ -375,7 +516,10 @@
     try {
       byId("starting").hidden = false;
       const module = await compile_engine();
-      const files = [...document.querySelectorAll("script[data-file]")].map((script) => [script.dataset.file, bytes_of(script.textContent)]);
+      const files = [...document.querySelectorAll("script[data-file]")].map((script) => [
+        script.dataset.file,
+        bytes_of(script.textContent),
+      ]);
       if (setup.runs.length > 0) await begin(module, files);
       else ask_for_files(module);
     } catch (fault) {

@@ -26,7 +26,9 @@ const answer = ({ words, files, columns }) => {
     make_folders(name);
     engine.FS.writeFile(name, bytes);
   }
-  words.forEach((word, i) => { if (words[i - 1] === "-o") make_folders(word); });
+  words.forEach((word, i) => {
+    if (words[i - 1] === "-o") make_folders(word);
+  });
   const found = JSON.parse(engine.ccall("fogcomp_call", "string", ["string"], [words.join("\n")]));
   const values = [];
   for (let run = 0; columns.length > 0 && column(run, columns[0]); ++run) {
@@ -35,15 +37,16 @@ const answer = ({ words, files, columns }) => {
   return { found, values };
 };
 
-const start = (module) => fogcompEngine({
-  instantiateWasm: (imports, done) => {
-    WebAssembly.instantiate(module, imports).then(done);
-    return {};
-  },
-  progress: (stage, done) => postMessage({ stage, done }),
-  print: () => {},
-  printErr: () => {},
-});
+const start = (module) =>
+  fogcompEngine({
+    instantiateWasm: (imports, done) => {
+      WebAssembly.instantiate(module, imports).then(done);
+      return {};
+    },
+    progress: (stage, done) => postMessage({ stage, done }),
+    print: () => {},
+    printErr: () => {},
+  });
 
 onmessage = async ({ data }) => {
   try {
@@ -56,8 +59,15 @@ onmessage = async ({ data }) => {
       return;
     }
     const { found, values } = answer(data);
-    postMessage({ id: data.id, found, values }, values.flatMap((run) => Object.values(run).filter(Boolean).map((one) => one.buffer)));
+    postMessage(
+      { id: data.id, found, values },
+      values.flatMap((run) =>
+        Object.values(run)
+          .filter(Boolean)
+          .map((one) => one.buffer),
+      ),
+    );
   } catch (fault) {
-    postMessage({ id: data.id, fault: String(fault && fault.message || fault) });
+    postMessage({ id: data.id, fault: String((fault && fault.message) || fault) });
   }
 };
