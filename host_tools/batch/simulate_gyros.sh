@@ -24,5 +24,6 @@ for ((i = 1; i <= count; ++i)); do
   mkdir -p "$folder"
   read -ra options <<<"$(coefficients "$i")"
   "$fogcomp" simulate -o "$folder/run.csv" --seed $((2 * i)) "${options[@]}" >"$folder/simulated.txt"
-  "$fogcomp" simulate -o "$folder/holdout.csv" --profile reversed --seed $((2 * i + 1)) "${options[@]}" >>"$folder/simulated.txt"
+  "$fogcomp" simulate -o "$folder/holdout.csv" --profile reversed --seed $((2 * i + 1)) "${options[@]}" \
+    >>"$folder/simulated.txt"
 done

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# bit_flips.sh [SEED]: what damaged memory does to the board, in full (the tests draw less): every bit of the model, every
-# bit of the code that checks and forms frames and 2,000 of the whole image, each booted once on QEMU's STM32F405; then 500
-# of model, image and constants in RAM flipped while the MPS2 runs, whose watchdog works. Takes two hours.
+# bit_flips.sh [SEED]: what damaged memory does to the board, in full (the tests draw less): every bit of the model,
+# every bit of the code that checks and forms frames and 2,000 of the whole image, each booted once on QEMU's
+# STM32F405; then 500 of model, image and constants in RAM flipped while the MPS2 runs, whose watchdog works. Takes
+# two hours.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 seed=${1:-1}

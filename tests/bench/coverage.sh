@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # coverage.sh: how much of firmware/core the tests run, lines and branches; what none of them does is marked in
-# build/coverage/core.txt. Exits 1 below 98 % of the lines or 90 % of the branches. By clang rather than gcov: that counts
-# the branches of the source, not those of every instantiation and of exceptions that the core does not have.
+# build/coverage/core.txt. Exits 1 below 98 % of the lines or 90 % of the branches. By clang rather than gcov: that
+# counts the branches of the source, not those of every instantiation and of exceptions that the core does not have.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source cmake/bootstrap/packages.sh

@@ -3,8 +3,8 @@
 # image and instructions per block (of a second) in the drift model that it adds to an image with `bias` alone,
 # and what networks of 10 neurons and some expressions add; "itself" is a network without its signals, lags and
 # their scaling: inputs given, output ready. Of effects that follow the input rate it is what their coefficients take;
-# what they cost a sample says tests/target/scale_factor_cost.sh. Then the same for all effects and a 3-10-1 network. Instructions are
-# counted by QEMU's -icount with TIM2, one tick each; they are not cycles. Prints a table of Markdown.
+# what they cost a sample says tests/target/scale_factor_cost.sh. Then the same for all effects and a 3-10-1 network.
+# Instructions are counted by QEMU's -icount with TIM2, one tick each; they are not cycles. Prints a table of Markdown.
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/../..")
 fogcomp=${1:-$source/build/host/fogcomp} make_model=${2:-$source/build/host/tests/target/make_model}
@@ -20,7 +20,8 @@ measure() {
   { cmake -S "$source" -B image --preset stm32f405 -DFOG_MODEL_HEADER="$scratch/fog_model.h"
     cmake --build image --target fogcomp block_cost; } >build.log 2>&1 || { cat build.log >&2; exit 1; }
   local flash ticks
-  flash=$(arm-none-eabi-size -A image/fogcomp.elf | awk '$1 == ".text" || $1 == ".data" { sum += $2 } END { print sum }')
+  flash=$(arm-none-eabi-size -A image/fogcomp.elf |
+    awk '$1 == ".text" || $1 == ".data" { sum += $2 } END { print sum }')
   ticks=$(timeout 60 qemu-system-arm -M netduinoplus2 -display none -monitor none -icount shift=0,sleep=off \
     -semihosting-config enable=on,target=native -serial null -serial null -serial stdio \
     -kernel image/block_cost.elf </dev/null | awk '/^(block|network):/ { printf "%s %s ", $3, $5 }')
@@ -44,7 +45,8 @@ for inputs in 2 3 4; do
   row "network $inputs-10-1" "+$((flash - base_flash))" "$((mean - base_mean))" "$((max - base_max))"
   row "network $inputs-10-1 itself" "" "$its_mean" "$its_max"
 done
-for expression in 'x=T*T*dTdt' 'x=lag(T,300)-T' 'x=play(T,6)' 'x=exp(-t/1200)' 'x=sin(T/3)' 'x=tanh(T/20)' 'x=dTdt/(300+T)'; do
+for expression in 'x=T*T*dTdt' 'x=lag(T,300)-T' 'x=play(T,6)' 'x=exp(-t/1200)' 'x=sin(T/3)' 'x=tanh(T/20)' \
+  'x=dTdt/(300+T)'; do
   read -r flash mean max < <(measure 0 bias "$expression")
   row "expression ${expression#x=}" "+$((flash - base_flash))" "$((mean - base_mean))" "$((max - base_max))"
 done

@@ -10,7 +10,8 @@ while (($#)); do
   case $1 in
     --quick) cases=116; shift; continue ;;
     --wide) wide=wide-; shift; continue ;;
-    --seeds | --cases | --case | --jobs | --stages | --build | -o) (($# >= 2)) || { echo "$1 needs a value" >&2; exit 2; } ;;
+    --seeds | --cases | --case | --jobs | --stages | --build | -o) (($# >= 2)) ||
+      { echo "$1 needs a value" >&2; exit 2; } ;;
     *) sed -n '2s/^# //p' "$0" >&2; exit 2 ;;
   esac
   case $1 in
@@ -49,7 +50,8 @@ each() {
   : >"$failed"
   while read -r; do
     ((++done % 50 && done < ${#list[@]})) || echo "$what: $done of ${#list[@]}, $((SECONDS - begun)) s" >&2
-  done < <(printf '%s\n' "${list[@]}" | xargs -r -P "$jobs" -n 1 bash -c '"${@:2}" || echo "${@: -1}" >>"$1"; echo' each "$failed" "$@")
+  done < <(printf '%s\n' "${list[@]}" | xargs -r -P "$jobs" -n 1 bash -c '"${@:2}" || echo "${@: -1}" >>"$1"; echo' \
+    each "$failed" "$@")
   [[ ! -s $failed ]] || { echo "$what: $(wc -l <"$failed") cases failed, listed in $failed" >&2; exit 1; }
 }
 

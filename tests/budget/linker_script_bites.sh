@@ -37,7 +37,8 @@ expect_sizes() {
     -o "$scratch/part.elf"
   found=$(arm-none-eabi-nm "$scratch/part.elf" | awk '/_region_size/ { print $3 "=" $1 }' | sort | tr '\n' ' ')
   echo "memory protection: $found"
-  [[ $found == "fog_flash_region_size=$flash fog_ram_region_size=$ram " ]] || { echo "expected $flash, $ram" >&2; exit 1; }
+  [[ $found == "fog_flash_region_size=$flash fog_ram_region_size=$ram " ]] ||
+    { echo "expected $flash, $ram" >&2; exit 1; }
 }
 expect_sizes 00000026 00000020 ''
 expect_sizes 00000024 0000001e 's/1024K/512K/; s/128K/64K/'

@@ -4,7 +4,8 @@
 set -euo pipefail
 symbols=$(arm-none-eabi-nm -C "$1")
 # Effects may be inlined to nothing that has a name: the bank's own name says which it was built of.
-effects=$(sed -nE 's/^#define FOG_MODEL_EFFECTS (0x[0-9a-f]+)u.*/\1/p' "$(dirname "$0")/../../firmware/model/fog_model.h")
+effects=$(sed -nE 's/^#define FOG_MODEL_EFFECTS (0x[0-9a-f]+)u.*/\1/p' \
+  "$(dirname "$0")/../../firmware/model/fog_model.h")
 banks=$(grep -oE 'EffectBank<[0-9]+' <<<"$symbols" | sort -u)
 [[ $banks == "EffectBank<$((effects))" ]] || { echo "$1: effects $effects, but there is: $banks" >&2; exit 1; }
 used='effects::(Bias|BiasTemperature|TemperatureRate)<'

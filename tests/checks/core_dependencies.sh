@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # core_dependencies.sh ROOT: who may include whom (firmware/DESIGN.md, "Dependencies"), by include scan:
 # core only core and the freestanding part of the standard library; hal nothing of ours; platform hal,
-# the CRC, the size of the output frames and the thermometers; the generated header only app and tests. Within the core a folder includes those before it in
-# a list. And no floating point in core; in denoise and network no shift but those that fixed_point names.
+# the CRC, the size of the output frames and the thermometers; the generated header only app and tests. Within the
+# core a folder includes those before it in a list. And no floating point in core; in denoise and network no shift
+# but those that fixed_point names.
 set -euo pipefail
 root=${1:?usage: core_dependencies.sh ROOT}
 cd "$root/firmware"

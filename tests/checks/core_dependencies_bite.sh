@@ -33,7 +33,8 @@ is_accepted() {
 for text in '#include "hal/clock.hpp"' '#include <vector>' '#include<cmath>' '#include "fog_model.h"' \
   '#include <vector>  // #include "core/x.hpp"' \
   'double x = 1;' 'double f(double a, double b) { return a * b; }' 'float* f();  // a pointer' '/* one */ double x;' \
-  $'/* a\n * b */ long double x = 1;' $'// a\nfloat x;' 'char s[] = "//"; float x;' "char c = '\"'; float y; char d = '\"';" \
+  $'/* a\n * b */ long double x = 1;' $'// a\nfloat x;' 'char s[] = "//"; float x;' \
+    "char c = '\"'; float y; char d = '\"';" \
   'auto limits = std::numeric_limits<double>::max();' 'Span<const float> values;' 'auto x = 1.0f * n;' 'auto x = 1.;' \
   'auto x = .5 * n;' 'auto x = 1e3;' 'auto x = 0x1p-3;' "auto x = 1'000.5;" '_Float32 x{};' '#define HALF 0.5'; do
   trespass signal "$text"
@@ -43,7 +44,8 @@ trespass frames '#include "core/health/image_seal.hpp"'
 trespass network '#include "core/effects/effect.hpp"'
 trespass expression '#include "core/effects/thermal_hysteresis.hpp"'
 trespass fixed_point '#include "core/pipeline/compensator.hpp"'
-for text in 'int f(int x) { return x >> 3; }' 'int f(int x, int y) { return (x + y) << 2; }' 'void f(int& x) { x >>= 1; }' \
+for text in 'int f(int x) { return x >> 3; }' 'int f(int x, int y) { return (x + y) << 2; }' \
+  'void f(int& x) { x >>= 1; }' \
   'auto f(unsigned x) { return (x << 3) | (std::uint32_t{1} << 2); }'; do
   trespass denoise "$text"
   trespass network "$text"
@@ -59,8 +61,10 @@ echo '#include <cstdint>' >"$core/another/new.hpp"
   { echo "a folder without a place is accepted" >&2; exit 1; }
 rm -r "$core/another"
 
-printf '%s\n' '// double, 0.5' $'/* float,\n   1.5e3 */' 'const char* s = "float, 0.5 \" 1e3";' "auto n = 1'000'000 + 0x1e5;" \
+printf '%s\n' '// double, 0.5' $'/* float,\n   1.5e3 */' 'const char* s = "float, 0.5 \" 1e3";' \
+  "auto n = 1'000'000 + 0x1e5;" \
   'int double_buffer = a.b5 + x1.e4;' >"$core/signal/harmless.hpp"
-echo 'using Pairs = Span<const Pair<int, int>>; constexpr auto kMask = std::uint32_t{1} << 7U;' >"$core/denoise/harmless.hpp"
+echo 'using Pairs = Span<const Pair<int, int>>; constexpr auto kMask = std::uint32_t{1} << 7U;' \
+  >"$core/denoise/harmless.hpp"
 is_accepted
 echo "every kind of trespass is refused, and nothing else"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# documents.sh ROOT: every relative link of every Markdown page leads to a file, every #anchor to a heading; lines have at
-# most 120 columns, but for tables; every deciding number of a diagnosis stands in DIAGNOSIS.md by its name, and no other;
-# CITATION.cff has the version of the build.
+# documents.sh ROOT: every relative link of every Markdown page leads to a file, every #anchor to a heading; lines
+# have at most 120 columns, but for tables; every deciding number of a diagnosis stands in DIAGNOSIS.md by its name,
+# and no other; CITATION.cff has the version of the build.
 set -euo pipefail
 exec python3 - "${1:?usage: documents.sh ROOT}" <<'EOF'
 import os, re, sys, unicodedata

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# documents_bite.sh: the check of the documents refuses a link, a heading and a line that are wrong, and takes right ones.
+# documents_bite.sh: the check of the documents refuses a link, a heading and a line that are wrong, and takes right
+# ones.
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 tree=$(mktemp -d)
@@ -14,7 +15,8 @@ for right in '[a](part/README.md)' '[a\nb](part/README.md#add-one-or-several)' '
   "| $long |" '`[a](none.md)`' '```\n[a](none.md)\n```' '[`a`](part/)'; do
   judge "$right" || { echo "refused: $right: $(cat "$tree/said")" >&2; exit 1; }
 done
-for wrong in '[a](none.md)' '[a](part/README.md#none)' '[a](#none)' '[a\nb](part/none.md)' '| [`a`](none.md) |' "$long" \
+for wrong in '[a](none.md)' '[a](part/README.md#none)' '[a](#none)' '[a\nb](part/none.md)' '| [`a`](none.md) |' \
+  "$long" \
   "\`\`\`\n$long\n\`\`\`"; do
   ! judge "$wrong" || { echo "accepted: $wrong" >&2; exit 1; }
 done

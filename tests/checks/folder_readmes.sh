@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# folder_readmes.sh ROOT: each folder of the core and of the host tool, and platform/, says in at most 40 lines what it takes, what it gives,
-# where to begin and what it must not know; and the links in it lead somewhere.
+# folder_readmes.sh ROOT: each folder of the core and of the host tool, and platform/, says in at most 40 lines what
+# it takes, what it gives, where to begin and what it must not know; and the links in it lead somewhere.
 set -euo pipefail
 cd "${1:?usage: folder_readmes.sh ROOT}"
 status=0

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# function_length.sh ROOT: no function of the firmware and the host tool has more than 40 lines between its braces, lambdas
-# included. Read off the layout that check.format holds: what stands in a block is indented further
+# function_length.sh ROOT: no function of the firmware and the host tool has more than 40 lines between its braces,
+# lambdas included. Read off the layout that check.format holds: what stands in a block is indented further
 # than the line that the block closes on.
 set -euo pipefail
 cd "${1:?usage: function_length.sh ROOT}"
 # The interpreter's one switch: a line or two for each operation, no step of which is one by itself.
 allowed='firmware/core/expression/expression_bank.hpp run'
 
-find firmware host_tools -name '*.hpp' -o -name '*.cpp' -o -name '*.c' | LC_ALL=C sort | xargs awk -v allowed="$allowed" '
+find firmware host_tools -name '*.hpp' -o -name '*.cpp' -o -name '*.c' | LC_ALL=C sort |
+  xargs awk -v allowed="$allowed" '
   FNR == 1 { head = ""; inside = 0 }
   inside {
     if (substr($0, 1, indent + 1) != blanks "}") next

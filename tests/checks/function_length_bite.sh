@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# function_length_bite.sh ROOT: a function of 41 lines is refused, whatever kind it is; one of 40, and what is no function,
-# is not.
+# function_length_bite.sh ROOT: a function of 41 lines is refused, whatever kind it is; one of 40, and what is no
+# function, is not.
 set -euo pipefail
 root=$(realpath "$1")
 here=$(realpath "$(dirname "$0")")
@@ -25,9 +25,11 @@ function_of() {
 }
 free() { echo "namespace fogcomp {"; function_of 0 "$1" "int free() {"; echo "}  // namespace fogcomp"; }
 member() { echo "class A {"; echo " public:"; function_of 2 "$1" "int member() const override {"; echo "};"; }
-constructor() { echo "class A {"; function_of 2 "$1" "A(int x)" "    : x_(x)," "      y_{1} {"; echo " int x_;"; echo "};"; }
+constructor() { echo "class A {"; function_of 2 "$1" "A(int x)" "    : x_(x)," "      y_{1} {"; echo " int x_;"; \
+  echo "};"; }
 template() { function_of 0 "$1" "template <class R>" "auto two_lines(int a," "               const R& r) -> R {"; }
-after_table() { printf "%s\n" "constexpr Row kRows[] = {" "  {f(1)," "   2}};"; function_of 0 "$1" "void after_table() {"; }
+after_table() { printf "%s\n" "constexpr Row kRows[] = {" "  {f(1)," "   2}};"; \
+  function_of 0 "$1" "void after_table() {"; }
 
 for kind in free member constructor template after_table; do
   $kind 41 >"$file"

@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
-# host_dependencies.sh ROOT: data goes down the folders of host_tools and nothing reaches back up: each includes the core,
-# hal and the folders before it in this list, and no other. Its names are in the namespace of its name (support's in
-# fogcomp itself).
+# host_dependencies.sh ROOT: data goes down the folders of host_tools and nothing reaches back up: each includes the
+# core, hal and the folders before it in this list, and no other. Its names are in the namespace of its name
+# (support's in fogcomp itself).
 set -euo pipefail
 cd "${1:?usage: host_dependencies.sh ROOT}/host_tools"
 status=0
-order=(support recording simulation model denoise series noise compare fit diagnosis board research batch workflow findings report cli workbench)
+order=(support recording simulation model denoise series noise compare fit diagnosis board research batch workflow \
+  findings report cli workbench)
 known=
 for folder in "${order[@]}"; do
   known+="${known:+|}$folder"

@@ -8,7 +8,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cmake --build "$build" --target fogcomp
 "$build/fogcomp" simulate -o "$work/run.bin" --profile paper --preset paper --rate 200 --format stream --seed 1
-"$build/fogcomp" fit "$work/run.bin" -o "$work/gyro.model" --effects bias,bias_temperature:order=2,temperature_rate --network 6
+"$build/fogcomp" fit "$work/run.bin" -o "$work/gyro.model" --effects bias,bias_temperature:order=2,temperature_rate \
+  --network 6
 "$build/fogcomp" export "$work/gyro.model" -o firmware/model/fog_model.h --sample-rate 200
 tests/golden/renew_effects.sh "$build"
 for name in board_output core_checks spec_functions spec_stream; do

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# renew_effects.sh [BUILD]: writes anew, on purpose, what follows from the effects' headers: the document of the catalogue
-# and what the board computes of each effect. The commit shows what changed.
+# renew_effects.sh [BUILD]: writes anew, on purpose, what follows from the effects' headers: the document of the
+# catalogue and what the board computes of each effect. The commit shows what changed.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${1:-build/host}

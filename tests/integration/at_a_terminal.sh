@@ -15,7 +15,8 @@ echo "kept" >big.csv
 at_terminal() {
   rm -f screen.txt pid status
   # shellcheck disable=SC2016
-  env --default-signal=INT script -qefc "bash -c 'echo \$\$ >pid; exec $(printf '%q ' "$@")'" screen.txt >said.txt </dev/null || echo $? >status &
+  env --default-signal=INT script -qefc "bash -c 'echo \$\$ >pid; exec $(printf '%q ' "$@")'" screen.txt >said.txt \
+    </dev/null || echo $? >status &
   until [[ -s pid ]]; do sleep 0.02; done
 }
 # wait_for REGEX: waits for it on the screen.
@@ -36,7 +37,8 @@ wait
 [[ $(cat big.csv) == kept && -z $(find . -name '*.part-*') ]] || fail "half a file: $(ls)"
 
 # A training ends with its present result.
-at_terminal "$fogcomp" fit run.csv -o gyro.model --effects bias --network 10 --trainer pso-bp --iterations 100000 --force-network
+at_terminal "$fogcomp" fit run.csv -o gyro.model --effects bias --network 10 --trainer pso-bp --iterations 100000 \
+  --force-network
 wait_for 'training \[#* *\] +[0-9]+ %, [0-9]+ s left'
 kill -INT "$(cat pid)"
 wait
@@ -47,7 +49,8 @@ grep -qa 'interrupted: the best network of' screen.txt || fail "$(cat screen.txt
 # A search for shapes, and Ctrl-C in it.
 "$fogcomp" simulate -o long.csv --profile random_steps --rate 1 >said.txt
 echo "kept" >long.model
-at_terminal "$fogcomp" fit long.csv -o long.model --average 1 --effects bias,polarization_ripple,thermal_hysteresis,glass_transition,shupe --network 4
+at_terminal "$fogcomp" fit long.csv -o long.model --average 1 \
+  --effects bias,polarization_ripple,thermal_hysteresis,glass_transition,shupe --network 4
 wait_for 'fitting effects \[#* *\] +[0-9]+ %, [0-9]+ s left'
 kill -INT "$(cat pid)"
 wait
@@ -55,7 +58,8 @@ wait
 
 # The same into a file, for longer than it takes until a bar would show: no bar, no escape sequence, and the result.
 rm gyro.model
-env --default-signal=INT "$fogcomp" fit run.csv -o gyro.model --effects bias --network 10 --trainer pso-bp --iterations 100000 --force-network \
+env --default-signal=INT "$fogcomp" fit run.csv -o gyro.model --effects bias --network 10 --trainer pso-bp \
+  --iterations 100000 --force-network \
   >said.txt 2>errors.txt &
 pid=$!
 until age=$(ps -o etimes= -p "$pid") && ((age >= 5)); do

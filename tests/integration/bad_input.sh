@@ -79,7 +79,8 @@ rm ./*.bin
 : >empty.csv
 echo "time_s,temperature_degc,rate_dph" >header_only.csv
 mkdir folder
-bad_row() { { echo "time_s,temperature_degc,rate_dph"; echo "0,20,1"; echo "10,20,1"; echo "$1"; echo "30,20,1"; } >row.csv; }
+bad_row() { { echo "time_s,temperature_degc,rate_dph"; echo "0,20,1"; echo "10,20,1"; echo "$1"; \
+  echo "30,20,1"; } >row.csv; }
 refuses '^missing\.csv: .*' "${fit[@]}" missing.csv
 refuses '^empty\.csv: .*' "${fit[@]}" empty.csv
 refuses '^header_only\.csv' "${fit[@]}" header_only.csv
@@ -134,7 +135,8 @@ refuses '^cut\.model: is damaged' replay cut.model good.csv -o kept
 # Comparing, adding, history.
 refuses '^missing\.model: ' compare good.model good.csv --model missing.model
 refuses '^good\.csv: is not a fogcomp model' compare good.model good.csv --model good.csv
-refuses '^good\.model: is a model, where compare expects a recording; give further models as --model good\.model' compare good.model good.model good.csv
+refuses '^good\.model: is a model, where compare expects a recording; give further models as --model good\.model' \
+  compare good.model good.model good.csv
 "$fogcomp" fit good.csv -o scale.model --effects bias --scale-factor 1000 >/dev/null
 refuses '^scale\.model: has another scale factor than good\.model; give --scale-factor' \
   compare good.model good.csv --model scale.model
@@ -146,7 +148,8 @@ add "^effect 'thermal_lag,warm_up': is more than one; add them one after the oth
 add '^bias_step: is not found: no jump of these recordings' bias_step
 refuses "^effect 'bias_step': is an event of one recording" add good.model thermal_lag bias_step good.csv -o kept
 refuses '^-o kept: is the model at the loop.s end; give --max-effects' diagnose good.model good.csv -o kept
-refuses '^good\.model: -o would overwrite the input good\.model; ' diagnose good.model good.csv --max-effects 2 -o good.model
+refuses '^good\.model: -o would overwrite the input good\.model; ' diagnose good.model good.csv --max-effects 2 \
+  -o good.model
 add "^effect: is not named" ''
 add "no parameter 'tua' \(did you mean 'tau'" thermal_lag:tua=3
 add '^good\.csv: magnetic needs the column magnetic_ut' magnetic
@@ -214,7 +217,8 @@ refuses "^expression 'x = T\^2': has the name of another term" \
   diagnose good.model good.csv --effect-expr 'x = T' --effect-expr 'x = T^2'
 refuses "^--effect-expr: is one effect and 'thermal_lag:tau=9' another; add them one after the other" \
   add good.model thermal_lag:tau=9 good.csv -o kept --effect-expr 'x = T'
-refuses '^fogcomp add: --effect-expr is given twice' add good.model good.csv -o kept --effect-expr 'x = T' --effect-expr 'y = T'
+refuses '^fogcomp add: --effect-expr is given twice' add good.model good.csv -o kept --effect-expr 'x = T' \
+  --effect-expr 'y = T'
 refuses '^fogcomp add: expects MODEL .*--effect-expr' add good.model good.csv -o kept
 refuses '^fogcomp add: expects MODEL' add good.model -o kept --effect-expr 'x = T'
 "$fogcomp" fit good.csv -o divided.model --effects bias --effect-expr 'x = 1/(dTdt+5)' >/dev/null
@@ -222,7 +226,8 @@ refuses "^expression 'x': cannot go to the board: a divisor goes from" export di
 
 # replay refuses what export refuses: a drift so large that its integers are too coarse.
 awk -F, -v OFS=, 'NR > 1 { $3 *= 1e5 } 1' good.csv >large.csv
-"$fogcomp" fit large.csv -o large.model --effects bias --network 6 --levels 0 --force-network --average 60 --epochs 20 >/dev/null
+"$fogcomp" fit large.csv -o large.model --effects bias --network 6 --levels 0 --force-network --average 60 \
+  --epochs 20 >/dev/null
 refuses "^large\.model: the .*integers would be .* give --allow-error" export large.model -o kept --sample-rate 0.1
 refuses "^large\.model: the .*integers would be .* give --allow-error" replay large.model large.csv -o kept
 "$fogcomp" replay large.model large.csv -o large.bin --allow-error >/dev/null || fail "--allow-error does not help"
@@ -248,7 +253,8 @@ awk -F, -v OFS=, 'NR > 1 { $1 += 1709625600 } 1' good.csv >since_1970.csv
 "$fogcomp" simulate -o rest.csv --profile static --seed 13 >/dev/null
 "$fogcomp" fit good.csv copy.csv -o twice.model --effects bias,temperature_rate >/dev/null 2>twice
 cmp twice.model good.model || fail "a copy of a recording counts in a fit"
-grep -q '^note: copy\.csv: has the same rows as good\.csv; counted once' twice || fail "a copy is not named: $(cat twice)"
+grep -q '^note: copy\.csv: has the same rows as good\.csv; counted once' twice ||
+  fail "a copy is not named: $(cat twice)"
 for command in 'fit still.csv -o kept --effects bias' 'add good.model warm_up still.csv -o kept' \
   'compare good.model still.csv' 'diagnose good.model still.csv' \
   'diagnose good.model good.csv --static still.csv' 'add good.model warm_up good.csv -o kept --holdout still.csv'; do
@@ -269,10 +275,12 @@ refuses '^aging: these recordings do not determine t0' add good.model aging long
 "$fogcomp" fit since_1970.csv -o since_1970.model --effects bias,temperature_rate >/dev/null 2>unix
 grep -q '^since_1970\.csv: read as UNIX times, counted from the first row: power-on is not known$' unix ||
   fail "UNIX times are not named: $(cat unix)"
-grep -q '^note: since_1970\.csv: power-on is not known: effects .*warm_up, aging' unix || fail "what they cost: $(cat unix)"
+grep -q '^note: since_1970\.csv: power-on is not known: effects .*warm_up, aging' unix ||
+  fail "what they cost: $(cat unix)"
 "$fogcomp" fit good.csv -o since_0.model --effects bias,temperature_rate >/dev/null 2>&1
 diff <(grep '^effect' since_0.model) <(grep '^effect' since_1970.model) || fail "UNIX times change a fit"
-refuses "bounds of 'w' must be 0 or from 1e-30 to 1e.30" fit good.csv -o kept --effects bias --effect-expr 'x = sin(T*?w[1e-300,1e300])'
+refuses "bounds of 'w' must be 0 or from 1e-30 to 1e.30" fit good.csv -o kept --effects bias \
+  --effect-expr 'x = sin(T*?w[1e-300,1e300])'
 
 # An output is never one of the inputs, by any name, and never another output; tested for every option that writes a
 # file. Only a model may be replaced by its extension.
@@ -331,7 +339,8 @@ refuses 'figures/figure_1\.csv: is a file of its own, and --report names it too'
   paper --figures figures --report figures/figure_1.csv
 rmdir figures
 cp good.model grown.model
-"$fogcomp" add grown.model bias_temperature good.csv -o grown.model --force >/dev/null || fail "a model does not replace its parent"
+"$fogcomp" add grown.model bias_temperature good.csv -o grown.model --force >/dev/null ||
+  fail "a model does not replace its parent"
 "$fogcomp" history grown.model | grep -q bias_temperature || fail "the grown model is not the new one"
 "$fogcomp" simulate -o paper --profile paper >/dev/null
 "$fogcomp" simulate -o paper --profile paper >/dev/null || fail "a ready-made profile is taken for a file of its name"
@@ -353,11 +362,13 @@ refuses '^fogcomp replay: expects MODEL.*; -o OUT is missing' replay
 refuses "^fogcomp batch: -o OUT is missing; $proposal; missing does not exist; see" batch missing
 refuses "^fogcomp batch: $proposal; missing does not exist; see" batch missing -o results
 refuses "^fogcomp fit: $proposal; missing\.csv does not exist; see" fit missing.csv -o kept
-refuses '^fogcomp compare: missing\.model does not exist; missing\.csv does not exist; see' compare missing.model missing.csv
+refuses '^fogcomp compare: missing\.model does not exist; missing\.csv does not exist; see' compare missing.model \
+  missing.csv
 refuses '^fogcomp add: -o MODEL is missing; missing\.csv does not exist; see' add good.model termal_lag missing.csv
 refuses '^fogcomp add: the arguments look swapped: fogcomp add good\.model thermal_lag good\.csv; -o MODEL is missing' \
   add good.model good.csv thermal_lag
-refuses "^fogcomp fit: good\.model is a model, where fit expects RUN\.\.\.; -o MODEL is missing; $proposal" fit good.model
+refuses "^fogcomp fit: good\.model is a model, where fit expects RUN\.\.\.; -o MODEL is missing; $proposal" fit \
+  good.model
 refuses '^no_port: .*connected' health no_port
 refuses "effect 'biass': .*did you mean 'bias'" fit good.csv -o kept --effects biass
 refuses "effect 'bias': is listed twice" fit good.csv -o kept --effects bias,bias
@@ -393,15 +404,18 @@ refuses '^good\.csv: lasts 59550 s, too short for means of 100000 s' info good.c
   fail "a search between bounds on both sides of 0 begins at 0"
 
 # Swapped arguments: the message has the corrected line.
-refuses '^fogcomp compare: the arguments look swapped: fogcomp compare good\.model good\.csv$' compare good.csv good.model
+refuses '^fogcomp compare: the arguments look swapped: fogcomp compare good\.model good\.csv$' compare good.csv \
+  good.model
 refuses 'swapped: fogcomp diagnose good\.model good\.csv in\.csv$' diagnose good.csv good.model in.csv
 refuses 'swapped: fogcomp add good\.model thermal_lag good\.csv$' add good.model good.csv thermal_lag -o kept
-refuses 'swapped: fogcomp add good\.model thermal_lag:tau=60 good\.csv$' add good.csv thermal_lag:tau=60 good.model -o kept
+refuses 'swapped: fogcomp add good\.model thermal_lag:tau=60 good\.csv$' add good.csv thermal_lag:tau=60 good.model \
+  -o kept
 refuses 'swapped: fogcomp replay good\.h good\.csv$' replay good.csv good.h -o kept
 refuses '^good\.model: is a model, where fit expects RUN\.\.\.$' fit good.model -o kept --effects bias
 refuses '^good\.model: is a model, where info expects RUN$' info good.model
 refuses '^good\.model: is a model, where diagnose expects MODEL RUN' diagnose in.model good.model good.csv
-refuses '^good\.model:1: a model, where a recording should be' add good.model thermal_lag good.csv --holdout good.model -o kept
+refuses '^good\.model:1: a model, where a recording should be' add good.model thermal_lag good.csv \
+  --holdout good.model -o kept
 
 # Files of other programs.
 other_format() { printf "$1" | cat - good.csv >foreign; refuses "^foreign: .*$2" info foreign; }

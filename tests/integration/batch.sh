@@ -70,9 +70,11 @@ says '^3 calibrated now, 0 before'
 batch 1 gyros -o out --average 20 --tables --limits limits.txt
 [[ $(ls out/tables) == sheet.csv && $(wc -l <out/tables/sheet.csv) == 1 ]] || fail "tables: $(ls out/tables)"
 batch 0 gyros -o out --average 20 --tables
-[[ $(ls out/tables | tr '\n' ' ') == "A1.bin A1.hex A2.bin A2.hex A3.bin A3.hex sheet.csv " ]] || fail "tables: $(ls out/tables)"
+[[ $(ls out/tables | tr '\n' ' ') == "A1.bin A1.hex A2.bin A2.hex A3.bin A3.hex sheet.csv " ]] ||
+  fail "tables: $(ls out/tables)"
 crc=$(sed -nE 's/.*CRC-32 ([0-9a-f]{8}),.*/\1/p' out/A2/fog_model.h)
-grep -qE "^\"A2\",A2,any,$crc,[0-9a-f]{8},\"A2.bin\",\"A2.hex\",\"\"$" out/tables/sheet.csv || fail "$(cat out/tables/sheet.csv)"
+grep -qE "^\"A2\",A2,any,$crc,[0-9a-f]{8},\"A2.bin\",\"A2.hex\",\"\"$" out/tables/sheet.csv ||
+  fail "$(cat out/tables/sheet.csv)"
 "$fogcomp" export out/A2/A2.model --format table -o A2.bin >said.txt
 cmp A2.bin out/tables/A2.bin
 "$fogcomp" stream out/A2/fog_model.h gyros/A2/run.csv -o A2.in >said.txt
@@ -81,8 +83,10 @@ cmp A2.bin out/tables/A2.bin
 cmp A2.expected A2.out
 # Each is kept. That a gyro calibrated again gets the next number is a unit test (batch/tables_test).
 header=gyro,sequence,table_crc32,model_crc32,serial,processor,bin,limits
-[[ $(head -n 1 out/history/tables.csv) == "$header" && $(wc -l <out/history/tables.csv) == 4 ]] || fail "$(cat out/history/tables.csv)"
-grep -qE "^\"A2\",1,[0-9a-f]{8},$crc,A2,any,\"A2-1.bin\",\"\"$" out/history/tables.csv || fail "$(cat out/history/tables.csv)"
+[[ $(head -n 1 out/history/tables.csv) == "$header" && $(wc -l <out/history/tables.csv) == 4 ]] ||
+  fail "$(cat out/history/tables.csv)"
+grep -qE "^\"A2\",1,[0-9a-f]{8},$crc,A2,any,\"A2-1.bin\",\"\"$" out/history/tables.csv ||
+  fail "$(cat out/history/tables.csv)"
 cmp A2.bin out/history/A2-1.bin
 printf 'noise_dprh <= 0\n' >strict.txt
 batch 1 gyros -o out --average 20 --tables --limits strict.txt

@@ -15,7 +15,8 @@ cd "$work"
 cat said.txt
 grep -q '^missing effect: temperature_rate ' said.txt || fail "the paper's missing effect is not named"
 "$fogcomp" diagnose shupe.model paper.csv --json >said.json
-grep -q '^{"verdict":"missing_effect","effect":"temperature_rate","effects":\["temperature_rate"\],"confusable":\[\]' said.json ||
+grep -q '^{"verdict":"missing_effect","effect":"temperature_rate","effects":\["temperature_rate"\],"confusable":\[\]' \
+  said.json ||
   fail 'JSON: verdict and effect'
 for key in experiment candidates untestable where residual_rms_dph noise_floor_dph unexplained_fraction; do
   grep -q "\"$key\":" said.json || fail "JSON lacks $key"
@@ -51,7 +52,8 @@ for seed in 6 1067 1162 1237; do
 done
 
 # Another run can separate what one cannot: over a day ageing looks like a random walk of the bias.
-ageing=(--preset none --effect bias --effect temperature_rate --effect aging:peak=0.05 --noise 'white=0.0015,flicker=0.001')
+ageing=(--preset none --effect bias --effect temperature_rate --effect aging:peak=0.05 \
+  --noise 'white=0.0015,flicker=0.001')
 "$fogcomp" simulate -o day.csv "${ageing[@]}" --seed 3 >/dev/null
 "$fogcomp" fit day.csv -o day.model --effects bias,bias_temperature,temperature_rate >/dev/null
 "$fogcomp" diagnose day.model day.csv --json >said.json
@@ -59,7 +61,8 @@ grep -q '^{"verdict":"unknown","effect":null,' said.json || fail 'ageing is told
 grep -q '"random_walk":{"coefficient":' said.json || fail 'a random walk is no rival of an ageing'
 "$fogcomp" simulate -o soak.csv "${ageing[@]}" --profile long_soak --seed 93 >/dev/null
 "$fogcomp" fit day.csv soak.csv -o both.model --effects bias,bias_temperature,temperature_rate >/dev/null
-"$fogcomp" diagnose both.model day.csv soak.csv | tee said.txt | grep '^missing effect: aging ' >/dev/null || fail "the soak tells: $(cat said.txt)"
+"$fogcomp" diagnose both.model day.csv soak.csv | tee said.txt | grep '^missing effect: aging ' >/dev/null ||
+  fail "the soak tells: $(cat said.txt)"
 
 # A recording at rest gives the noise; rows of another length, and too few, are refused.
 "$fogcomp" simulate -o rest.csv --profile static --seed 8 >/dev/null
@@ -69,7 +72,8 @@ refuses() {
   local pattern=$1 status=0
   shift
   "$fogcomp" "$@" >out.txt 2>err.txt || status=$?
-  [[ $status == 2 && $(wc -l <err.txt) == 1 ]] && grep -Eq "$pattern" err.txt || fail "$* says: $(cat err.txt), exit $status"
+  [[ $status == 2 && $(wc -l <err.txt) == 1 ]] && grep -Eq "$pattern" err.txt ||
+    fail "$* says: $(cat err.txt), exit $status"
 }
 head -n 40 paper.csv >short.csv
 refuses '39 rows of 10 s: too few' diagnose shupe.model short.csv

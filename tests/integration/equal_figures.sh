@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# equal_figures.sh FOGCOMP: what two commands print for the same thing is the same: residual, scatter, floor and rows left
-# out of one recording and model, with spikes in it and without, and where the board's delay makes most of the error.
+# equal_figures.sh FOGCOMP: what two commands print for the same thing is the same: residual, scatter, floor and rows
+# left out of one recording and model, with spikes in it and without, and where the board's delay makes most of the
+# error.
 set -Eeuo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: equal_figures.sh FOGCOMP}")

@@ -48,7 +48,8 @@ grep -q '^hidden logsig 4 ' network2.model || fail "no network of 4"
 # A network to which the effects leave nothing is not kept, and that is said; forced, it is.
 complete=bias,bias_temperature,temperature_rate,temperature_rate_product,warm_up,polarization_ripple:period2=?
 "$fogcomp" fit run1.csv -o alone.model --effects "$complete" --network 4 >alone.txt
-grep -q '^  network: nothing left that it can learn.*none kept; --force-network keeps it$' alone.txt || fail "$(cat alone.txt)"
+grep -q '^  network: nothing left that it can learn.*none kept; --force-network keeps it$' alone.txt ||
+  fail "$(cat alone.txt)"
 grep -q '^hidden' alone.model && fail "a network that does not help was kept"
 "$fogcomp" fit run1.csv -o kept.model --effects "$complete" --network 4 --force-network >/dev/null
 grep -q '^hidden logsig 4 ' kept.model || fail "--force-network kept none"
@@ -111,6 +112,7 @@ grep -q 'warning: .*ramps beyond the trained' fast.txt || fail "$(cat fast.txt)"
 grep -q warning static.txt && fail "warns on its own training run"
 awk -F, 'NR == 1 || $1 !~ /^[0-9]/ || $1 >= 7200' run1.csv >late.csv
 "$fogcomp" fit late.csv -o late.model --effects bias,bias_temperature >/dev/null
-"$fogcomp" compare late.model run1.csv | grep 'warning: .*sooner after power-on' >/dev/null || fail "no warning of warm-up"
+"$fogcomp" compare late.model run1.csv | grep 'warning: .*sooner after power-on' >/dev/null ||
+  fail "no warning of warm-up"
 echo "ladder: static -> rate term, drift left $(value both.json models 0 runs 1 drift_left_dph) ->" \
   "$(value both.json models 1 runs 1 drift_left_dph) deg/h on the run held out"

@@ -31,7 +31,8 @@ for effect in $("$fogcomp" effects | awk '/^[a-z0-9_]+ - / { print $1 }'); do
   if grep -q '^  export     refuses it' entry.txt; then
     status=0
     "$fogcomp" export one.model -o refused.h --extension 2>export.txt || status=$?
-    ((status == 2)) && grep -q "^one.model: effect '$effect' goes on while the power is off" export.txt && [[ ! -e refused.h ]] ||
+    ((status == 2)) && grep -q "^one.model: effect '$effect' goes on while the power is off" export.txt &&
+      [[ ! -e refused.h ]] ||
       { echo "$effect: exported" >&2; cat export.txt >&2; exit 1; }
     allowed=(--allow-error)
     refused+=" $effect"

@@ -7,7 +7,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 # As another version would have written it: its layout number in the macro and in the table.
-sed -E 's/(FOG_MODEL_LAYOUT) [0-9]+/\1 99/; s/^  1179600717, [0-9]+,/  1179600717, 99,/' "$header" >"$scratch/fog_model.h"
+sed -E 's/(FOG_MODEL_LAYOUT) [0-9]+/\1 99/; s/^  1179600717, [0-9]+,/  1179600717, 99,/' "$header" \
+  >"$scratch/fog_model.h"
 cmp -s "$header" "$scratch/fog_model.h" && { echo "nothing was changed" >&2; exit 1; }
 
 printf 'time_s,temperature_degc,rate_dph\n0,20,1\n' >"$scratch/run.csv"

@@ -51,7 +51,8 @@ mkdir files
   echo "fit_rms_dph <= 1" >limits.txt
 )
 for command in "${commands[@]}"; do
-  [[ $command != paper && $command != health && $command != load ]] || continue # minutes: json_output.sh runs it with less to do; need a board
+  [[ $command != paper && $command != health && $command != load ]] ||
+    continue # minutes: json_output.sh runs it with less to do; need a board
   example=$(fogcomp "$command" --help | sed -n '/^example: /,$ { s/^example: //; p; }')
   rm -rf here
   cp -r files here
@@ -76,7 +77,8 @@ complete_words() {
 offers() {
   local expected=$1
   shift
-  complete_words "$@" | grep -xF -- "$expected" >/dev/null || fail "fogcomp $*: no $expected in $(complete_words "$@" | head -n 5)"
+  complete_words "$@" | grep -xF -- "$expected" >/dev/null ||
+    fail "fogcomp $*: no $expected in $(complete_words "$@" | head -n 5)"
 }
 offers diagnose d
 offers --effect-expr fit run.csv --eff

@@ -30,7 +30,8 @@ if command -v dpkg-shlibdeps >/dev/null; then
   [[ $depends == *libc6* && $depends == *libstdc++6* ]] || fail "Depends: $depends"
   [[ ! $depends =~ dev|eigen|npm ]] || fail "Depends: $depends"
   dpkg-deb -x "${packages[0]}" root
-  diff <(cd root/usr && find . -type f | sort) <(cd prefix && find . -type f | sort) || fail "the package holds something else"
+  diff <(cd root/usr && find . -type f | sort) <(cd prefix && find . -type f | sort) ||
+    fail "the package holds something else"
   root/usr/bin/fogcomp fit run.csv -o packaged.model --effects bias >said.txt
   cmp gyro.model packaged.model
   echo "${packages[0]##*/}: $(stat -c %s "${packages[0]}") bytes, depends on $depends"

@@ -61,7 +61,8 @@ cmp run.csv plain.csv
 mkdir -p gyros/G1
 cp run.csv gyros/G1
 "$fogcomp" batch gyros -o results --effects bias,temperature_rate --json >batch.json
-has_keys batch.json table index pass fail error calibrated already_done "gyros 0 gyro" "gyros 0 outcome" "gyros 0 reason"
+has_keys batch.json table index pass fail error calibrated already_done "gyros 0 gyro" "gyros 0 outcome" \
+  "gyros 0 reason"
 "$fogcomp" paper --gyros 2 --models polynomial --epochs 200 --iterations 5 --figures figures --json >paper.json
 has_keys paper.json gyros rows raw_std_dph noise_floor_dph std_cut_bound "tables 6 pso_bp_std_printed_dph" \
   "tables 6 pso_bp_std_dph" "tables 0 denoised_mean_dph" "denoisers 5 truth_error_rms_dph" \

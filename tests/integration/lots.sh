@@ -23,7 +23,8 @@ for number in $(seq 1 12); do
   ((number == 9)) && options=(--effect temperature_rate:coefficient=0.9)
   simulate "gyros/$(printf 'G%02d' "$number")/run.csv" "$number" "${options[@]}"
 done
-simulate gyros/G03/holdout.csv 103 --profile reversed --effect "$(coefficient 3)" --effect thermal_hysteresis:width_dph=0.1
+simulate gyros/G03/holdout.csv 103 --profile reversed --effect "$(coefficient 3)" \
+  --effect thermal_hysteresis:width_dph=0.1
 simulate gyros/G05/holdout.csv 105 --profile reversed --effect "$(coefficient 5)" --effect bias:value_dph=0.854
 
 options=(--effects bias,bias_temperature,temperature_rate,temperature_rate_product,warm_up,polarization_ripple --jobs 2)

@@ -28,7 +28,8 @@ for words in "effects" "effects --json" "effects --markdown" man "completion bas
   "compare gyro.model run.csv --details" "compare gyro.model run.csv --json" "diagnose gyro.model run.csv --json" \
   "add gyro.model bias_temperature run.csv -o a.model" "history gyro.model" "history gyro.model --json" \
   "denoise run.csv -o d.csv --json" "export gyro.model -o g.h --json" "replay gyro.model run.csv -o o.bin --json" \
-  "apply gyro.model run.csv -o c.csv" "convert run.csv -o p.csv --json" "stream gyro.model run.csv -o i.bin" "batch lot -o results --effects bias --json"; do
+  "apply gyro.model run.csv -o c.csv" "convert run.csv -o p.csv --json" "stream gyro.model run.csv -o i.bin" \
+    "batch lot -o results --effects bias --json"; do
   # shellcheck disable=SC2086
   refused '^standard output: cannot be written' "$fogcomp" $words >/dev/full
 done
@@ -41,7 +42,8 @@ for words in "simulate -o kept" "simulate -o kept --hide truth.csv" "denoise run
   "fit run.csv -o kept --effects bias --report page.html" "info run.csv --report page.html" \
   "add gyro.model bias_temperature run.csv -o kept --report page.html"; do
   # shellcheck disable=SC2086
-  refused '^(kept|truth.csv|page.html): cannot be written \(File too large\)' bash -c "ulimit -f 8; exec \"\$@\"" - "$fogcomp" $words
+  refused '^(kept|truth.csv|page.html): cannot be written \(File too large\)' bash -c "ulimit -f 8; exec \"\$@\"" \
+    - "$fogcomp" $words
   [[ $(cat kept) == kept && ! -e page.html && ! -e truth.csv ]] || fail "written beyond the limit: $words"
 done
 
@@ -137,7 +139,8 @@ cmp stdout.csv piped.csv
 
 # Devices that never end are no recordings, models or profiles, whoever opens them.
 for device in /dev/zero /dev/urandom /dev/full; do
-  for words in "info $device" "fit $device -o kept --effects bias" "compare gyro.model $device" "compare $device run.csv" \
+  for words in "info $device" "fit $device -o kept --effects bias" "compare gyro.model $device" \
+    "compare $device run.csv" \
     "replay gyro.model $device -o kept" "simulate -o kept --profile $device"; do
     # shellcheck disable=SC2086
     refused "^$device: is a device that never ends" timeout 20 "$fogcomp" $words

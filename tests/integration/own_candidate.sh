@@ -24,11 +24,13 @@ grep -qF 'it looks like lag(dTdt,tau)^2' alone.txt || fail "the form: $(cat alon
 grep -q 'this describes it, it does not say what it is' alone.txt || fail "a description: $(cat alone.txt)"
 eval "\"$fogcomp\" $(sed -n 's/^  next: fogcomp //p' alone.txt)" >described.txt || fail "refused: $(cat described.txt)"
 "$fogcomp" diagnose gyro.model run.csv --json >alone.json
-[[ $(value alone.json forms 0 name) == 'lag(dTdt,tau)^2' && $(value alone.json forms 1 name) == 'lag(dTdt^2,tau)' ]] || fail "forms: $(cat alone.json)"
+[[ $(value alone.json forms 0 name) == 'lag(dTdt,tau)^2' &&
+  $(value alone.json forms 1 name) == 'lag(dTdt^2,tau)' ]] || fail "forms: $(cat alone.json)"
 
 # What does not describe it is not named.
 "$fogcomp" diagnose gyro.model run.csv --effect-expr 'burst = T*T*dTdt' >wrong.txt
-grep -q '^something is missing that no effect .* and no expression offered explains' wrong.txt || fail "$(cat wrong.txt)"
+grep -q '^something is missing that no effect .* and no expression offered explains' wrong.txt ||
+  fail "$(cat wrong.txt)"
 
 stress='stress = lag(dTdt^2, ?tau[60,3000])'
 "$fogcomp" diagnose gyro.model run.csv --effect-expr 'burst = T*T*dTdt' --effect-expr "$stress" >named.txt
@@ -46,7 +48,8 @@ next=$(sed -n 's/^  next: fogcomp //p' named.txt)
 eval "\"\$fogcomp\" $next --holdout second.csv --json" >add.json
 [[ $(value add.json accepted) == ON && $(value add.json effect) == stress ]] || fail "$(cat add.json)"
 awk -v before="$(value add.json runs 1 rms_before_dph)" -v after="$(value add.json runs 1 rms_after_dph)" \
-  'BEGIN { print "held out: " before " -> " after " deg/h rms"; exit !(after < 0.8 * before) }' || fail "$(cat add.json)"
+  'BEGIN { print "held out: " before " -> " after " deg/h rms"; exit !(after < 0.8 * before) }' ||
+    fail "$(cat add.json)"
 awk -v tau="$(value add.json parameters tau)" 'BEGIN { exit !(tau > 1300 && tau < 1700) }' || fail "$(cat add.json)"
 "$fogcomp" history NEW.model --json >history.json
 [[ $(value history.json steps 1 action) == "add $stress" ]] || fail "$(cat history.json)"

@@ -12,7 +12,8 @@ trap 'rm -rf "$copy"' EXIT
 cp -r "$source"/{CMakeLists.txt,CMakePresets.json,cmake,firmware,host_tools,linker,tests} "$copy"
 cd "$copy"
 export CCACHE_BASEDIR=$source
-cmake --preset host -DFOG_TESTS=ON -DFOG_WORKBENCH=OFF >log 2>&1 || { cat log; exit 1; } # the page's engine is for others
+cmake --preset host -DFOG_TESTS=ON -DFOG_WORKBENCH=OFF >log 2>&1 ||
+  { cat log; exit 1; } # the page's engine is for others
 
 # Blocks become numbered files, with their first line's words beside them.
 awk '/^```/ { if (inside) { inside = 0; next } inside = 1; n++; print substr($0, 4) > ("block" n ".kind"); next }

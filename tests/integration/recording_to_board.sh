@@ -22,6 +22,7 @@ rate=$("$fogcomp" info "$recording" --json | sed 's/.*"period_s":\([0-9.e+-]*\).
 "$fogcomp" export "$folder/gyro.model" -o "$folder/fog_model.h" --sample-rate "$rate" --output both
 "$fogcomp" replay "$folder/fog_model.h" "$recording" -o "$folder/expected.bin"
 "$fogcomp" stream "$folder/fog_model.h" "$recording" -o "$folder/in.bin"
-"$source/tests/target/header_matches_pc.sh" "$images" "$fogcomp" "$folder/fog_model.h" "$folder" "stm32f405 mps2_an386" \
+"$source/tests/target/header_matches_pc.sh" "$images" "$fogcomp" "$folder/fog_model.h" "$folder" \
+  "stm32f405 mps2_an386" \
   "$folder/in.bin"
 cmp "$folder/expected.bin" "$folder/expected_in.bin"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # reference_document.sh FOGCOMP SOURCE [--renew]: host_tools/REFERENCE.md has every command's usage and options as
-# `fogcomp help` says them, every JSON key that the code writes and none that it does not, and every key of a model file.
-# --renew writes usage and options anew.
+# `fogcomp help` says them, every JSON key that the code writes and none that it does not, and every key of a model
+# file. --renew writes usage and options anew.
 set -euo pipefail
 exec python3 - "$@" <<'EOF'
 import glob, re, subprocess, sys, textwrap

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# killer.sh TREE LIMITS MUTANT: tries a mutant ("NUMBER PLACE WHAT"; number 0: none) with the tests of LIMITS ("SECONDS TEST"
-# a line), built in TREE, and prints the first that fails, or takes more of a processor than that, or "survived"; then PLACE
-# and WHAT.
+# killer.sh TREE LIMITS MUTANT: tries a mutant ("NUMBER PLACE WHAT"; number 0: none) with the tests of LIMITS
+# ("SECONDS TEST" a line), built in TREE, and prints the first that fails, or takes more of a processor than that, or
+# "survived"; then PLACE and WHAT.
 set -euo pipefail
 tree=$(realpath "$1") limits=$(realpath "$2") mutant=$3
 golden=$(realpath "$(dirname "$0")/../golden")

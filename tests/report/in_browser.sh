@@ -22,11 +22,13 @@ if grep -q "^<p>No plots here" info.html; then
 fi
 effects=bias,bias_temperature
 "$fogcomp" fit run_degC.csv -o static.model --effects $effects >/dev/null
-"$fogcomp" fit run_degC.csv second.csv -o rate.model --effects $effects,temperature_rate --network 3 --report fit.html --json >fit.json
+"$fogcomp" fit run_degC.csv second.csv -o rate.model --effects $effects,temperature_rate --network 3 \
+  --report fit.html --json >fit.json
 "$fogcomp" compare rate.model run_degC.csv second.csv --report compare.html --json >compare.json
 "$fogcomp" compare static.model run_degC.csv --model rate.model --report models.html --json >models.json
 "$fogcomp" diagnose static.model run_degC.csv --max-effects 2 --report diagnose.html --json >diagnose.json
-"$fogcomp" add static.model temperature_rate run_degC.csv --holdout second.csv -o y.model --report add.html --json >add.json
+"$fogcomp" add static.model temperature_rate run_degC.csv --holdout second.csv -o y.model --report add.html \
+  --json >add.json
 "$fogcomp" paper --models polynomial --epochs 100 --iterations 3 --report paper.html >/dev/null
 
 # A lot with one gyro far off the others.
@@ -49,7 +51,8 @@ awk -F, -v OFS=, 'NR == 1 { print $0, "input_rate_dph", "light_power_uw"; next }
 "$fogcomp" compare static.model fast.csv --report fast_compare.html >/dev/null
 # With the workbench's engine, but for what is data: the recordings that it carries and the values of the plots.
 for page in *.html; do
-  bytes=$(grep -v -e '^<script type="text/plain" data-file=' -e '^<script type="application/json" id="plots">' $page | wc -c)
+  bytes=$(grep -v -e '^<script type="text/plain" data-file=' -e '^<script type="application/json" id="plots">' \
+    $page | wc -c)
   ((bytes < 2500000)) || { echo "$page is $bytes bytes" >&2; exit 1; }
   values=$(grep '^<script type="application/json" id="plots">' $page | wc -c)
   ((values < 1000000)) || { echo "$page has $values bytes of values to plot" >&2; exit 1; }

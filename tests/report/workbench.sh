@@ -56,4 +56,5 @@ made=$(sed -n '$ s/.* -o \([^ ]*\).*/\1/p' ../commands.txt)
 "$fogcomp" apply "$made" run.csv -o made.csv >/dev/null
 "$fogcomp" history "$made" --report made.html >/dev/null 2>&1
 cd ..
-node "$here/compare_outputs.mjs" page.model "shell/$made" page.h shell/made.h page.csv shell/made.csv page.html shell/made.html
+node "$here/compare_outputs.mjs" page.model "shell/$made" page.h shell/made.h page.csv shell/made.csv page.html \
+  shell/made.html

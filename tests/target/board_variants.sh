@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# board_variants.sh SOURCE IMAGES FOGCOMP DS18B20 UART.in DIR: every choice of the STM32F405 build makes an image that keeps the
-# rules, and the default image holds nothing of those it did not choose. What the emulator lacks (DMA, converter) must
-# not stop a board: without its sensor it answers every sample, and marks none valid. A DS18B20 at USART 6 it believes.
-# Another board with the same chip, and with a clock for resets, sends the same bytes, on its own port; a board that is not there is refused.
+# board_variants.sh SOURCE IMAGES FOGCOMP DS18B20 UART.in DIR: every choice of the STM32F405 build makes an image
+# that keeps the rules, and the default image holds nothing of those it did not choose. What the emulator lacks (DMA,
+# converter) must not stop a board: without its sensor it answers every sample, and marks none valid. A DS18B20 at
+# USART 6 it believes. Another board with the same chip, and with a clock for resets, sends the same bytes, on its
+# own port; a board that is not there is refused.
 set -euo pipefail
 source=$1 images=$2 fogcomp=$3 ds18b20=$4 input=$5 folder=$6
 mkdir -p "$folder"
@@ -19,7 +20,8 @@ build() {
   local header=$source/firmware/model/fog_model.h
   [[ $2 == stream ]] || header=$images/lenient/fog_model.h
   image=$folder/$1_$2.elf
-  "$source/tests/target/build_variant.sh" "$images" stm32f405 fogcomp "$image" -DFOG_OUTPUT="$1" -DFOG_TEMPERATURE="$2" \
+  "$source/tests/target/build_variant.sh" "$images" stm32f405 fogcomp "$image" \
+    -DFOG_OUTPUT="$1" -DFOG_TEMPERATURE="$2" \
     -DFOG_MODEL_HEADER="$header"
   "$source/tests/budget/forbidden_symbols.sh" "$image"
   echo "$1, $2: $(arm-none-eabi-size "$image" | awk 'NR == 2 { print $1 + $2 }') bytes of flash"
@@ -59,7 +61,8 @@ fi
 grep -q "has no output_dma" "$folder/refused.log"
 
 for platform in stm32f405 mps2_an386; do
-  if cmake -S "$source" -B "$folder/refused_$platform" --preset "$platform" -DFOG_BOARD=none >"$folder/refused.log" 2>&1; then
+  if cmake -S "$source" -B "$folder/refused_$platform" --preset "$platform" -DFOG_BOARD=none >"$folder/refused.log" \
+    2>&1; then
     echo "$platform was built for a board that is not there" >&2
     exit 1
   fi

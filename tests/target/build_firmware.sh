@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# build_firmware.sh PLATFORM IMAGES [HEADER]: brings the images of the checked-in model, or of HEADER, up to date in IMAGES/PLATFORM,
-# so that the tests boot what the sources say. A tree of their own: build/PLATFORM may hold the image
+# build_firmware.sh PLATFORM IMAGES [HEADER]: brings the images of the checked-in model, or of HEADER, up to date in
+# IMAGES/PLATFORM, so that the tests boot what the sources say. A tree of their own: build/PLATFORM may hold the image
 # of somebody's gyro.
 set -euo pipefail
 platform=$1 images=$2 header=${3:+-DFOG_MODEL_HEADER=$3}

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# flip_bits_bite.sh PROGRAMS MACHINE ELF: the programs of flip_bits.sh see a board that is none the worse: a bit behind the image
-# belongs to nothing, and both must say that it changed nothing.
+# flip_bits_bite.sh PROGRAMS MACHINE ELF: the programs of flip_bits.sh see a board that is none the worse: a bit
+# behind the image belongs to nothing, and both must say that it changed nothing.
 set -euo pipefail
 programs=$1 machine=$2 elf=$3
 end=0x$(arm-none-eabi-nm "$elf" | awk '$3 == "fog_image_end" { print $1 }')

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# generic_cost.sh IMAGES FOGCOMP MAKE_MODEL DIR IN.bin: what an image built for one gyro and the generic one take for the same
-# models: flash, RAM, instructions of 16 bytes of the sensor stream; IN.bin for a small model, a recording with all inputs for one with
-# all effects, a network and expressions.
+# generic_cost.sh IMAGES FOGCOMP MAKE_MODEL DIR IN.bin: what an image built for one gyro and the generic one take for
+# the same models: flash, RAM, instructions of 16 bytes of the sensor stream; IN.bin for a small model, a recording
+# with all inputs for one with all effects, a network and expressions.
 set -euo pipefail
 images=$1 fogcomp=$2 make_model=$3 folder=$4 input=$5
 here=$(realpath "$(dirname "$0")")
 mkdir -p "$folder"
 "$make_model" "$folder/small.model" 2 bias bias_temperature temperature_rate
-"$make_model" "$folder/all.model" 4 all 'burst=T*T*dTdt' 'late=lag(T,300)-play(T,?r[2,9])' 'start=exp(-t/1200)*sin(T2/9)'
+"$make_model" "$folder/all.model" 4 all 'burst=T*T*dTdt' 'late=lag(T,300)-play(T,?r[2,9])' \
+  'start=exp(-t/1200)*sin(T2/9)'
 generic=$images/generic/stm32f405
 
 # cost NAME ELF
@@ -21,13 +22,15 @@ cost() {
 printf 'start 20 degC\nsoak 5 min\n' >"$folder/rest.profile"
 head -c 640000 "$input" >"$folder/small_inputs.bin"
 input=$folder/small_inputs.bin
-"$fogcomp" simulate -o "$folder/run.csv" --profile "$folder/rest.profile" --preset paper --rate 200 --columns all --latitude 34 >/dev/null
+"$fogcomp" simulate -o "$folder/run.csv" --profile "$folder/rest.profile" --preset paper --rate 200 --columns all \
+  --latitude 34 >/dev/null
 for model in small all; do
   options=(--extension --allow-error)
   "$fogcomp" export "$folder/$model.model" -o "$folder/$model.h" "${options[@]}" >/dev/null
   "$fogcomp" export "$folder/$model.model" --format table -o "$folder/$model.bin" "${options[@]}" >/dev/null
   for target in fogcomp sample_cost; do
-    "$here/build_variant.sh" "$images" stm32f405 "$target" "$folder/$model.$target.elf" -DFOG_MODEL_HEADER="$(realpath "$folder/$model.h")"
+    "$here/build_variant.sh" "$images" stm32f405 "$target" "$folder/$model.$target.elf" \
+      -DFOG_MODEL_HEADER="$(realpath "$folder/$model.h")"
   done
   if [[ $model == all ]]; then
     "$fogcomp" stream "$folder/all.h" "$folder/run.csv" -o "$folder/whole.bin" >/dev/null

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# generic_image.sh MACHINE FLASH IMAGES FOGCOMP MAKE_MODEL DIR: the generic image of the folder IMAGES, with the tables of several
-# models in the slots of the flash that begins at FLASH, sends what `fogcomp replay` of the model does, to the byte: every effect,
-# expression and network input; a denoiser of six levels; none. It uses the newest intact table that it has room for, and with
-# none answers every sample with a rate that is not valid.
+# generic_image.sh MACHINE FLASH IMAGES FOGCOMP MAKE_MODEL DIR: the generic image of the folder IMAGES, with the
+# tables of several models in the slots of the flash that begins at FLASH, sends what `fogcomp replay` of the model
+# does, to the byte: every effect, expression and network input; a denoiser of six levels; none. It uses the newest
+# intact table that it has room for, and with none answers every sample with a rate that is not valid.
 set -euo pipefail
 machine=$1 flash=$2 images=$(realpath "$3") fogcomp=$4 make_model=$5 folder=$6
 here=$(realpath "$(dirname "$0")")
@@ -10,7 +10,8 @@ mkdir -p "$folder"
 folder=$(realpath "$folder")
 slots=($((flash + 48 * 1024)) $((flash + 64 * 1024)))
 
-"$make_model" "$folder/all.model" 4 all 'burst=T*T*dTdt' 'late=lag(T,300)-play(T,?r[2,9])' 'start=exp(-t/1200)*sin(T2/9)'
+"$make_model" "$folder/all.model" 4 all 'burst=T*T*dTdt' 'late=lag(T,300)-play(T,?r[2,9])' \
+  'start=exp(-t/1200)*sin(T2/9)'
 "$fogcomp" simulate -o "$folder/run.csv" --rate 2 --columns all --latitude 34
 board=(--extension --output both --sample-rate 2 --allow-error)
 fit() { "$fogcomp" fit "$folder/run.csv" -o "$folder/$1.model" --effects bias,temperature_rate "${@:2}" >/dev/null; }
@@ -19,7 +20,8 @@ fit none --levels 0
 for name in all six none; do
   "$fogcomp" export "$folder/$name.model" -o "$folder/$name.h" "${board[@]}" >/dev/null
   for sequence in 1 2; do
-    "$fogcomp" export "$folder/$name.model" --format table -o "$folder/$name$sequence.bin" --sequence "$sequence" "${board[@]}" >/dev/null
+    "$fogcomp" export "$folder/$name.model" --format table -o "$folder/$name$sequence.bin" \
+      --sequence "$sequence" "${board[@]}" >/dev/null
   done
 done
 "$fogcomp" stream "$folder/all.h" "$folder/run.csv" -o "$folder/whole.bin"
@@ -49,7 +51,8 @@ expect "the newest, in slot 0" all "$folder/all2.bin" "$folder/six1.bin"
 expect "the newest, in slot 1" six "$folder/all1.bin" "$folder/six2.bin"
 head -c 300 "$folder/six2.bin" >"$folder/cut.bin"
 expect "the newest is cut off" all "$folder/all1.bin" "$folder/cut.bin"
-"$fogcomp" export "$folder/six.model" --format table -o "$folder/bound.bin" --sequence 3 --uid 00340051573550122032394d "${board[@]}" >/dev/null
+"$fogcomp" export "$folder/six.model" --format table -o "$folder/bound.bin" --sequence 3 \
+  --uid 00340051573550122032394d "${board[@]}" >/dev/null
 expect "the newest is of another board" all "$folder/all1.bin" "$folder/bound.bin"
 
 sends - -

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# health_answer.sh MACHINE ELF FOGCOMP IN.bin DIR: the product image, asked by `fogcomp health` on its output port while it
-# answers the sensor stream IN.bin, tells how it is, between its frames; and an image with a flipped bit says that it is damaged.
+# health_answer.sh MACHINE ELF FOGCOMP IN.bin DIR: the product image, asked by `fogcomp health` on its output port
+# while it answers the sensor stream IN.bin, tells how it is, between its frames; and an image with a flipped bit
+# says that it is damaged.
 set -euo pipefail
 machine=$1 elf=$2 fogcomp=$3 input=$4 folder=$5
 mkdir -p "$folder"

@@ -13,7 +13,8 @@ ask() {
   local name=$1
   shift
   "$fogcomp" export "$folder/one.model" -o "$folder/$name.h" --invalid none "$@" >/dev/null
-  "$here/build_variant.sh" "$images" "$platform" fogcomp "$folder/$name.elf" -DFOG_MODEL_HEADER="$(realpath "$folder/$name.h")"
+  "$here/build_variant.sh" "$images" "$platform" fogcomp "$folder/$name.elf" \
+    -DFOG_MODEL_HEADER="$(realpath "$folder/$name.h")"
   rm -f "$scratch"/{output,sensor.in,sensor.out}
   mkfifo "$scratch/sensor.in" "$scratch/sensor.out"
   : >"$scratch/console"
@@ -49,6 +50,7 @@ ask bound --serial FOG-0043 --uid 00340051573550122032394d
 expect bound.console '^model 0x0{8}: of another board$'
 expect bound.json '"healthy":false'
 expect bound.json '"model_finding":"ofanotherboard"'
-[[ $(sed -nE 's/.*"samples":([0-9]+),"invalid_rates":([0-9]+).*/\1 \2/p' "$folder/bound.json") =~ ^([1-9][0-9]*)\ ([0-9]+)$ ]]
+[[ $(sed -nE 's/.*"samples":([0-9]+),"invalid_rates":([0-9]+).*/\1 \2/p' "$folder/bound.json") =~ \
+  ^([1-9][0-9]*)\ ([0-9]+)$ ]]
 ((BASH_REMATCH[1] == BASH_REMATCH[2])) || { echo "a rate was valid" >&2; exit 1; }
 ! grep -q "\"image_seal\":\"$seal\"" "$folder/bound.json"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# kvh_commands.sh MACHINE PLATFORM IMAGES FOGCOMP MAKE_MODEL IN.bin DIR: an image whose header says so answers the lines that
-# drivers of KVH's gyros send, and sends no frames in the configuration mode.
+# kvh_commands.sh MACHINE PLATFORM IMAGES FOGCOMP MAKE_MODEL IN.bin DIR: an image whose header says so answers the
+# lines that drivers of KVH's gyros send, and sends no frames in the configuration mode.
 set -euo pipefail
 machine=$1 platform=$2 images=$3 fogcomp=$4 make_model=$5 input=$6 folder=$7
 here=$(realpath "$(dirname "$0")")
@@ -16,7 +16,8 @@ mkfifo "$scratch"/{user,sensor}.{in,out}
 : >"$scratch/console"
 cat "$scratch/user.out" >"$scratch/sent" &
 timeout --kill-after=1 60 qemu-system-arm -M "$machine" -display none -monitor none -serial "pipe:$scratch/user" \
-  -serial "pipe:$scratch/sensor" -serial "file:$scratch/console" -kernel "$folder/fogcomp.elf" </dev/null >"$scratch/log" 2>&1 &
+  -serial "pipe:$scratch/sensor" -serial "file:$scratch/console" -kernel "$folder/fogcomp.elf" </dev/null \
+    >"$scratch/log" 2>&1 &
 exec 7<>"$scratch/user.in" 8<>"$scratch/sensor.in"
 
 patience_s=30
@@ -31,7 +32,8 @@ say() {
   [[ ${2-} ]] || { sleep 0.5; return; }
   bytes=$((bytes + ${#2} + 2))
   wait_for has_sent "$bytes"
-  [[ $(tail -c "$((${#2} + 2))" "$scratch/sent") == "$2"$'\r' ]] || { echo "to $1: $(tail -c 40 "$scratch/sent")" >&2; exit 1; }
+  [[ $(tail -c "$((${#2} + 2))" "$scratch/sent") == "$2"$'\r' ]] ||
+    { echo "to $1: $(tail -c 40 "$scratch/sent")" >&2; exit 1; }
 }
 frames() { wait_for has_sent $((bytes += 36 * $1)); }
 
@@ -47,5 +49,6 @@ sleep 0.5
 say '=CONFIG,0'
 samples 40
 frames 20
-(($(stat -c %s "$scratch/sent") == bytes)) || { echo "$(stat -c %s "$scratch/sent") bytes sent, not $bytes" >&2; exit 1; }
+(($(stat -c %s "$scratch/sent") == bytes)) ||
+  { echo "$(stat -c %s "$scratch/sent") bytes sent, not $bytes" >&2; exit 1; }
 echo "$machine: $bytes bytes sent as expected"

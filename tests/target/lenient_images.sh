@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# lenient_images.sh IMAGES MAKE_MODEL: the product images of the checked-in model, but for the flags that make a rate not
-# valid: IMAGES/lenient/PLATFORM.elf and fog_model.h. They mark rates valid from the first second on, for tests that
+# lenient_images.sh IMAGES MAKE_MODEL: the product images of the checked-in model, but for the flags that make a rate
+# not valid: IMAGES/lenient/PLATFORM.elf and fog_model.h. They mark rates valid from the first second on, for tests that
 # look for such frames.
 set -euo pipefail
 images=$1 make_model=$2

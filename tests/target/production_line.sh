@@ -103,7 +103,8 @@ refuses 'is of gyro FOG-0043, and the board.s table of FOG-0042' results/tables/
 old=$(sheet FOG-0042)
 run 1
 [[ $(sheet FOG-0042) != "$old" ]]
-[[ $(cut -d, -f 1,2 results/history/tables.csv | tr '\n' ' ') == 'gyro,sequence "FOG-0042",1 "FOG-0043",1 "FOG-0042",2 ' ]]
+[[ $(cut -d, -f 1,2 results/history/tables.csv |
+  tr '\n' ' ') == 'gyro,sequence "FOG-0042",1 "FOG-0043",1 "FOG-0042",2 ' ]]
 for command in 2 3; do run $command; done
 grep -qE "^slot 0 +good, sequence 1, model CRC-32 $old, .*, of gyro FOG-0042$" said.txt
 grep -qE "^slot 1 +good, sequence 2, model CRC-32 $(sheet FOG-0042), .*, of gyro FOG-0042: in use$" said.txt

@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
-# restart_keeps_state.sh PROGRAM MACHINE PLATFORM IMAGES FOGCOMP MAKE_MODEL DIR: a board with slow lags that its self-test
-# restarts in the middle of a recording goes on as if nothing had happened, but for the samples that it did not see.
+# restart_keeps_state.sh PROGRAM MACHINE PLATFORM IMAGES FOGCOMP MAKE_MODEL DIR: a board with slow lags that its
+# self-test restarts in the middle of a recording goes on as if nothing had happened, but for the samples that it did
+# not see.
 set -euo pipefail
 program=$1 machine=$2 platform=$3 images=$4 fogcomp=$5 make_model=$6 folder=$7
 here=$(realpath "$(dirname "$0")")
 mkdir -p "$folder"
 "$make_model" "$folder/slow.model" 0 bias temperature_rate shupe warm_up 'late=lag(T,200)-T'
-"$fogcomp" export "$folder/slow.model" -o "$folder/slow.h" --sample-rate 2 --output compact --invalid none --allow-error >/dev/null
-"$here/build_variant.sh" "$images" "$platform" fogcomp "$folder/fogcomp.elf" -DFOG_MODEL_HEADER="$(realpath "$folder/slow.h")"
+"$fogcomp" export "$folder/slow.model" -o "$folder/slow.h" --sample-rate 2 --output compact --invalid none \
+  --allow-error >/dev/null
+"$here/build_variant.sh" "$images" "$platform" fogcomp "$folder/fogcomp.elf" \
+  -DFOG_MODEL_HEADER="$(realpath "$folder/slow.h")"
 "$fogcomp" simulate -o "$folder/run.csv" --rate 2 --seed 3
 "$fogcomp" stream "$folder/slow.h" "$folder/run.csv" -o "$folder/whole.bin"
 head -c 80000 "$folder/whole.bin" >"$folder/in.bin"

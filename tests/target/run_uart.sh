@@ -35,8 +35,8 @@ poll_for() {
 is_ready() { grep -q ready "$output.console"; }
 is_complete() { (($(stat -c %s "$output") >= expected_bytes)); }
 
-# Serial ports 0 to 5 are USART 1 to 6 of the STM32, 0 to 2 UART 0 to 2 of the MPS2: output, sensor, console, or on another
-# board sensor, console and, further back, output. `timeout` ends QEMU even if this script is killed outright.
+# Serial ports 0 to 5 are USART 1 to 6 of the STM32, 0 to 2 UART 0 to 2 of the MPS2: output, sensor, console, or on
+# another board sensor, console and, further back, output. `timeout` ends QEMU even if this script is killed outright.
 mkfifo "$scratch/sensor.in" "$scratch/sensor.out"
 : >"$output"
 : >"$output.console"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# rv32_matches_pc.sh IMAGES FOGCOMP IN.bin MAKE_VECTORS GOLDEN DIR: compiled for RV32, on QEMU's virt machine, the bulk image
-# and the product send what fogcomp replay predicts, to the byte; the core's checks find what they find elsewhere; a crash
-# ends in a restart that says so. Skipped without the second cross compiler or emulator: it is no board of ours, but what
-# holds on a third instruction set is the code's own doing.
+# rv32_matches_pc.sh IMAGES FOGCOMP IN.bin MAKE_VECTORS GOLDEN DIR: compiled for RV32, on QEMU's virt machine, the
+# bulk image and the product send what fogcomp replay predicts, to the byte; the core's checks find what they find
+# elsewhere; a crash ends in a restart that says so. Skipped without the second cross compiler or emulator: it is no
+# board of ours, but what holds on a third instruction set is the code's own doing.
 set -euo pipefail
 images=$1 fogcomp=$2 input=$3 make_vectors=$4 golden=$5 folder=$6
 here=$(realpath "$(dirname "$0")")

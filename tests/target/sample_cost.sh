@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# sample_cost.sh ELF DIR MOST IN.bin...: no 16 bytes in a row of these sensor streams, which is what comes in the time of a
-# sample, cost the board more than MOST instructions, all stages, frames, health and self-test included. QEMU counts one
-# tick of the timer per instruction; they are not cycles. FOG_TABLE: of the generic image, ADDRESS=FILE.
+# sample_cost.sh ELF DIR MOST IN.bin...: no 16 bytes in a row of these sensor streams, which is what comes in the
+# time of a sample, cost the board more than MOST instructions, all stages, frames, health and self-test included.
+# QEMU counts one tick of the timer per instruction; they are not cycles. FOG_TABLE: of the generic image, ADDRESS=FILE.
 set -euo pipefail
 elf=$(realpath "$1") folder=$2 max=$3
 shift 3

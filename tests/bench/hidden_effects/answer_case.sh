@@ -21,7 +21,8 @@ ask() {
 # knows COMMAND WORD: whether the command's help has that word. Features that the tool lacks are not tested.
 knows() { [[ $("$fogcomp" "$1" --help 2>&1) == *"$2"* ]]; }
 
-if ask fit "$fogcomp" fit "${recordings[@]}" -o "$answers/declared.model" --effects "$(<"$runs/effects.txt")" --json; then
+if ask fit "$fogcomp" fit "${recordings[@]}" -o "$answers/declared.model" --effects "$(<"$runs/effects.txt")" \
+  --json; then
   TIMEFORMAT='%U'
   { time ask diagnosis "$fogcomp" diagnose "$answers/declared.model" "${recordings[@]}" --json || true; } \
     2>"$answers/seconds.txt"
@@ -40,10 +41,12 @@ if ask fit "$fogcomp" fit "${recordings[@]}" -o "$answers/declared.model" --effe
     echo "$status" >"$answers/typed.txt"
   fi
   if grep -qw loop "$runs/request.txt" && knows diagnose --max-effects; then
-    ask loop "$fogcomp" diagnose "$answers/declared.model" "${recordings[@]}" --max-effects 4 -o "$answers/loop.model" --json || true
+    ask loop "$fogcomp" diagnose "$answers/declared.model" "${recordings[@]}" --max-effects 4 \
+      -o "$answers/loop.model" --json || true
     if [[ -f $runs/unseen.csv ]]; then
       ask before "$fogcomp" compare "$answers/declared.model" "$runs/unseen.csv" --json || true
-      [[ ! -f $answers/loop.model ]] || ask after "$fogcomp" compare "$answers/loop.model" "$runs/unseen.csv" --json || true
+      [[ ! -f $answers/loop.model ]] || ask after "$fogcomp" compare "$answers/loop.model" "$runs/unseen.csv" \
+        --json || true
     fi
   fi
 fi

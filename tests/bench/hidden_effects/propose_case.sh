@@ -16,7 +16,8 @@ if [[ ! $proposed ]]; then
 fi
 
 others=()
-for programme in paper reversed random_steps minor_loops ramp_rates power_cycles axis_flips rate_table heater_pulses field_and_vibration long_soak; do
+for programme in paper reversed random_steps minor_loops ramp_rates power_cycles axis_flips rate_table heater_pulses \
+  field_and_vibration long_soak; do
   [[ $programme == "$proposed" ]] || others+=("$programme")
 done
 drawn=${others[$(($(cksum <<<"$id" | cut -d' ' -f1) % ${#others[@]}))]}
@@ -30,7 +31,8 @@ more_of() {
   ln "$runs"/run*.csv "$runs/effects.txt" "$more"
   echo once >"$more/request.txt"
   # The gyro of the first run, with another seed of its noise.
-  read -ra words < <(sed -nE "s/^run1 --profile [a-z_]+ --seed ([0-9]+)/--profile $2 --seed 9\1/p" "$truth/simulate.txt")
+  read -ra words < <(sed -nE "s/^run1 --profile [a-z_]+ --seed ([0-9]+)/--profile $2 --seed 9\1/p" \
+    "$truth/simulate.txt")
   [[ $2 == axis_flips && " ${words[*]} " != *" --latitude "* ]] && words+=(--latitude 34.27)
   "$fogcomp" simulate -o "$more/run9.csv" "${words[@]}" >"$truth/said.txt"
   echo "$key $2" >"$more.key"

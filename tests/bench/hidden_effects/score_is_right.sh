@@ -59,13 +59,15 @@ expect() {
 
 scored oracle
 sed -n '/^| measure/,/^$/p' "$scratch/oracle.txt"
-for measure in single_name_right in_set_0.2 in_set_0.35 in_set_0.6 single_right_0.6 unknown_0.7_all unknown_2_all both_found_all; do
+for measure in single_name_right in_set_0.2 in_set_0.35 in_set_0.6 single_right_0.6 unknown_0.7_all unknown_2_all \
+  both_found_all; do
   expect $measure 1
 done
 for measure in clean_named clean_not_none superfluous calibration failed; do expect $measure 0; done
 
 scored always_none
-for measure in clean_named clean_not_none in_set_0.2 in_set_0.6 single_right_0.6 unknown_0.7_all both_found_all superfluous; do
+for measure in clean_named clean_not_none in_set_0.2 in_set_0.6 single_right_0.6 unknown_0.7_all both_found_all \
+  superfluous; do
   expect $measure 0
 done
 
@@ -78,7 +80,8 @@ grep -q 'light_power for (clean)' "$scratch/always_light.txt"
 # The answering side's data do not name the hidden effect.
 for id in "${ids[@]}"; do
   for file in "$scratch/runs/$id"/*; do
-    [[ ${file##*/} =~ ^(run[1-9]\.csv|unseen\.csv|effects\.txt|request\.txt)$ ]] || { echo "$file: for whom?" >&2; exit 1; }
+    [[ ${file##*/} =~ ^(run[1-9]\.csv|unseen\.csv|effects\.txt|request\.txt)$ ]] ||
+      { echo "$file: for whom?" >&2; exit 1; }
   done
   ! grep -l '^#' "$scratch/runs/$id"/*.csv || { echo "$id: a recording has comments" >&2; exit 1; }
 done
