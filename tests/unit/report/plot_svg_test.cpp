@@ -39,7 +39,7 @@ TEST(PlotSvg, NoSpikeOfALongCurveIsLost) {
 }
 
 TEST(PlotSvg, AGapBreaksTheCurve) {
-  const std::string svg = plot_svg(plot_of({0, 1, 2, 3, 4}, {1, 2, NAN, 2, 1}));
+  const std::string svg = plot_svg(plot_of({0, 1, 2, 3, 4}, {1, 2, std::nan(""), 2, 1}));
   const std::size_t begin = svg.rfind("<path d=\"");
   const std::string path = svg.substr(begin, svg.find('"', begin + 9) - begin);
   EXPECT_EQ(occurrences(path, "M"), 2U) << path;
