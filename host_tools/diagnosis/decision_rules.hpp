@@ -8,7 +8,6 @@
 /// is tests/bench/hidden_effects; "clean gyros" its faultless cases and
 /// tests/integration/diagnose.sh). Constants that only define a search grid or its cost are next to
 /// their use.
-/// they are used.
 namespace fogcomp::diagnosis::rules {
 
 // ---- Is there anything beside noise? ----------------------------------------------------------

@@ -20,9 +20,8 @@ struct ValuesInTime {
 /// Finds outliers: one to three rows that deviate from the rows before and after, in the same
 /// direction,
 ///   * by more than 4 sigma of white noise, or by what noise alone exceeds in every second
-///   recording
-///     of this length, whichever is more (Chauvenet's criterion); sigma from second differences of
-///     the whole recording or of the 50 rows around, whichever is larger;
+///     recording of this length, whichever is more (Chauvenet's criterion); sigma from second
+///     differences of the whole recording or of the 50 rows around, whichever is larger;
 ///   * and by more than 3 times the scatter of those neighbours about their median; at the end of a
 ///     stretch, 3 times their range.
 /// The second condition keeps curves, corners, decays and oscillations of any size; the local sigma

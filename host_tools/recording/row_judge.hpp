@@ -32,8 +32,7 @@ struct RefusedRow {
 ///    by more than 12 degC/min.
 ///  * The first readings are judged backwards from the first one that its successor confirms.
 ///  * An excursion that the board would accept in the end is refused from its start if it ends
-///  within
-///    10 min faster than a coil can change.
+///    within 10 min faster than a coil can change.
 /// A recording with 85 degC only is a soak.
 std::vector<RefusedRow> refused_rows(const Recording& recording, const GyroLimits& limits);
 

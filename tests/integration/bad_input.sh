@@ -455,7 +455,6 @@ refuses "^--mask '9\.\.5': ends before it begins" compare good.model good.csv --
 refuses "^--mask: names other\.csv, which is none of the runs" diagnose good.model good.csv --mask other.csv:5..9
 refuses "^good\.csv: is masked from end to end" add good.model shupe good.csv -o kept --mask 0..1e9
 refuses "has no recording to fit to|built without" workbench good.model -o kept
-refuses "has the name of another file|built without" workbench good.csv ./good.csv -o kept
 refuses "missing\.csv|built without" workbench missing.csv -o kept
 refuses "look swapped: fogcomp workbench good\.model good\.csv" workbench good.csv good.model -o kept
 

@@ -47,7 +47,6 @@ struct InputDescription {
   /// 500 kHz. 1e-5 degC is below half an LSB of the sensor stream (2^-16 degC), and 1e-6 deg/h
   /// below a thousandth of its rate LSB (2^-10 deg/h), so stream -> CSV -> stream restores the
   /// counts.
-  /// counts.
   int decimals;
   /// Lowest possible value; below it is a wrong unit, or a mark for "no value" such as -999.
   std::int64_t min_milli;
