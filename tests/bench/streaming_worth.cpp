@@ -1,5 +1,5 @@
 // Effect of the board's denoiser on noise and on real rotation at 200 Hz: the tables of
-// firmware/core/denoise/SPEC.md. `streaming_worth [MEMS.csv]` adds a real recording.
+// firmware/core/denoise/BOUNDS.md. `streaming_worth [MEMS.csv]` adds a real recording.
 #include <algorithm>
 #include <cmath>
 #include <complex>

@@ -11,7 +11,7 @@
 namespace fog::test {
 
 /// The streaming denoiser in double precision, soft thresholds, written from
-/// firmware/core/denoise/SPEC.md only: the same result, deg/h, by different means.
+/// firmware/core/denoise/BOUNDS.md only: the same result, deg/h, by different means.
 class RealDenoiser {
  public:
   static constexpr std::size_t kBlock = 128;
