@@ -72,16 +72,16 @@ const char* without_scripts(const PageContent& content) {
 
 // What draws, for a page that has something to draw.
 Parts script_parts(const PageContent& content) {
-  const std::vector<EmbeddedFile>& basis = plot_library_files();
+  const std::vector<EmbeddedFile>& library = plot_library_files();
   const std::string& style = file_of(page_files(), "style");
   const bool has_bench = content.bench != nullptr;
-  if (basis.empty() || !(content.draws || has_bench)) {
+  if (library.empty() || !(content.draws || has_bench)) {
     return {{"style", style}, {"licence", ""}, {"library", ""}, {"script", ""}};
   }
-  return {{"style", file_of(basis, "style") + style +
+  return {{"style", file_of(library, "style") + style +
                         (has_bench ? file_of(workbench_files(), "style") : "")},
-          {"licence", file_of(basis, "licence")},
-          {"library", file_of(basis, "script")},
+          {"licence", file_of(library, "licence")},
+          {"library", file_of(library, "script")},
           {"script", file_of(page_files(), "drawing") +
                          (content.draws ? file_of(page_files(), "plots") : "") +
                          (has_bench ? workbench_script() : "")}};

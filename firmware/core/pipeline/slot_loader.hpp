@@ -43,7 +43,7 @@ template <class Flash>
 class SlotLoader {
  public:
   SlotLoader(Flash& flash, const LoadTarget& target, const ModelShape& capacity)
-      : flash_(flash), target_(target), room_(capacity) {}
+      : flash_(flash), target_(target), capacity_(capacity) {}
 
   LoadAnswer take(const LoadMessage& message, bool strap_closed) {
     return {message.step, strap_closed ? step(message) : LoadRefusal::strap_open, next_};
@@ -92,7 +92,7 @@ class SlotLoader {
   LoadRefusal end() {
     if (has_ended_) return LoadRefusal::none;
     if (next_ == 0 || next_ != total_) return LoadRefusal::not_expected;
-    const LoadRefusal refusal = refusal_of_body(flash_.memory(target_.slot()), room_);
+    const LoadRefusal refusal = refusal_of_body(flash_.memory(target_.slot()), capacity_);
     if (refusal != LoadRefusal::none) return refusal;
     const auto magic = static_cast<std::uint32_t>(kSlotMagic);
     if (!flash_.program(target_.slot(), 0, &magic, 1) || !holds(0, &magic, 1)) {
@@ -121,7 +121,7 @@ class SlotLoader {
 
   Flash& flash_;
   LoadTarget target_;
-  const ModelShape& room_;
+  const ModelShape& capacity_;
   std::uint32_t total_ = 0;  // words of the slot to be loaded
   std::uint32_t next_ = 0;   // words written so far; 0: a `begin` is needed
   bool has_begun_ = false;

@@ -306,15 +306,15 @@ void expect_same_bytes(const fogcomp::model::Model& model) {
   fog::ModelParameters parameters;
   ASSERT_EQ(fog::read_model(table.span(), Image::capacity, parameters), fog::ModelError::none);
   Image image(parameters, fog::IntegrityToken::not_needed());
-  fogcomp::board::HostCompensator any_bytes(parameters, fog::IntegrityToken::not_needed());
+  fogcomp::board::HostCompensator full(parameters, fog::IntegrityToken::not_needed());
   std::uint8_t from_image[fog::kMaxOutputBytes];
-  std::uint8_t from_any[fog::kMaxOutputBytes];
+  std::uint8_t from_full[fog::kMaxOutputBytes];
   std::size_t sent = 0;
   const auto feed = [&](const auto& frame) {
     for (const std::uint8_t byte : frame) {
       const std::size_t size = image.feed(byte, from_image);
-      ASSERT_EQ(any_bytes.feed(byte, from_any), size);
-      ASSERT_TRUE(std::equal(from_image, from_image + size, from_any)) << sent;
+      ASSERT_EQ(full.feed(byte, from_full), size);
+      ASSERT_TRUE(std::equal(from_image, from_image + size, from_full)) << sent;
       sent += size;
     }
   };
@@ -326,7 +326,7 @@ void expect_same_bytes(const fogcomp::model::Model& model) {
   }
   EXPECT_EQ(sent, 2000U * fog::kMaxOutputBytes);
   EXPECT_EQ(image.discarded_bytes(), 3U * 8);
-  EXPECT_EQ(any_bytes.discarded_bytes(), 3U * 8);
+  EXPECT_EQ(full.discarded_bytes(), 3U * 8);
 }
 
 constexpr fog::EffectMask kThreeEffects = 0x7;
@@ -351,14 +351,14 @@ void expect_room_for_its_own_frames_alone(fog::OutputSelection other) {
       fogcomp::board::make_board_table(fog::test::paper_like_model(), {200, kOutput});
   ASSERT_EQ(fog::read_model(table.span(), Image::capacity, parameters), fog::ModelError::none);
   Image image(parameters, fog::IntegrityToken::not_needed());
-  fogcomp::board::HostCompensator any_bytes(parameters, fog::IntegrityToken::not_needed());
+  fogcomp::board::HostCompensator full(parameters, fog::IntegrityToken::not_needed());
   std::uint8_t from_image[fog::kMaxOutputBytes];
-  std::uint8_t from_any[fog::kMaxOutputBytes];
+  std::uint8_t from_full[fog::kMaxOutputBytes];
   const auto frame = fog::encode_sensor_frame({1, 700, 20 * kDegree, true, true});
   for (const std::uint8_t byte : frame) {
     const std::size_t size = image.feed(byte, from_image);
-    ASSERT_EQ(any_bytes.feed(byte, from_any), size);
-    EXPECT_TRUE(std::equal(from_image, from_image + size, from_any));
+    ASSERT_EQ(full.feed(byte, from_full), size);
+    EXPECT_TRUE(std::equal(from_image, from_image + size, from_full));
   }
 }
 

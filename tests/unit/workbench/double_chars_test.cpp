@@ -29,10 +29,10 @@ std::string by_engine(double value) {
 void expect_same_reading(std::string_view text) {
   double expected = -1;
   double value = -1;
-  const auto basis = std::from_chars(text.data(), text.data() + text.size(), expected);
+  const auto library = std::from_chars(text.data(), text.data() + text.size(), expected);
   const auto engine = scan(text.data(), text.data() + text.size(), value);
-  EXPECT_EQ(engine.ptr - text.data(), basis.ptr - text.data()) << text;
-  EXPECT_EQ(engine.ec, basis.ec) << text;
+  EXPECT_EQ(engine.ptr - text.data(), library.ptr - text.data()) << text;
+  EXPECT_EQ(engine.ec, library.ec) << text;
   EXPECT_EQ(value, expected) << text;
 }
 
@@ -89,9 +89,9 @@ TEST(DoubleChars, WithDecimalsAreTheLibrarys) {
     const double value = figure(generator);
     char expected[64];
     char text[64];
-    const std::string basis(
+    const std::string library(
         expected, std::to_chars(expected, expected + 64, value, std::chars_format::fixed, 6).ptr);
-    EXPECT_EQ(std::string(text, print_fixed(text, text + 64, value, 6)), basis);
+    EXPECT_EQ(std::string(text, print_fixed(text, text + 64, value, 6)), library);
   }
 }
 
