@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
-#include "recording/column_map.hpp"
+#include "recording/column_look.hpp"
 #include "recording/columns.hpp"
+#include "recording/csv_lines.hpp"
 #include "recording/decision_rules.hpp"
 #include "support/input_error.hpp"
 #include "support/model_title.hpp"
@@ -17,70 +17,6 @@
 
 namespace fogcomp::recording {
 namespace {
-
-constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
-
-std::vector<std::string_view> lines_of(const FileHead& head) {
-  std::vector<std::string_view> lines;
-  std::string_view rest = head.text;
-  if (rest.substr(0, kUtf8Mark.size()) == kUtf8Mark) {
-    rest.remove_prefix(kUtf8Mark.size());
-  }
-  constexpr std::size_t kMax = rules::kMaxLinesBeforeHeader + rules::kMaxRowsLookedAt;
-  while (!rest.empty() && lines.size() < kMax) {
-    const std::size_t end = rest.find('\n');
-    if (end == std::string_view::npos && !head.whole)
-      break;  // the rest of the line has not been read
-    std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    lines.push_back(line);
-  }
-  return lines;
-}
-
-// A comment line without its mark: numpy and others write the names there.
-std::string_view uncommented(std::string_view line) {
-  line = trim(line);
-  while (!line.empty() && (line.front() == '#' || line.front() == '%')) line.remove_prefix(1);
-  return trim(line);
-}
-
-std::vector<std::string> names_in(std::string_view line, char separator) {
-  std::vector<std::string_view> fields;
-  split_fields(line, separator, fields);
-  std::vector<std::string> names;
-  for (const std::string_view field : fields) {
-    // "time [s]" is split at its blank.
-    const bool unit = separator == ' ' && !field.empty() && (field[0] == '[' || field[0] == '(');
-    if (unit && !names.empty()) {
-      names.back() += " " + std::string(field);
-    } else {
-      names.emplace_back(field);
-    }
-  }
-  return names;
-}
-
-bool is_units_row(const std::vector<std::string>& fields) {
-  std::size_t units = 0;
-  for (const std::string& field : fields) {
-    if (field.empty() || field == "-") continue;
-    const std::size_t bracketed = field.front() == '[' || field.front() == '(' ? 1 : 0;
-    if (field.size() < 2 * bracketed + 1 ||
-        !find_unit(std::string_view(field).substr(bracketed, field.size() - 2 * bracketed))) {
-      return false;
-    }
-    ++units;
-  }
-  return units > 0;
-}
-
-bool is_all_numbers(const std::vector<std::string>& names) {
-  return !names.empty() && std::all_of(names.begin(), names.end(), [](const std::string& name) {
-    return parse_number(name).has_value();
-  });
-}
 
 /// A possible interpretation of a file, and how well its first rows fit it.
 struct Reading {
@@ -95,7 +31,7 @@ struct Reading {
 class LayoutFinder {
  public:
   LayoutFinder(const FileHead& head, const ReadOptions& options)
-      : head_(head), options_(options), lines_(lines_of(head)) {
+      : head_(head), options_(options), lines_(first_lines(head)) {
     silent_.watch = {};
   }
 
@@ -122,7 +58,7 @@ class LayoutFinder {
     if (layout) {
       likeliest_ = {layout->header.names, layout->dialect.separator, layout->lines_before_rows - 1};
     }
-    describe(found, layout ? &layout->header : nullptr);
+    describe_columns(likeliest_, layout ? &layout->header : nullptr, lines_, found);
     return found;
   }
 
@@ -175,7 +111,7 @@ class LayoutFinder {
   // enough fields, parted so that it has most.
   void note_likeliest(std::size_t line, char separator, const std::vector<std::string>& names,
                       std::size_t found) {
-    const Likeliest one{names, separator, line, found, is_all_numbers(names)};
+    const LikelyHeader one{names, separator, line, found, is_all_numbers(names)};
     if (one.rank() > likeliest_.rank()) likeliest_ = one;
   }
 
@@ -216,10 +152,7 @@ class LayoutFinder {
     }
   }
 
-  std::size_t next_line(std::size_t line) const {
-    while (line < lines_.size() && is_comment_or_blank(lines_[line])) ++line;
-    return line;
-  }
+  std::size_t next_line(std::size_t line) const { return next_row(lines_, line); }
 
   void try_rows(Reading& reading) const {
     std::vector<std::string_view> fields;
@@ -278,49 +211,9 @@ class LayoutFinder {
                                      "; save it with ';' between columns and '.' in numbers");
   }
 
-  static std::string separator_words(char separator) {
-    if (separator == '\t') return "tabs";
-    return separator == ' ' ? "blanks" : std::string("'") + separator + "'";
-  }
-
   static std::string words(const CsvDialect& dialect) {
     return "columns separated by " + separator_words(dialect.separator) +
            (dialect.decimal_comma ? ", decimal comma" : "");
-  }
-
-  // What the columns of the header, or of the line that is most like one, are or could be.
-  void describe(CsvColumns& found, const CsvHeader* header) const {
-    constexpr std::size_t kRowsShown = 3;
-    found.separator = separator_words(likeliest_.separator);
-    for (std::size_t i = 0; i < likeliest_.names.size(); ++i) {
-      const ColumnName name(likeliest_.is_numbers ? "" : likeliest_.names[i]);
-      const auto meaning = name.meaning();
-      CsvColumns::Column column{displayable(name.text), choice_of(i), "",
-                                name.unit ? name.unit->words : ""};
-      const std::size_t slot = header != nullptr ? header->slots[i]
-                               : meaning         ? meaning->slot
-                                                 : CsvHeader::kIgnored;
-      if (slot < kColumns.size()) column.key = map_key(slot);
-      found.columns.push_back(std::move(column));
-    }
-    for (std::size_t i = next_line(likeliest_.first_row());
-         i < lines_.size() && found.rows.size() < kRowsShown; i = next_line(i + 1)) {
-      std::vector<std::string_view> fields;
-      split_fields(lines_[i], likeliest_.separator, fields);
-      std::vector<std::string>& row = found.rows.emplace_back();
-      for (const std::string_view field : fields) row.push_back(printable(field));
-    }
-  }
-
-  // By its name, or by its number where that says it better: --columns parts names at commas.
-  std::string choice_of(std::size_t field) const {
-    const std::vector<std::string>& names = likeliest_.names;
-    const std::string& name = names[field];
-    const bool alone = std::count(names.begin(), names.end(), name) == 1;
-    const bool plain =
-        name.find_first_of(",\"\n") == std::string::npos && displayable(name) == name;
-    const bool is_name = !likeliest_.is_numbers && !name.empty() && alone && plain;
-    return is_name ? name : std::to_string(field + 1);
   }
 
   // A file without header, whose columns --columns gives by their numbers.
@@ -424,8 +317,6 @@ class LayoutFinder {
     if (first_s >= rules::kMinUnixTimeS) layout.time = TimeFormat::since_1970;
   }
 
-  static constexpr std::size_t kRequired = 3;
-
   const FileHead& head_;
   const ReadOptions& options_;
   ReadOptions silent_ = options_;
@@ -435,27 +326,10 @@ class LayoutFinder {
   HeaderLines guess_;
   std::size_t guess_found_ = 0;
   bool guess_is_numbers_ = false;
-  struct Likeliest {
-    std::vector<std::string> names{};
-    char separator = ',';
-    std::size_t line = 0;
-    std::size_t found = 0;
-    bool is_numbers = false;
-
-    std::size_t first_row() const { return is_numbers ? line : line + 1; }
-    std::tuple<std::size_t, bool, std::ptrdiff_t, std::size_t> rank() const {
-      return {found, names.size() >= kRequired, -static_cast<std::ptrdiff_t>(line), names.size()};
-    }
-  };
-  Likeliest likeliest_;
+  LikelyHeader likeliest_;
 };
 
 }  // namespace
-
-bool is_comment_or_blank(std::string_view line) {
-  while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
-  return line.empty() || line.front() == '#' || line.front() == '%';
-}
 
 CsvColumns look_at_columns(const FileHead& head, const ReadOptions& options) {
   return LayoutFinder(head, options).columns();

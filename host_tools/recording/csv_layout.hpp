@@ -57,7 +57,4 @@ struct CsvColumns {
 /// understood is told to options.watch.
 CsvColumns look_at_columns(const FileHead& head, const ReadOptions& options);
 
-/// Blank, or a comment ('#', '%').
-bool is_comment_or_blank(std::string_view line);
-
 }  // namespace fogcomp::recording

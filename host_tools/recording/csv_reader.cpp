@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "recording/columns.hpp"
+#include "recording/csv_lines.hpp"
 #include "recording/csv_row.hpp"
 #include "recording/long_recording.hpp"
 #include "recording/sparse_columns.hpp"

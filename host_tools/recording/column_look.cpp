@@ -1,0 +1,59 @@
+#include "recording/column_look.hpp"
+
+#include <algorithm>
+
+#include "recording/column_map.hpp"
+#include "recording/column_name.hpp"
+#include "recording/columns.hpp"
+#include "recording/csv_fields.hpp"
+#include "recording/csv_lines.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+// By its name, or by its number where that says it better: --columns parts names at commas.
+std::string choice_of(const LikelyHeader& likeliest, std::size_t field) {
+  const std::vector<std::string>& names = likeliest.names;
+  const std::string& name = names[field];
+  const bool alone = std::count(names.begin(), names.end(), name) == 1;
+  const bool plain = name.find_first_of(",\"\n") == std::string::npos && displayable(name) == name;
+  const bool is_name = !likeliest.is_numbers && !name.empty() && alone && plain;
+  return is_name ? name : std::to_string(field + 1);
+}
+
+CsvColumns::Column column_of(const LikelyHeader& likeliest, const CsvHeader* header,
+                             std::size_t field) {
+  const ColumnName name(likeliest.is_numbers ? "" : likeliest.names[field]);
+  const auto meaning = name.meaning();
+  const std::size_t slot = header != nullptr ? header->slots[field]
+                           : meaning         ? meaning->slot
+                                             : CsvHeader::kIgnored;
+  return {displayable(name.text), choice_of(likeliest, field),
+          slot < kColumns.size() ? map_key(slot) : "", name.unit ? name.unit->words : ""};
+}
+
+}  // namespace
+
+std::string separator_words(char separator) {
+  if (separator == '\t') return "tabs";
+  return separator == ' ' ? "blanks" : std::string("'") + separator + "'";
+}
+
+void describe_columns(const LikelyHeader& likeliest, const CsvHeader* header,
+                      const std::vector<std::string_view>& lines, CsvColumns& found) {
+  constexpr std::size_t kRowsShown = 3;
+  found.separator = separator_words(likeliest.separator);
+  for (std::size_t i = 0; i < likeliest.names.size(); ++i) {
+    found.columns.push_back(column_of(likeliest, header, i));
+  }
+  for (std::size_t i = next_row(lines, likeliest.first_row());
+       i < lines.size() && found.rows.size() < kRowsShown; i = next_row(lines, i + 1)) {
+    std::vector<std::string_view> fields;
+    split_fields(lines[i], likeliest.separator, fields);
+    std::vector<std::string>& row = found.rows.emplace_back();
+    for (const std::string_view field : fields) row.push_back(printable(field));
+  }
+}
+
+}  // namespace fogcomp::recording
