@@ -17,19 +17,31 @@ debugger = socket.socket(socket.AF_UNIX)
 debugger.connect(sys.argv[1])
 
 
-def ask(command):
+received = b""
+
+
+def ask(command, expected):
+    """Sends a command and waits for the answer that begins so: a stop is told unasked, too, between any two."""
+    global received
     debugger.sendall(f"${command}#{sum(command.encode()) % 256:02x}".encode())
-    answer = b""
-    while b"#" not in answer or len(answer.split(b"#")[1]) < 2:
-        answer += debugger.recv(1000)
-    debugger.sendall(b"+")
-    return answer
+    while True:
+        start, end = received.find(b"$"), received.find(b"#")
+        while start < 0 or end < 0 or len(received) < end + 3:
+            received += debugger.recv(4096) or sys.exit("QEMU is gone")
+            start, end = received.find(b"$"), received.find(b"#")
+        answer, received = received[start + 1 : end], received[end + 3 :]
+        debugger.sendall(b"+")
+        if answer.startswith(expected):
+            return
+        if not answer.startswith(b"T"):
+            sys.exit(f"{command}: {answer!r}")
 
 
-ask("?")  # it stands still
-ask("qXfer:features:read:target.xml:0,ffb")  # QEMU lets registers be written only after this
-assert b"OK" in ask("P20=00000040"), "the program counter"
-ask("D")  # it goes on
+debugger.settimeout(60)
+ask("?", b"T")  # it stands still
+ask("qXfer:features:read:target.xml:0,ffb", b"l")  # QEMU lets registers be written only after this
+ask("P20=00000040", b"OK")  # the program counter
+ask("D", b"OK")  # it goes on
 EOF
 crashed() { (($(grep -c '^image: ' "$scratch/console") == 2)); }
 wait_for crashed
