@@ -7,6 +7,7 @@
 #include "noise/noise_floor.hpp"
 #include "recording/data_hash.hpp"
 #include "recording/rate_resolution.hpp"
+#include "series/rows.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::compare {

@@ -1,5 +1,6 @@
 #include "findings/json.hpp"
 
+#include "research/gyros.hpp"
 #include "research/printed_tables.hpp"
 
 namespace fogcomp::findings {

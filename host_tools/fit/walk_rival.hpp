@@ -4,6 +4,7 @@
 
 #include "fit/explained_space.hpp"
 #include "noise/noise_model.hpp"
+#include "series/rows.hpp"
 
 namespace fogcomp::fit {
 
