@@ -12,6 +12,7 @@ namespace fogcomp::diagnosis {
 namespace {
 
 constexpr std::size_t kExtended = 8;  // pairs that are extended by a third effect
+constexpr double kRounding = 1e-9;    // of an evidence: below, the same set found another way
 
 class Search {
  public:
@@ -98,7 +99,7 @@ class Search {
     });
     if (same == found_.end()) {
       found_.push_back(std::move(h));
-    } else if (h.log_evidence > same->log_evidence) {
+    } else if (h.log_evidence > same->log_evidence * (1 + kRounding)) {
       *same = std::move(h);
     }
   }
