@@ -80,6 +80,7 @@ NoiseWeightedFit fit_rows(const series::SignalSeries& series,
       settings.kept.size() > 0 ? settings.kept : Eigen::VectorXd::Ones(rows.size());
   const Eigen::VectorXd counted = noise::counted_rows(rows);
   const std::vector<recording::RowRange> quiet = noise::quiet_ranges(rows);
+  KnownRegressors regressors(series);
   NoiseWeightedFit fit;
   fit.robust = kept.cwiseProduct(counted);
   fit.outliers = static_cast<std::size_t>((counted.array() <= 0 && kept.array() > 0).count());
@@ -94,7 +95,7 @@ NoiseWeightedFit fit_rows(const series::SignalSeries& series,
   for (int round = 0; round < kRounds; ++round) {
     set_noise(rows, quiet, settings.noise, fit);
     const noise::Whitening whitening(fit.noise, rows, fit.row_weights);
-    WhitenedProblem problem(series, whitening, fit.terms, nuisance);
+    WhitenedProblem problem(regressors, whitening, fit.terms, nuisance);
     const auto progress = [&](double done) {
       if (settings.progress) settings.progress((round + done) / kRounds);
     };

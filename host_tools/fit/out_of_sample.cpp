@@ -106,14 +106,14 @@ struct Fold {
   Eigen::VectorXd sigma_dph;  // of the coefficients, if determined
 };
 
-Fold leave_out(const series::SignalSeries& series, const std::vector<model::EffectTerm>& terms,
+Fold leave_out(KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
                const Part& left_out, const JudgedWith& with) {
-  const series::Rows& rows = series.rows();
+  const series::Rows& rows = known.series().rows();
   Eigen::VectorXd weights = with.row_weights;
   for (const recording::RowRange& range : left_out) segment(weights, range).setZero();
   const noise::Whitening whitening(with.noise, rows, weights);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, with.run_offsets);
-  WhitenedProblem problem(series, whitening, terms, offsets);
+  WhitenedProblem problem(known, whitening, terms, offsets);
   const std::vector<model::ShapeParameter> shapes = model::shape_parameters(terms);
   search_shapes(problem, shapes, std::vector<bool>(shapes.size(), true));
   const LinearFit fit = problem.solve();
@@ -123,7 +123,7 @@ Fold leave_out(const series::SignalSeries& series, const std::vector<model::Effe
   fold.residual_dph = rows.drift_dph;
   Eigen::Index column = 0;
   for (const model::EffectTerm& term : problem.terms()) {
-    const Eigen::MatrixXd regressors = series.regressors(term);
+    const Eigen::MatrixXd& regressors = known(term);
     fold.residual_dph -= regressors * fit.coefficients.segment(column, regressors.cols());
     column += regressors.cols();
   }
@@ -161,15 +161,16 @@ struct Residuals {
   std::vector<Fold> added;  // of `after`
 };
 
-Residuals leave_each_out(const series::SignalSeries& series,
-                         const std::vector<model::EffectTerm>& before,
+Residuals leave_each_out(KnownRegressors& known, const std::vector<model::EffectTerm>& before,
                          const std::vector<model::EffectTerm>& after,
                          const std::vector<Part>& parts, const JudgedWith& with) {
-  Residuals residuals{
-      Eigen::VectorXd(series.rows().size()), Eigen::VectorXd(series.rows().size()), {}, {}};
+  Residuals residuals{Eigen::VectorXd(known.series().rows().size()),
+                      Eigen::VectorXd(known.series().rows().size()),
+                      {},
+                      {}};
   for (const Part& part : parts) {
-    Fold without = leave_out(series, before, part, with);
-    Fold added = leave_out(series, after, part, with);
+    Fold without = leave_out(known, before, part, with);
+    Fold added = leave_out(known, after, part, with);
     for (const recording::RowRange& range : part) {
       segment(residuals.before, range) = segment(without.residual_dph, range);
       segment(residuals.after, range) = segment(added.residual_dph, range);
@@ -181,13 +182,13 @@ Residuals leave_each_out(const series::SignalSeries& series,
 }
 
 // Whether every fold determines the coefficients of some terms.
-bool determine_terms(const std::vector<Fold>& folds, const series::SignalSeries& series,
+bool determine_terms(const std::vector<Fold>& folds, KnownRegressors& known,
                      const std::vector<model::EffectTerm>& terms,
                      const std::vector<std::size_t>& asked, const JudgedWith& with) {
-  const Fold all = leave_out(series, terms, {}, with);
+  const Fold all = leave_out(known, terms, {}, with);
   Eigen::Index first = 0;
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    const Eigen::Index count = series.regressors(terms[i]).cols();
+    const Eigen::Index count = known(terms[i]).cols();
     const bool determined = std::all_of(folds.begin(), folds.end(), [&](const Fold& fold) {
       return determines(fold, all, first, count, rules::kMuchWorse);
     });
@@ -252,6 +253,7 @@ OutOfSample cross_validate(const series::SignalSeries& series,
                            const std::vector<model::EffectTerm>& after,
                            const std::vector<std::size_t>& changed, const JudgedWith& with) {
   const series::Rows& rows = series.rows();
+  KnownRegressors known(series);
   const std::vector<model::EffectTerm> fixed_before = with_fixed_shapes(before, {});
   const std::vector<model::EffectTerm> fixed_after = with_fixed_shapes(after, changed);
   const std::vector<recording::RowRange> runs = rows.runs();
@@ -259,8 +261,8 @@ OutOfSample cross_validate(const series::SignalSeries& series,
   if (runs.size() >= rules::kEnoughRuns && !with.run_offsets) {
     std::vector<Part> parts;
     for (const recording::RowRange& run : runs) parts.push_back({run});
-    const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
-    if (determine_terms(left.added, series, fixed_after, changed, with)) {
+    const Residuals left = leave_each_out(known, fixed_before, fixed_after, parts, with);
+    if (determine_terms(left.added, known, fixed_after, changed, with)) {
       OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
       result.how = "on " + counted(runs.size(), "run") + ", each left out once";
       return result;
@@ -268,11 +270,11 @@ OutOfSample cross_validate(const series::SignalSeries& series,
   }
   const std::vector<Part> parts =
       parts_of(rows, stretches_of(rows, fitted_residual(series, after), with.noise));
-  const Residuals left = leave_each_out(series, fixed_before, fixed_after, parts, with);
+  const Residuals left = leave_each_out(known, fixed_before, fixed_after, parts, with);
   const Eigen::VectorXd weights_before = weights_of_judged(
-      left.given, parts, leave_out(series, fixed_before, {}, with), with.row_weights);
-  const Eigen::VectorXd weights = weights_of_judged(
-      left.added, parts, leave_out(series, fixed_after, {}, with), weights_before);
+      left.given, parts, leave_out(known, fixed_before, {}, with), with.row_weights);
+  const Eigen::VectorXd weights =
+      weights_of_judged(left.added, parts, leave_out(known, fixed_after, {}, with), weights_before);
   OutOfSample result = judge(rows, left.before, left.after, with.noise, weights);
   result.how = how_of(parts, rows);
   result.within_runs = true;
@@ -301,6 +303,7 @@ std::vector<HalfTest> judge_halves(const series::SignalSeries& series,
                                    const std::vector<std::size_t>& changed,
                                    const JudgedWith& with) {
   const series::Rows& rows = series.rows();
+  KnownRegressors known(series);
   Part first;
   Part second;
   for (const recording::RowRange& run : rows.runs()) {
@@ -308,12 +311,12 @@ std::vector<HalfTest> judge_halves(const series::SignalSeries& series,
     first.push_back({run.first, middle});
     second.push_back({middle, run.end});
   }
-  const Fold all = leave_out(series, with_fixed_shapes(after, {}), {}, with);
+  const Fold all = leave_out(known, with_fixed_shapes(after, {}), {}, with);
   std::vector<HalfTest> tests;
   for (const bool on_first : {true, false}) {
     const Part& judged = on_first ? second : first;
-    const Fold without = leave_out(series, with_fixed_shapes(before, {}), judged, with);
-    const Fold added = leave_out(series, with_fixed_shapes(after, changed), judged, with);
+    const Fold without = leave_out(known, with_fixed_shapes(before, {}), judged, with);
+    const Fold added = leave_out(known, with_fixed_shapes(after, changed), judged, with);
     HalfTest test;
     test.identified_on = on_first ? "first" : "second";
     test.determined = without.determined && determines_all(added, all);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "support/decompositions.hpp"
 #include "support/least_squares.hpp"
 
 namespace fogcomp::fit {
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kDifferenceStep = 1e-4;  // of a parameter's range, for derivatives
 constexpr double kDependent = 1e-8;
+constexpr std::size_t kTogether = 4;  // shapes of a grid that are whitened and projected at once
 
 // A shape at which an expression overflows is worse than any other.
 double finite_or_worst(double cost) {
@@ -30,16 +32,22 @@ double cost_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& measured) 
   return finite_or_worst(solve_linear(columns, measured).residual.squaredNorm());
 }
 
+// The same from the normal equations: less exact where columns are nearly dependent.
+double rough_cost_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& measured) {
+  const Eigen::MatrixXd square = columns.transpose().lazyProduct(columns);
+  const Eigen::VectorXd with = columns.transpose() * measured;
+  return finite_or_worst(measured.squaredNorm() - with.dot(solve_semidefinite(square, with)));
+}
+
 }  // namespace
 
-WhitenedProblem::WhitenedProblem(const series::SignalSeries& series,
-                                 const noise::Whitening& whitening,
+WhitenedProblem::WhitenedProblem(KnownRegressors& regressors, const noise::Whitening& whitening,
                                  std::vector<model::EffectTerm> terms,
                                  const Eigen::MatrixXd& nuisance)
-    : series_(&series),
+    : regressors_(&regressors),
       whitening_(&whitening),
       terms_(std::move(terms)),
-      measured_(whitening.apply(series.rows().drift_dph)) {
+      measured_(whitening.apply(regressors.series().rows().drift_dph)) {
   for (const model::EffectTerm& term : terms_) columns_.push_back(whitened(term));
   columns_.push_back(whitening.apply(nuisance));
   project_out_fixed();
@@ -68,7 +76,7 @@ void WhitenedProblem::project_out_fixed() {
 
 Eigen::MatrixXd WhitenedProblem::whitened(const model::EffectTerm& term,
                                           series::Reading reading) const {
-  return whitening_->apply(series_->regressors(term, reading));
+  return whitening_->apply((*regressors_)(term, reading));
 }
 
 double WhitenedProblem::value(const model::ShapeParameter& parameter) const {
@@ -101,7 +109,7 @@ Eigen::Index WhitenedProblem::first_column(const std::vector<Eigen::MatrixXd>& c
 
 LinearFit WhitenedProblem::solve(const std::vector<model::ShapeParameter>& parameters) const {
   const Eigen::MatrixXd columns = jacobian(parameters);
-  if (series_->phase() == series::Phase::zero) return solve_linear(columns, measured_);
+  if (regressors_->series().phase() == series::Phase::zero) return solve_linear(columns, measured_);
   Eigen::MatrixXd instruments = columns;
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     instruments.middleCols(first_column(columns_, i), columns_[i].cols()) =
@@ -119,9 +127,9 @@ Eigen::VectorXd WhitenedProblem::derivative(const model::ShapeParameter& paramet
   const double up = std::min(unit + kDifferenceStep, 1.0);
   const double down = std::max(unit - kDifferenceStep, 0.0);
   moved.parameters[parameter.index] = parameter.from_unit(up);
-  const Eigen::VectorXd above = series_->regressors(moved) * coefficients;
+  const Eigen::VectorXd above = (*regressors_)(moved)*coefficients;
   moved.parameters[parameter.index] = parameter.from_unit(down);
-  return whitening_->apply(above - series_->regressors(moved) * coefficients) / (up - down);
+  return whitening_->apply(above - (*regressors_)(moved)*coefficients) / (up - down);
 }
 
 Eigen::MatrixXd WhitenedProblem::derivatives(const std::vector<model::ShapeParameter>& parameters,
@@ -155,14 +163,24 @@ std::vector<double> WhitenedProblem::costs(const model::ShapeParameter& paramete
   std::vector<Eigen::MatrixXd> beside = left_;
   if (!beside.empty()) beside[parameter.term].resize(measured_.size(), 0);
   beside.push_back(without(fixed_, derivatives(others, left_, measured_left_)));
-  const Eigen::MatrixXd all = side_by_side(beside, measured_.size());
-  const Eigen::MatrixXd basis = orthonormal(all, kDependent);
+  const Eigen::Index rows = measured_.size();
+  const Eigen::MatrixXd basis =
+      side_by_side({fixed_, orthonormal(side_by_side(beside, rows), kDependent)}, rows);
   const Eigen::VectorXd left = without(basis, measured_left_);
   model::EffectTerm moved = terms_[parameter.term];
   std::vector<double> costs;
-  for (const double value : values) {
-    moved.parameters[parameter.index] = value;
-    costs.push_back(cost_of(without(basis, without(fixed_, whitened(moved))), left));
+  while (costs.size() < values.size()) {
+    std::vector<Eigen::MatrixXd> tried;
+    for (std::size_t i = costs.size(); i < values.size() && tried.size() < kTogether; ++i) {
+      moved.parameters[parameter.index] = values[i];
+      tried.push_back((*regressors_)(moved));
+    }
+    const Eigen::MatrixXd columns = without(basis, whitening_->apply(side_by_side(tried, rows)));
+    Eigen::Index at = 0;
+    for (const Eigen::MatrixXd& one : tried) {
+      costs.push_back(rough_cost_of(columns.middleCols(at, one.cols()), left));
+      at += one.cols();
+    }
   }
   return costs;
 }

@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "fit/known_regressors.hpp"
 #include "model/shape_parameter.hpp"
 #include "noise/whitening.hpp"
-#include "series/signal_series.hpp"
 #include "support/least_squares.hpp"
 
 namespace fogcomp::fit {
@@ -16,7 +16,7 @@ class WhitenedProblem {
  public:
   /// `nuisance`: further columns (rows x any number) whose coefficients are solved for but not
   /// returned.
-  WhitenedProblem(const series::SignalSeries& series, const noise::Whitening& whitening,
+  WhitenedProblem(KnownRegressors& regressors, const noise::Whitening& whitening,
                   std::vector<model::EffectTerm> terms, const Eigen::MatrixXd& nuisance);
 
   const std::vector<model::EffectTerm>& terms() const { return terms_; }
@@ -37,9 +37,9 @@ class WhitenedProblem {
 
   /// Residual sum of squares with the best coefficients.
   double cost() const;
-  /// cost() for several values of one parameter, with the best coefficients, the other parameters
-  /// following to first order. So a period that is slightly wrong elsewhere is not taken for a
-  /// second one here.
+  /// cost() for several values of one parameter, to compare them: with the best coefficients, the
+  /// other parameters following to first order. So a period that is slightly wrong elsewhere is not
+  /// taken for a second one here.
   std::vector<double> costs(const model::ShapeParameter& parameter,
                             const std::vector<double>& values,
                             const std::vector<model::ShapeParameter>& others) const;
@@ -63,7 +63,7 @@ class WhitenedProblem {
                               const Eigen::VectorXd& measured) const;
   static Eigen::Index first_column(const std::vector<Eigen::MatrixXd>& columns, std::size_t term);
 
-  const series::SignalSeries* series_;
+  KnownRegressors* regressors_;
   const noise::Whitening* whitening_;
   std::vector<model::EffectTerm> terms_;
   std::vector<Eigen::MatrixXd> columns_;  // of each term, then nuisance columns

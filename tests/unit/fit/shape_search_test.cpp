@@ -26,14 +26,14 @@ class ShapeSearch : public testing::Test {
     whitening_.emplace(white, series_.rows(), series_.rows().weights);
   }
   // The lag searched for, from so many seconds.
-  WhitenedProblem problem(double tau_s) const {
+  WhitenedProblem problem(double tau_s) {
     std::vector<model::EffectTerm> terms =
         model::parse_effects("bias,bias_temperature:order=2,thermal_lag:tau=?");
     terms[2].parameters[0] = tau_s;
     return problem(terms);
   }
-  WhitenedProblem problem(const std::vector<model::EffectTerm>& terms) const {
-    return {series_, *whitening_, terms, Eigen::MatrixXd(series_.rows().size(), 0)};
+  WhitenedProblem problem(const std::vector<model::EffectTerm>& terms) {
+    return {regressors_, *whitening_, terms, Eigen::MatrixXd(series_.rows().size(), 0)};
   }
   static std::vector<model::ShapeParameter> shapes(const WhitenedProblem& problem) {
     return model::shape_parameters(problem.terms());
@@ -43,6 +43,7 @@ class ShapeSearch : public testing::Test {
   model::Model gyro_ = truth();
   recording::Recording recording_;
   series::SignalSeries series_{gyro_};
+  KnownRegressors regressors_{series_};
   std::optional<noise::Whitening> whitening_;
 };
 
@@ -50,6 +51,17 @@ TEST_F(ShapeSearch, CostIsThatOfAllColumnsTogether) {
   const WhitenedProblem at = problem(2000);
   EXPECT_NEAR(at.cost(), solve_linear(at.matrix(), at.measured()).residual.squaredNorm(),
               1e-9 * at.cost());
+}
+
+TEST_F(ShapeSearch, CostsOfAGridAreThoseOfItsValues) {
+  const WhitenedProblem at = problem(2000);
+  const std::vector<double> values{100, 300, 900, 2000, 3000, 5000, 9000};
+  const std::vector<double> costs = at.costs(shapes(at)[0], values, {});
+  ASSERT_EQ(costs.size(), values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double cost = problem(values[i]).cost();
+    EXPECT_NEAR(costs[i], cost, 1e-6 * cost) << values[i];
+  }
 }
 
 // An expression beside it that has no shape, and overflows.

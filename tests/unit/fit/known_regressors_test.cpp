@@ -1,0 +1,32 @@
+#include "fit/known_regressors.hpp"
+
+#include <gtest/gtest.h>
+
+#include "model/effect_list.hpp"
+#include "unit/fit/simulated_gyro.hpp"
+
+namespace fogcomp::fit {
+namespace {
+
+TEST(KnownRegressors, AreThoseOfTheSeriesHoweverMany) {
+  const model::Model gyro = fog::test::truth();
+  series::SignalSeries series(gyro);
+  series.add(series::make_blocks(fog::test::recording_of(gyro, {0.002, 0, 300}, 1)));
+  KnownRegressors known(series);
+  model::EffectTerm lag = model::parse_effects("thermal_lag:tau=900")[0];
+  constexpr Eigen::Index kMoreThanAreKept = 4'000'000;
+  Eigen::Index values = 0;
+  for (double tau_s = 900; values < kMoreThanAreKept; tau_s += 1) {
+    lag.parameters[0] = tau_s;
+    values += known(lag).size();
+  }
+  for (const double tau_s : {900.0, 901.0, 900.0}) {
+    lag.parameters[0] = tau_s;
+    for (const auto reading : {series::Reading::of_sensor, series::Reading::smoothed}) {
+      EXPECT_EQ(known(lag, reading), series.regressors(lag, reading)) << tau_s;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fogcomp::fit
