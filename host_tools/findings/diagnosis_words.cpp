@@ -70,8 +70,9 @@ Headline verdict_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
     case diagnosis::Verdict::missing_effect:
       return missing_words(diagnosis);
     case diagnosis::Verdict::ambiguous:
-      return {"an effect is missing; these recordings cannot tell which of",
-              join_list(diagnosis.confusable, "or")};
+      return {"an effect is missing: " + join_list(diagnosis.confusable, "or") +
+                  "; these recordings cannot tell which",
+              ""};
     case diagnosis::Verdict::unknown:
       break;
   }
@@ -147,7 +148,8 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
   if (!next.together.empty()) {
     words.verdict = "several effects together are missing: " + join_list(next.together, "and");
     words.certainty = diagnosis.verdict == diagnosis::Verdict::ambiguous
-                          ? "these recordings cannot tell which is the largest: " + words.certainty
+                          ? "these recordings cannot tell which is the largest: " +
+                                join_list(diagnosis.confusable, "or")
                           : "";
   }
   words.findings.push_back(
