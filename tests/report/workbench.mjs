@@ -449,7 +449,7 @@ const memory = async (browser) => {
   await bench.choose_file("fast.csv");
   await bench.until(`/out of memory|engine stopped/.test(document.body.innerText)`, "the reason");
   await bench.choose_file("mems.csv");
-  await bench.until(`/8399 rows/.test(document.getElementById("dropped").textContent)`, "the next recording");
+  await bench.until(`/8399 samples/.test(document.getElementById("dropped").textContent)`, "the next recording");
 };
 
 // Esc leaves everything as it was: a drag across a plot, one of a slider, a dialog.
@@ -662,7 +662,7 @@ const files = async (browser) => {
   check("files", /read as .*Gyro_Y/.test(await bench.text("#columns_said")), await bench.text("#columns_said"));
   await bench.click("#columns_take");
   await bench.until(
-    `/8399 rows/.test(document.getElementById("dropped").textContent)`,
+    `/8399 samples/.test(document.getElementById("dropped").textContent)`,
     "what was understood of the file",
   );
   await bench.until(`!document.getElementById("begin").disabled`, "the button");

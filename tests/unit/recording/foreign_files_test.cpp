@@ -480,7 +480,8 @@ TEST(ForeignFiles, HaveATemperatureBetweenItsReadings) {
   ASSERT_EQ(recording.rows(), 100U);
   EXPECT_NEAR(recording.temperature_degc[37], 20.37, 1e-9);
   EXPECT_NEAR(recording.temperature_degc[99], 20.9, 1e-9);  // held behind the last reading
-  EXPECT_NE(said.find("temperature_degc: a reading in 10 of 100 rows (1 in 10)"), std::string::npos)
+  EXPECT_NE(said.find("temperature_degc: a reading in 10 of 100 samples (1 in 10)"),
+            std::string::npos)
       << said;
 }
 
@@ -496,9 +497,10 @@ TEST(ForeignFiles, LeaveOutRowsWhoseValuesNobodyKnows) {
   EXPECT_EQ(recording.rate_dph, (std::vector<double>{3, 4, 7, 8}));
   EXPECT_EQ(recording.empty_rows, 4U);
   EXPECT_TRUE(recording[fog::Input::supply].empty());
-  EXPECT_NE(said.find("2 rows left out: no time or rate, the first at line 3"), std::string::npos)
+  EXPECT_NE(said.find("2 samples left out: no time or rate, the first at line 3"),
+            std::string::npos)
       << said;
-  EXPECT_NE(said.find("2 rows left out: no temperature or input rate within 60 s, the first at "
+  EXPECT_NE(said.find("2 samples left out: no temperature or input rate within 60 s, the first at "
                       "line 2"),
             std::string::npos)
       << said;
