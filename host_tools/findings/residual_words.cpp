@@ -6,6 +6,7 @@
 
 #include "compare/comparison.hpp"
 #include "findings/figures.hpp"
+#include "findings/labels.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 
@@ -46,7 +47,8 @@ std::string where_words(const diagnosis::Diagnosis& diagnosis) {
             percent(segments[i].share) + ")";
   }
   if (!diagnosis.variable.empty()) {
-    text += (text.empty() ? "it depends most on " : "; it depends most on ") + diagnosis.variable;
+    text += (text.empty() ? "it depends most on " : "; it depends most on ") +
+            variable_label(diagnosis.variable).plain();
   }
   return text;
 }

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# workbench.sh FOGCOMP [SHOTS]: the workbench's page in Chromium, with a mouse and a keyboard: the README's loop, a random
-# session whose commands make the same files in a shell, masked rows, hostile names, an engine that traps, 60,000 rows,
-# a rate table, columns that are not clear, a screen reader, a narrow window. Screenshots go to the folder SHOTS.
+# workbench.sh FOGCOMP [SHOTS]: the workbench's page in Chromium, with a mouse and a keyboard: the README's loop, a
+# random session whose commands make the same files in a shell, masked rows, hostile names, an engine that traps, 60,000
+# rows, a rate table, columns that are not clear, a screen reader, a narrow window. Screenshots go to the folder SHOTS.
 set -euo pipefail
 fogcomp=$(realpath "${1:?usage: workbench.sh FOGCOMP [SHOTS]}")
 shots=${2:+$(realpath "$2")}
