@@ -197,12 +197,13 @@ class PageWriter {
     const std::size_t number = plot_count_++;
     if (!draws_) return;
     begin();
+    const std::string title = escaped(plot.title.sentence());
     const std::string caption = escaped(plot.caption);
     body_ +=
         format("<figure class=\"plot%s\">\n", plot.is_small ? " small" : "") +
-        element("figcaption", "<strong>" + escaped(plot.title) + "</strong> " + caption) +
+        element("figcaption", "<strong>" + title + "</strong> " + caption) +
         format("<div class=\"canvas\" data-plot=\"%zu\" role=\"img\" aria-label=\"%s\"></div>\n",
-               number, (escaped(plot.title) + " " + caption).c_str()) +
+               number, (title + " " + caption).c_str()) +
         "<noscript>" + plot_svg(plot) + "</noscript></figure>\n";
     plots_.push(plot_json(plot));
   }

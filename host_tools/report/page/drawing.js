@@ -123,6 +123,7 @@ const draw_levels = (u, levels) =>
     const { left, width } = u.bbox;
     pen.font = figures(12 * devicePixelRatio);
     pen.textAlign = "right";
+    pen.textBaseline = "bottom";
     pen.strokeStyle = pen.fillStyle = colour("mark");
     pen.setLineDash([2 * devicePixelRatio, 3 * devicePixelRatio]);
     levels.forEach(({ y: value, label = "" }) => {
@@ -131,6 +132,6 @@ const draw_levels = (u, levels) =>
       pen.moveTo(left, y);
       pen.lineTo(left + width, y);
       pen.stroke();
-      pen.fillText(label, left + width - 4 * devicePixelRatio, y - 4 * devicePixelRatio);
+      pen.fillText(label, left + width - 4 * devicePixelRatio, y - 2 * devicePixelRatio);
     });
   });
