@@ -1,7 +1,5 @@
 #include "diagnosis/evidence_space.hpp"
 
-#include "noise/random_walk.hpp"
-
 namespace fogcomp::diagnosis {
 
 EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
@@ -27,7 +25,7 @@ EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWei
   }
   const series::ColumnRange structure = space.add(smooth.all);
   fit::WalkModes walk =
-      fit::add_walk(space, residualizer(noise::random_walk_modes(series.rows())).columns);
+      fit::add_walk(space, residualizer(fit::visible_walk_modes(series.rows(), fit.noise)).columns);
   space.finish();
   return {std::move(residualizer),
           std::move(list.testable),

@@ -271,7 +271,7 @@ bool describe(std::vector<Description> descriptions, bool is_named, Judge& judge
   for (Description& description : descriptions) {
     next.describes = !description.is_part && !is_named;
     if (!try_out(std::move(description.request), judge, next)) continue;
-    next.together = std::move(description.effects);
+    if (description.effects.size() > 1) next.together = std::move(description.effects);
     return true;
   }
   return false;

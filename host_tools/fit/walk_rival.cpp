@@ -10,6 +10,14 @@
 
 namespace fogcomp::fit {
 
+Eigen::MatrixXd visible_walk_modes(const series::Rows& rows, const noise::NoiseModel& noise) {
+  double max = 0;
+  for (const noise::NoiseModel::Walk& walk : noise.walks) {
+    if (walk.log_odds >= rules::kWalkRuledOut) max = std::max(max, walk.coefficient);
+  }
+  return noise::random_walk_modes(rows, max / noise.white_dph());
+}
+
 WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes) {
   constexpr double kVisibleMode = 1e-9;
   const Eigen::VectorXd square = modes.colwise().squaredNorm();
@@ -30,14 +38,22 @@ WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes) {
 WalkRival find_walk(const ExplainedSpace& space, const WalkModes& modes,
                     const std::vector<noise::NoiseModel::Walk>& walks) {
   WalkRival best{0, 0, space};
+  std::vector<double> all;
+  double max = 0;
   const double each = -std::log(std::max<double>(1, static_cast<double>(walks.size())));
   for (const noise::NoiseModel::Walk& walk : walks) {
     if (walk.log_odds < rules::kWalkRuledOut) continue;
     const ExplainedSpace::WithNoise with =
         space.with_noise(modes.columns, std::pow(walk.coefficient, 2) * modes.square);
-    const double log_odds = each + walk.log_odds + with.log_likelihood;
-    if (log_odds > best.log_odds) best = {walk.coefficient, log_odds, with.space};
+    all.push_back(each + walk.log_odds + with.log_likelihood);
+    if (all.back() <= max) continue;
+    max = all.back();
+    best = {walk.coefficient, 0, with.space};
   }
+  if (best.coefficient == 0) return best;
+  double sum = 0;
+  for (const double log_odds : all) sum += std::exp(log_odds - max);
+  best.log_odds = max + std::log(sum);
   return best;
 }
 
@@ -77,7 +93,7 @@ double chance_of_walk(const series::Rows& rows, const noise::NoiseModel& noise,
   };
   ExplainedSpace space(without_model(measured));
   const series::ColumnRange effect = space.add(new_directions(added, basis, whitening));
-  const WalkModes modes = add_walk(space, without_model(noise::random_walk_modes(rows)));
+  const WalkModes modes = add_walk(space, without_model(visible_walk_modes(rows, noise)));
   space.finish();
   const WalkRival rival = find_walk(space, modes, noise.walks);
   const auto columns = static_cast<double>(effect.count);

@@ -10,7 +10,7 @@ namespace fogcomp::fit {
 /// A random walk of the bias as the only cause of a residual.
 struct WalkRival {
   double coefficient = 0;  ///< of the most probable walk, deg/h/sqrt(h); 0: none
-  double log_odds = 0;     ///< ln of its odds against noise without a walk
+  double log_odds = 0;     ///< ln of the odds of any walk against noise without one
   ExplainedSpace space;    ///< with the most probable walk as part of the noise
 };
 
@@ -19,7 +19,11 @@ struct WalkModes {
   series::ColumnRange columns;
   Eigen::VectorXd square;  ///< of their original lengths
 };
-/// `modes`: random_walk_modes(), whitened, model projected out. Modes within the model are left
+/// Columns of a random walk (noise::random_walk_modes) as far as one that the quiet parts do not
+/// exclude is visible.
+Eigen::MatrixXd visible_walk_modes(const series::Rows& rows, const noise::NoiseModel& noise);
+
+/// `modes`: visible_walk_modes(), whitened, model projected out. Modes within the model are left
 /// out.
 WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes);
 

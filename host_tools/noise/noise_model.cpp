@@ -128,7 +128,8 @@ QuietSpectrum in_bands(const Spectrum& spectrum, double white_variance) {
 // Coefficients of random walks that drift by 1/16 to 8 times the white noise of a row in a run.
 std::vector<NoiseModel::Walk> possible_walks(double white_dph, double run_s) {
   std::vector<NoiseModel::Walk> walks;
-  for (double ratio = 1.0 / 16; ratio <= 8; ratio *= 2) {
+  for (int half_octave = -8; half_octave <= 6; ++half_octave) {
+    const double ratio = std::exp2(half_octave / 2.0);
     walks.push_back({ratio * white_dph / std::sqrt(run_s / kSecondsPerHour), 0});
   }
   return walks;

@@ -1,0 +1,70 @@
+#include "fit/walk_rival.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "fit/decision_rules.hpp"
+#include "support/units.hpp"
+#include "unit/fit/made_rows.hpp"
+
+namespace fogcomp::fit {
+namespace {
+
+constexpr std::size_t kRows = 3000;
+constexpr double kRow_s = 10;
+constexpr double kWhite_dph = 0.02;
+constexpr double kWalk = 0.02;  // deg/h/sqrt(h)
+
+// A random walk beside white noise, deg/h.
+Eigen::VectorXd walking(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  Eigen::VectorXd values(kRows);
+  double bias = 0;
+  for (double& value : values) {
+    bias += kWalk * std::sqrt(kRow_s / 3600) * normal(random);
+    value = bias + kWhite_dph * normal(random);
+  }
+  return values;
+}
+
+// Smooth functions of time as flexible as what a diagnosis calls unexplained structure.
+Eigen::MatrixXd smooth(Eigen::Index count) {
+  Eigen::MatrixXd columns(kRows, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    for (Eigen::Index i = 0; i < columns.rows(); ++i) {
+      columns(i, k) = std::cos(kPi * static_cast<double>(k + 1) * (static_cast<double>(i) + 0.5) /
+                               static_cast<double>(kRows));
+    }
+  }
+  return columns;
+}
+
+noise::NoiseModel white_noise_and_walks() {
+  noise::NoiseModel noise;
+  noise.row_s = kRow_s;
+  noise.white_variance = kWhite_dph * kWhite_dph;
+  for (const double ratio : {0.5, 0.7, 1.0, 1.4, 2.0}) noise.walks.push_back({ratio * kWalk, 0});
+  return noise;
+}
+
+// Smooth functions that describe a walk better than a walk does would be a walk that is taken for a
+// missing effect: if its modes end too early, what is beyond them speaks for any smooth function.
+TEST(WalkRival, IsRarelyRefusedForSmoothFunctions) {
+  const series::Rows rows = fog::test::made_rows(
+      kRows, [](double) { return 20.0; }, kRow_s);
+  const Eigen::VectorXd weights = Eigen::VectorXd::Ones(kRows);
+  const Eigen::MatrixXd bias = Eigen::MatrixXd::Ones(kRows, 1);
+  int refused = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const double chance =
+        chance_of_walk(rows, white_noise_and_walks(), weights, bias, smooth(40), walking(seed));
+    if (chance < rules::kMaxChanceOfWalk) ++refused;
+  }
+  EXPECT_LE(refused, 3);
+}
+
+}  // namespace
+}  // namespace fogcomp::fit
