@@ -5,10 +5,11 @@
 set -euo pipefail
 fogcomp=$(realpath "${1:?usage: renew.sh FOGCOMP}")
 docs=$(realpath "$(dirname "$0")")
-recording=$docs/examples/mems_chamber.csv
+recording=mems_chamber.csv # beside the page: the pictures show the command line
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
+cp "$docs/examples/$recording" .
 
 "$fogcomp" fit "$recording" -o cubic.model --effects bias,bias_temperature:order=3 >/dev/null
 "$fogcomp" add cubic.model thermal_lag aging "$recording" -o mems.model >/dev/null

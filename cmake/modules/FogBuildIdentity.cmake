@@ -1,7 +1,8 @@
-# What an image says that it was built from: the version, and 32 bits of the SHA-256 of the sources, which is the same in any folder and
-# at any time. The model is none of them: it has a CRC of its own.
+# What an image says that it was built from: the version, and 32 bits of the SHA-256 of the sources, which is the same
+# in any folder and at any time. The model is none of them: it has a CRC of its own.
 file(GLOB_RECURSE fog_sources CONFIGURE_DEPENDS RELATIVE "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/firmware/*"
-     "${PROJECT_SOURCE_DIR}/linker/*" "${PROJECT_SOURCE_DIR}/cmake/modules/*" "${PROJECT_SOURCE_DIR}/cmake/toolchains/*")
+     "${PROJECT_SOURCE_DIR}/linker/*" "${PROJECT_SOURCE_DIR}/cmake/modules/*"
+     "${PROJECT_SOURCE_DIR}/cmake/toolchains/*")
 list(FILTER fog_sources EXCLUDE REGEX "\\.md$|^firmware/model/")
 list(APPEND fog_sources CMakeLists.txt CMakePresets.json)
 list(SORT fog_sources)

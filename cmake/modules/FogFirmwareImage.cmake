@@ -58,6 +58,7 @@ target_compile_options(
 function(fog_firmware_image name)
   set(linker_folder "${PROJECT_SOURCE_DIR}/linker")
   set(linker_script "${linker_folder}/${FOG_PLATFORM}.ld")
+  set(seal_script "${PROJECT_SOURCE_DIR}/cmake/modules/seal_image.cmake")
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE fog_platform fog_core fog_model fog_freestanding
                                         fog_warnings gcc)
@@ -65,7 +66,7 @@ function(fog_firmware_image name)
     ${name}
     PROPERTIES SUFFIX ".elf"
                RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}"
-               LINK_DEPENDS "${linker_script};${linker_folder}/common_sections.ld;${PROJECT_SOURCE_DIR}/cmake/modules/seal_image.cmake")
+               LINK_DEPENDS "${linker_script};${linker_folder}/common_sections.ld;${seal_script}")
   target_link_options(
     ${name}
     PRIVATE
@@ -82,7 +83,7 @@ function(fog_firmware_image name)
     TARGET ${name}
     POST_BUILD
     COMMAND ${CMAKE_COMMAND} -DELF=${name}.elf -DOBJCOPY=${CMAKE_OBJCOPY} -P
-            "${PROJECT_SOURCE_DIR}/cmake/modules/seal_image.cmake"
+            "${seal_script}"
     COMMAND ${CMAKE_OBJCOPY} -O binary ${name}.elf ${name}.bin
     COMMAND ${CMAKE_OBJCOPY} -O ihex ${name}.elf ${name}.hex
     BYPRODUCTS "${PROJECT_BINARY_DIR}/${name}.bin" "${PROJECT_BINARY_DIR}/${name}.hex"

@@ -1,5 +1,6 @@
-# fog_workbench_engine(TARGET): builds the engine of the workbench (host_tools/workbench/engine) with emscripten and embeds
-# it in TARGET, packed. Without emscripten TARGET is built all the same, and `fogcomp workbench` says what is missing.
+# fog_workbench_engine(TARGET): builds the engine of the workbench (host_tools/workbench/engine) with emscripten and
+# embeds it in TARGET, packed. Without emscripten TARGET is built all the same, and `fogcomp workbench` says what is
+# missing.
 option(FOG_WORKBENCH "Build the engine of `fogcomp workbench`, where emscripten is installed" ON)
 find_program(FOG_EMSCRIPTEN em++)
 function(fog_workbench_engine target)
@@ -27,7 +28,8 @@ function(fog_workbench_engine target)
   add_custom_command(
     OUTPUT "${FOG_ENGINE_FOLDER}/engine.js" "${FOG_ENGINE_FOLDER}/engine.wasm.gz.base64"
     COMMAND ${run} -S "${source}" -B "${FOG_ENGINE_FOLDER}" -G Ninja -DFOGCOMP_VERSION=${PROJECT_VERSION}
-            -DCMAKE_TOOLCHAIN_FILE=${FOG_EMSCRIPTEN_TOOLCHAIN} -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
+            -DCMAKE_TOOLCHAIN_FILE=${FOG_EMSCRIPTEN_TOOLCHAIN}
+            -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
             > "${FOG_ENGINE_FOLDER}.log"
     COMMAND ${run} --build "${FOG_ENGINE_FOLDER}"
     COMMAND gzip -9 -n -k -f engine.wasm

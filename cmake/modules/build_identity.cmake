@@ -1,5 +1,5 @@
-# cmake -DSOURCES=... -DVERSION=1.2.3 -DOUTPUT=build_identity.h -P build_identity.cmake: names and contents of the sources
-# as one number, 32 bits of their SHA-256.
+# cmake -DSOURCES=... -DVERSION=1.2.3 -DOUTPUT=build_identity.h -P build_identity.cmake: names and contents of the
+# sources as one number, 32 bits of their SHA-256.
 cmake_minimum_required(VERSION 3.25)
 
 set(all "")

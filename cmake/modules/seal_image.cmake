@@ -1,5 +1,6 @@
 # cmake -DELF=NAME.elf -DOBJCOPY=... -P seal_image.cmake: writes the seal of a linked image, the last word
-# of its flash (firmware/SPEC.md, "Seal of the image"), so that the CRC-32 over image and seal, begun with 0, ends in FFFFFFFF.
+# of its flash (firmware/SPEC.md, "Seal of the image"), so that the CRC-32 over image and seal, begun with 0, ends in
+# FFFFFFFF.
 cmake_minimum_required(VERSION 3.25)
 
 set(crc_polynomial 0x04C11DB7)

@@ -1,4 +1,5 @@
-# RV32IMAC with its control registers, no floating point: not a board of ours, but a second instruction set that keeps the core honest.
+# RV32IMAC with its control registers, no floating point: not a board of ours, but a second instruction set that keeps
+# the core honest.
 set(CMAKE_SYSTEM_PROCESSOR rv32) # a folder of firmware/platform
 
 set(toolchain riscv64-unknown-elf)
@@ -18,7 +19,8 @@ foreach(folder IN LISTS arm_folders)
   string(APPEND standard_headers " -isystem ${folder}")
 endforeach()
 
-# Of that version of the instruction set the control registers (mtvec, mcause) are a part. No gp-relative data: the linker script, which all boards share, has no sections for it.
+# Of that version of the instruction set the control registers (mtvec, mcause) are a part. No gp-relative data: the
+# linker script, which all boards share, has no sections for it.
 set(cpu_flags "-march=rv32imac -misa-spec=2.2 -mabi=ilp32 -mcmodel=medlow -msmall-data-limit=0")
 set(CMAKE_C_FLAGS_INIT "${cpu_flags}")
 set(CMAKE_CXX_FLAGS_INIT "${cpu_flags}${standard_headers}")

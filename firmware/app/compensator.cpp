@@ -29,7 +29,8 @@ namespace {
   line.text("firmware " FOG_BUILD_VERSION " ").hex(FOG_BUILD_SOURCES).text(", processor");
   for (const std::uint32_t word : hal::processor_number()) line.text(" ").hex(word);
   line.text("\r\nmodel ").hex(used.parameters.provenance);
-  if (used.error == ModelError::none) line.text(" of ").text(used.serial());
+  const bool has_serial = used.error == ModelError::none && *used.serial() != 0;
+  if (has_serial) line.text(" of ").text(used.serial());
   hal::write_console(line.text(": ").text(describe(used.error)).text("\r\n").c_str());
 }
 

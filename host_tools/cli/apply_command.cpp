@@ -70,7 +70,7 @@ struct ApplyCommand : Command {
 
   ApplyCommand()
       : Command("apply", {"MODEL RUN", 2, 2},
-                "the compensated rate and every effect's part, row by row",
+                "the compensated rate and every effect's part, sample by sample",
                 "fogcomp apply gyro.model run.csv -o compensated.csv") {
     needs = {{&output}};
     board.make_rare();
@@ -92,15 +92,15 @@ void ApplyCommand::print(const ApplyOutcome& found) const {
     return;
   }
   std::printf("%s: %s, std %s deg/h measured, %s compensated\n", output.value().c_str(),
-              counted(found.rows, "row").c_str(), rounded(found.raw_std_dph).c_str(),
+              counted(found.rows, "sample").c_str(), rounded(found.raw_std_dph).c_str(),
               rounded(found.compensated_std_dph).c_str());
   if (found.without_rate > 0) {
     std::printf("  %s without a valid rate: see the flags\n",
-                counted(found.without_rate, "row").c_str());
+                counted(found.without_rate, "sample").c_str());
   }
   if (found.clamped > 0) {
     std::printf("  %s outside the trained temperatures: the drift is that of the limit\n",
-                counted(found.clamped, "row").c_str());
+                counted(found.clamped, "sample").c_str());
   }
 }
 

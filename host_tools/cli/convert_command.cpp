@@ -41,7 +41,7 @@ int ConvertCommand::run() const {
     return 0;
   }
   std::printf("%s: %s, %.4g s apart\n", output.value().c_str(),
-              counted(found.rows(), "row").c_str(), found.period_s);
+              counted(found.rows(), "sample").c_str(), found.period_s);
   return 0;
 }
 

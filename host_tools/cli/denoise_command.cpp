@@ -53,7 +53,7 @@ void print_text(const std::string& output, const DenoiseOutcome& found) {
     std::printf("%-24zu %10.5f %10.5f deg/h\n", i + 1, levels[i].noise, levels[i].threshold);
   }
   std::printf("\n%s: %s, %s replaced\n", output.c_str(),
-              counted(found.recording.rows(), "row").c_str(),
+              counted(found.recording.rows(), "sample").c_str(),
               counted(found.report.outliers, "outlier").c_str());
 }
 
@@ -83,7 +83,7 @@ int DenoiseCommand::run() const {
   if (found.report.shortened_values > 0) {
     std::fprintf(stderr, "%s: %s between gaps too close for %s got fewer\n",
                  found.recording.file.c_str(),
-                 counted(found.report.shortened_values, "row").c_str(),
+                 counted(found.report.shortened_values, "sample").c_str(),
                  counted(static_cast<std::size_t>(method.levels), "level").c_str());
   }
   write_recording(found.recording, output.value());

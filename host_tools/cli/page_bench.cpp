@@ -62,8 +62,8 @@ std::string shortened(WorkbenchSetup& setup, const std::string& path,
                       const recording::ReadOptions& reading) {
   const PageRows rows = page_rows(path, reading);
   setup.notes.push_back(format(
-      "%s has %zu rows, of which the workbench has the %zu means over 1 s: its figures are those "
-      "of the command line to some digits only",
+      "%s has %zu samples; the workbench has their %zu means over 1 s, so its figures agree with "
+      "the command line's to some digits only",
       path.c_str(), rows.samples, rows.rows));
   return rows.csv;
 }

@@ -35,8 +35,9 @@ struct SimulateCommand : Command {
   Text preset{this,
               {"preset", "NAME|FILE", "gyro; none: an ideal one (--list)", "paper"},
               names_of(ready_made_presets())};
-  Number rate{
-      this, {"rate", "HZ", "0.01 to 1000; a row is the mean over its period", "0.1"}, {0.01, 1000}};
+  Number rate{this,
+              {"rate", "HZ", "0.01 to 1000; a sample is the mean over its period", "0.1"},
+              {0.01, 1000}};
   Texts effects{
       this,
       {"effect", "NAME[:k=v,...]", "switches an effect on; changes it or a part of the gyro"}};
@@ -131,8 +132,8 @@ int SimulateCommand::run() const {
     }
     std::puts(result.text().c_str());
   } else {
-    std::printf("%s: %s, %.2f h at %g Hz\n", output.value().c_str(), counted(rows, "row").c_str(),
-                chamber.duration_s() / 3600, rate.value());
+    std::printf("%s: %s, %.2f h at %g Hz\n", output.value().c_str(),
+                counted(rows, "sample").c_str(), chamber.duration_s() / 3600, rate.value());
   }
   return 0;
 }

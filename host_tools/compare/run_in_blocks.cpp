@@ -70,7 +70,7 @@ RunInBlocks run_in_blocks(const recording::Recording& recording, double average_
   if (recording.power_on_unknown) {
     run.notes.push_back(recording.file +
                         ": power-on is not known: effects of the time since then (warm_up, aging) "
-                        "count from its first row");
+                        "count from its first sample");
   }
   return run;
 }

@@ -33,7 +33,7 @@ DenoiseReport denoise_parts(const std::vector<fog::Span<double>>& parts,
   if (possible < method.levels) {
     throw InputError(where, format("%s without a gap: at most %s of %s, not %d; use "
                                    "fewer --levels or a shorter --wavelet",
-                                   counted(longest, "row").c_str(),
+                                   counted(longest, "value").c_str(),
                                    counted(static_cast<std::size_t>(possible), "level").c_str(),
                                    method.wavelet.c_str(), method.levels));
   }

@@ -63,7 +63,7 @@ noise::NoiseModel noise_of_static(const model::Model& model, const recording::Re
   recording::require_varying_rate(recording);
   const std::string same = data.known().file_with(recording::rows_hash(recording));
   if (!same.empty()) {
-    throw InputError(recording.file, "has the same rows as " + same +
+    throw InputError(recording.file, "has the same samples as " + same +
                                          ", which is diagnosed; --static must be another "
                                          "recording, at rest");
   }

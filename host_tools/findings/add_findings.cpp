@@ -19,9 +19,9 @@ void add_errors(Document& document, const fit::Addition& addition) {
       words(format("what is left of each run, means of %g s, the model refitted to the same runs "
                    "before and after",
                    addition.model.average_s));
-  table.columns = {"run",          {"before", "measured"}, {"after", "residual"},
-                   "drift before", "drift after",          "floor",
-                   "remark"};
+  table.columns = {
+      "run", {"before", "measured"}, {"after", "residual"}, "drift before", "drift after", "floor",
+      ""};
   table.quantity = "rms left, deg/h";
   table.floor = addition.runs[0].noise_floor_dph.value_or(0);
   std::vector<std::string> files;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compare/decision_rules.hpp"
+#include "findings/figures.hpp"
 #include "noise/outlier_rows.hpp"
 #include "support/text.hpp"
 
@@ -31,12 +32,11 @@ std::vector<Part> parts_of(const compare::ResidualAnalysis& analysis,
   if (const compare::LoopBin* widest = analysis.history.widest()) {
     look_at(
         analysis.history.test, "history",
-        format(" (heating less cooling %s +- %.2g at %.0f degC)",
-               signed_rounded(widest->width_dph()).c_str(), widest->sigma_dph, widest->at_degc));
+        format(" (heating less cooling %s at %.0f degC)",
+               with_sigma(widest->width_dph(), widest->sigma_dph, true).c_str(), widest->at_degc));
   }
   look_at(analysis.offset, "constant offset",
-          format(" (%s +- %.2g)", signed_rounded(comparison.whole.mean_dph).c_str(),
-                 analysis.offset_sigma_dph));
+          " (" + with_sigma(comparison.whole.mean_dph, analysis.offset_sigma_dph, true) + ")");
   std::stable_sort(found.begin(), found.end(),
                    [](const Part& a, const Part& b) { return a.share > b.share; });
   look_at(analysis.time.test, "time");
@@ -47,11 +47,11 @@ std::vector<Part> parts_of(const compare::ResidualAnalysis& analysis,
 
 std::string error_words(const compare::Comparison& comparison) {
   if (!comparison.noise_floor_dph) {
-    return format("residual %s (too short to know its noise floor)",
+    return format("residual %s deg/h (too short to know its noise floor)",
                   rounded(comparison.whole.rms_dph).c_str());
   }
   const double floor = *comparison.noise_floor_dph;
-  return format("residual %s against a floor of %s: drift left %s, was %s",
+  return format("residual %s deg/h against a floor of %s: drift left %s, was %s",
                 rounded(comparison.whole.rms_dph).c_str(), rounded(floor).c_str(),
                 rounded(compare::floor_removed(comparison.whole.rms_dph, floor)).c_str(),
                 rounded(compare::floor_removed(comparison.whole.raw_std_dph, floor)).c_str());
@@ -114,14 +114,11 @@ std::vector<Text> turn_on_sentences(const std::vector<compare::TurnOnBias>& turn
   std::vector<Text> sentences;
   for (const compare::TurnOnBias& run : turn_on) {
     if (!run.certain) continue;
-    // Decimals that show two digits of the uncertainty.
-    const int decimals = std::max(0, 1 - static_cast<int>(std::floor(std::log10(run.sigma_dph))));
     const std::vector<std::string> names = short_names({run.run, run.reference});
-    sentences.push_back(
-        "turn-on bias: " + verbatim(names[0]) +
-        words(format(" is %.*f +- %.*f deg/h %s ", decimals, std::abs(run.above_dph), decimals,
-                     run.sigma_dph, run.above_dph > 0 ? "above" : "below")) +
-        verbatim(names[1]));
+    sentences.push_back("turn-on bias: " + verbatim(names[0]) +
+                        words(" is " + with_sigma(std::abs(run.above_dph), run.sigma_dph) +
+                              " deg/h " + (run.above_dph > 0 ? "above " : "below ")) +
+                        verbatim(names[1]));
   }
   return sentences;
 }

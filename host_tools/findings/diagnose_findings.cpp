@@ -74,13 +74,14 @@ void add_candidates(Document& document, const diagnosis::Diagnosis& diagnosis) {
   Table table;
   table.columns = {"candidate", "largest",   {"among them", "residual"},
                    "explains",  "rms after", "shape"};
-  table.quantity = "probability";
+  table.quantity = "probability that it is among them";
   table.full = 1;
   table.keys = {{"named", "model"}, {"others", "residual"}};
   table.notes =
-      "largest: probability that it is the largest of the effects that are missing, in this order; "
-      "among them: that it is one of them; explains: of what is above the noise, alone; rms after: "
-      "deg/h, with it alone added";
+      "largest: probability that it is the largest of the missing effects, which decides the "
+      "order; "
+      "among them: probability that it is one of them; explains: share of what is above the noise, "
+      "by it alone; rms after: deg/h, with it alone added";
   for (const diagnosis::CandidateFinding& finding : diagnosis.candidates) {
     Table::Row row{verbatim(finding.effect),
                    probability_text(finding.lead),
@@ -111,7 +112,7 @@ void add_untestable(Document& document, const diagnosis::Diagnosis& diagnosis) {
             (effects.size() > 1 ? " (need " : " (needs ") + needs + ")";
   }
   if (list.empty()) return;
-  document.sentence(words("not to be seen in these recordings: " + list));
+  document.sentence(words("not visible in these recordings: " + list));
 }
 
 void add_ladder(Document& document, const diagnosis::Ladder& ladder, const DiagnosedFiles& files,

@@ -1,11 +1,13 @@
 #include "findings/diagnosis_words.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
 #include "compare/comparison.hpp"
 #include "findings/figures.hpp"
+#include "findings/labels.hpp"
 #include "findings/residual_words.hpp"
 #include "model/catalogue.hpp"
 #include "model/shape_limits.hpp"
@@ -70,8 +72,9 @@ Headline verdict_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
     case diagnosis::Verdict::missing_effect:
       return missing_words(diagnosis);
     case diagnosis::Verdict::ambiguous:
-      return {"an effect is missing; these recordings cannot tell which of",
-              join_list(diagnosis.confusable, "or")};
+      return {"an effect is missing: " + join_list(diagnosis.confusable, "or") +
+                  "; these recordings cannot tell which",
+              ""};
     case diagnosis::Verdict::unknown:
       break;
   }
@@ -133,8 +136,8 @@ std::string shape_words(const model::EffectTerm& term) {
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
     const model::TermInfo::Parameter& parameter = info.parameters[i];
     if (model::is_left_at_zero(term, i)) continue;
-    text += (text.empty() ? "" : ", ") +
-            format("%s %.3g", parameter.name.c_str(), term.parameters[i]) +
+    text += (text.empty() ? "" : ", ") + parameter.name +
+            format(std::fabs(term.parameters[i]) < 1000 ? " %.3g" : " %.0f", term.parameters[i]) +
             (parameter.unit.empty() ? "" : " " + parameter.unit);
   }
   return text;
@@ -147,7 +150,8 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
   if (!next.together.empty()) {
     words.verdict = "several effects together are missing: " + join_list(next.together, "and");
     words.certainty = diagnosis.verdict == diagnosis::Verdict::ambiguous
-                          ? "these recordings cannot tell which is the largest: " + words.certainty
+                          ? "these recordings cannot tell which is the largest: " +
+                                join_list(diagnosis.confusable, "or")
                           : "";
   }
   words.findings.push_back(
@@ -204,7 +208,7 @@ BriefDiagnosis in_brief(const diagnosis::Diagnosis& diagnosis, const diagnosis::
   } else {
     std::string what = fast_words(diagnosis);
     if (what.empty() && !diagnosis.variable.empty()) {
-      what = "it depends most on " + diagnosis.variable;
+      what = "it depends most on " + variable_label(diagnosis.variable).plain();
     }
     brief.sentence = "something is missing that no effect of the catalogue explains";
     if (!what.empty()) brief.sentence += " (" + what + ")";

@@ -34,6 +34,12 @@ Text dph(const std::optional<double>& value) {
   return value ? number(*value) : Text("-");
 }
 
+std::string with_sigma(double value, double sigma, bool sign) {
+  if (!(sigma > 0) || !std::isfinite(sigma)) return sign ? signed_rounded(value) : rounded(value);
+  const int decimals = std::max(0, 2 - digits_before_point(sigma));
+  return format(sign ? "%+.*f +- %.*f" : "%.*f +- %.*f", decimals, value, decimals, sigma);
+}
+
 std::string percent(double share) {
   return format("%.0f %%", 100 * share);
 }

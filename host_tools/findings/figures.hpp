@@ -15,6 +15,10 @@ Text number(double rate_dph);
 /// The same; "-" if there is none.
 Text dph(const std::optional<double>& value);
 
+/// "0.0424 +- 0.0067": a value and its standard deviation in the same unit, both to the second
+/// digit of the latter. `sign`: "+" before a positive value.
+std::string with_sigma(double value, double sigma, bool sign = false);
+
 /// "12 %"
 std::string percent(double share);
 

@@ -32,7 +32,7 @@ void add_rows(Document& document, const FitOutcome& fit) {
       words(counted(static_cast<std::size_t>(fit.rows), "row") + format(" of %g s", fit.row_s)));
   if (const std::size_t refused = fit.refused_rows()) {
     document.sentence(
-        words(counted(refused, "row") + " of the recordings left out by the board's rules"));
+        words(counted(refused, "sample") + " of the recordings left out by the board's rules"));
   }
   if (identified.outliers > 0) {
     document.sentence(words(noise::outlier_words(identified.outliers, fit.row_s)));

@@ -66,7 +66,7 @@ std::string duration(double seconds) {
 
 // Extent of the data, and rows left out.
 void add_extent(Document& document, const recording::Recording& recording) {
-  std::string text = counted(recording.rows(), "row");
+  std::string text = counted(recording.rows(), "sample");
   if (recording.period_s > 0) {
     const double length_s = recording.time_s.back() - recording.time_s.front();
     text += format(" at %.6g Hz, %s", 1 / recording.period_s,
@@ -77,12 +77,12 @@ void add_extent(Document& document, const recording::Recording& recording) {
   if (gaps > 0) text += ", " + counted(gaps, "gap");
   if (recording.bad_rows > 0) text += ", " + counted(recording.bad_rows, "bad row") + " left out";
   if (recording.empty_rows > 0) {
-    text += ", " + counted(recording.empty_rows, "row") + " without a value left out";
+    text += ", " + counted(recording.empty_rows, "sample") + " without a value left out";
   }
   document.sentence(words(text));
   if (recording.refused_rows > 0) {
     document.sentence(
-        words(counted(recording.refused_rows, "row") + " left out by the board's rules"));
+        words(counted(recording.refused_rows, "sample") + " left out by the board's rules"));
   }
   if (recording.capture) document.sentence(words(recording::describe(*recording.capture)));
   if (recording.rows() > 1 && !recording::rate_resolution(recording).varies()) {

@@ -28,6 +28,7 @@ constexpr Label kFigures[] = {
     {"fit_floor_dph", "noise floor, fit, deg/h"},
     {"fit_drift_dph", "drift left, fit, deg/h"},
     {"fit_misfit", "misfit of the fit (1: noise alone)"},
+    {"fit_outliers", "rows left out of the fit: outliers"},
     {"network_hidden", "neurons of the network"},
     {"holdout_raw_std_dph", "std before, holdout, deg/h"},
     {"holdout_rms_dph", "rms left by the model, holdout, deg/h"},

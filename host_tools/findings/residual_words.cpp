@@ -6,6 +6,7 @@
 
 #include "compare/comparison.hpp"
 #include "findings/figures.hpp"
+#include "findings/labels.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 
@@ -17,10 +18,10 @@ constexpr double kSlowCycle_s = 7200;  // no laboratory machine is that slow
 }  // namespace
 
 std::string size_words(const diagnosis::Diagnosis& diagnosis, const std::string& effect) {
-  std::string text = format("the model leaves %.4g deg/h rms; the noise floor is %.4g",
-                            diagnosis.residual_rms_dph, diagnosis.noise_floor_dph);
+  std::string text = "the model leaves " + rounded(diagnosis.residual_rms_dph) +
+                     " deg/h rms; the noise floor is " + rounded(diagnosis.noise_floor_dph);
   if (const diagnosis::CandidateFinding* finding = diagnosis.find(effect)) {
-    text += format("; with %s %.4g", effect.c_str(), finding->rms_after_dph);
+    text += "; with " + effect + " " + rounded(finding->rms_after_dph);
   }
   return text;
 }
@@ -46,7 +47,8 @@ std::string where_words(const diagnosis::Diagnosis& diagnosis) {
             percent(segments[i].share) + ")";
   }
   if (!diagnosis.variable.empty()) {
-    text += (text.empty() ? "it depends most on " : "; it depends most on ") + diagnosis.variable;
+    text += (text.empty() ? "it depends most on " : "; it depends most on ") +
+            variable_label(diagnosis.variable).plain();
   }
   return text;
 }

@@ -166,10 +166,10 @@ void add_loop(Plot& over_temperature, const compare::Loop& loop) {
   over_temperature.curves.push_back(std::move(heating));
   over_temperature.curves.push_back(std::move(cooling));
   if (!loop.test.structured()) return;
-  over_temperature.caption += " Heating less cooling " + number(widest->width_dph()) + " +- " +
-                              number(widest->sigma_dph) + " deg/h at " +
-                              words(format("%.0f degC", widest->at_degc)) +
-                              ": a loop, which temperature alone cannot model.";
+  over_temperature.caption +=
+      words(" Heating less cooling " + with_sigma(widest->width_dph(), widest->sigma_dph) +
+            format(" deg/h at %.0f degC: a loop, which temperature alone cannot model.",
+                   widest->at_degc));
 }
 
 }  // namespace fogcomp::findings

@@ -1,6 +1,7 @@
 #include "findings/run_section.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "findings/allan_plot.hpp"
 #include "findings/compare_words.hpp"
@@ -183,8 +184,10 @@ void add_parts(Document& document, const compare::ModelOnRuns& model, std::size_
       "share: rise of the residual without this part alone; correlated parts share it, so the "
       "shares need not add up to 100 %";
   for (const compare::EffectShare& effect : comparison.effects) {
-    table.rows.push_back({verbatim(effect.name), words(format("%.1f %%", 100 * effect.share)),
-                          number(effect.std_dph), number(effect.mean_dph)});
+    table.rows.push_back(
+        {verbatim(effect.name),
+         words(format("%.1f %%", std::round(1000 * effect.share) / 10 + 0.0)),  // no -0
+         number(effect.std_dph), number(effect.mean_dph)});
   }
   document.table(std::move(table), Shown::on_page);
 }

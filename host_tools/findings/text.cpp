@@ -23,7 +23,8 @@ Text::Text(const char* literal) : Text(words(literal)) {}
 std::string Text::sentence() const {
   std::string text = typeset_;
   if (text.empty()) return text;
-  if (!begins_with_name_ && text[0] >= 'a' && text[0] <= 'z') {
+  const bool identifier = text.find('_') < text.find(' ');  // of an effect, say: as it is typed
+  if (!begins_with_name_ && !identifier && text[0] >= 'a' && text[0] <= 'z') {
     text[0] = static_cast<char>(text[0] - 'a' + 'A');
   }
   if (text.back() != '.' && text.back() != ':') text += '.';

@@ -19,7 +19,8 @@ class Text {
   const std::string& plain() const { return plain_; }
   const std::string& typeset() const { return typeset_; }
   bool empty() const { return plain_.empty(); }
-  /// Typeset, with an initial capital (unless a name is there) and a full stop.
+  /// Typeset, with an initial capital (unless it begins with a name or an identifier such as
+  /// thermal_lag) and a full stop.
   std::string sentence() const;
 
  private:

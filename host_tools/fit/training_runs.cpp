@@ -68,7 +68,7 @@ Holdouts read_holdouts(const std::vector<std::string>& files, const recording::R
         compare::run_in_blocks(recording::read_recording(file, options), average_s);
     const std::string same = fitted.file_with(run.rows_hashes[0]);
     if (!same.empty()) {
-      throw InputError(file, "has the same rows as " + same +
+      throw InputError(file, "has the same samples as " + same +
                                  ", which is fitted to; a holdout must be another run");
     }
     const std::string twice = known.file_with(run.rows_hashes[0]);

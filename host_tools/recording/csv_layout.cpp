@@ -237,7 +237,7 @@ class LayoutFinder {
     if (refusal_) throw InputError(*refusal_);
     const std::size_t first = next_line(0);
     if (first == lines_.size()) {
-      throw InputError(head_.path, "has no header line and no rows; is it the right file?");
+      throw InputError(head_.path, "has no header line and no samples; is it the right file?");
     }
     if (guess_.names.empty()) {
       const std::string name(trim(lines_[first]));
@@ -267,7 +267,7 @@ class LayoutFinder {
     if (layout.time != TimeFormat::number) {
       understood.push_back(
           std::string(layout.time == TimeFormat::since_1970 ? "UNIX" : "ISO 8601") +
-          " times, counted from the first row: power-on is not known");
+          " times, counted from the first sample: power-on is not known");
     }
     if (!understood.empty()) options_.watch.say(head_.path, "read as " + join(understood, "; "));
     return layout;

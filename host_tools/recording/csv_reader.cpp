@@ -27,7 +27,7 @@ std::string fault_of_range(std::size_t slot, const CsvRow& row) {
 
 std::string fault_of_time(double previous_s, double time_s, bool of_calendar) {
   if (time_s == previous_s && of_calendar) {
-    return format("time repeats, %.15g s from the first row; has it enough digits?", time_s);
+    return format("time repeats, %.15g s from the first sample; has it enough digits?", time_s);
   }
   if (time_s == previous_s) return format("time_s repeats %.15g", time_s);
   return format("time_s goes back from %.15g to %.15g", previous_s, time_s);
@@ -82,15 +82,15 @@ class RowCollector {
   Recording finish() {
     const bool none = recording_.rows() == 0 && long_recording_.rows_taken() == 0;
     if (none && recording_.bad_rows == 0 && recording_.empty_rows > 0) {
-      throw InputError(file_.path(), "has no row with a time and a rate");
+      throw InputError(file_.path(), "has no sample with a time and a rate");
     }
     if (none) {
       throw InputError(file_.path(), recording_.bad_rows == 0
-                                         ? "has a header but no rows"
+                                         ? "has a header but no samples"
                                          : "has no good row; the first bad one: " + first_fault_);
     }
     if (recording_.empty_rows > 0) {
-      options_.watch.say(file_.path(), counted(recording_.empty_rows, "row") +
+      options_.watch.say(file_.path(), counted(recording_.empty_rows, "sample") +
                                            " left out: no time or rate, the first at line " +
                                            std::to_string(first_empty_));
     }

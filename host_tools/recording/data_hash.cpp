@@ -45,7 +45,7 @@ std::uint64_t rows_hash(const Recording& recording) {
 }
 
 std::string same_rows_words(const std::string& file, const std::string& other) {
-  return file + ": has the same rows as " + other + "; counted once";
+  return file + ": has the same samples as " + other + "; counted once";
 }
 
 }  // namespace fogcomp::recording

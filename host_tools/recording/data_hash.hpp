@@ -33,7 +33,7 @@ class KnownRows {
   std::map<std::uint64_t, std::string> files_;
 };
 
-/// "copy.csv: has the same rows as run.csv; counted once".
+/// "copy.csv: has the same samples as run.csv; counted once".
 std::string same_rows_words(const std::string& file, const std::string& other);
 
 }  // namespace fogcomp::recording

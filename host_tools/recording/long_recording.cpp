@@ -66,8 +66,8 @@ LongRecording::LongRecording(const ReadOptions& options, std::size_t min_rows)
 
 void LongRecording::take(Recording& part, LineNumbers& lines, const std::string& where) {
   if (options_->every_row) {
-    throw InputError(where, format("more than %zu million rows, each of which is needed here; cut "
-                                   "the file",
+    throw InputError(where, format("more than %zu million samples, each of which is needed here; "
+                                   "cut the file",
                                    kMaxRows / 1'000'000));
   }
   rows_per_mean_ = std::max<std::size_t>(rows_per_mean_, 1);
@@ -182,14 +182,14 @@ void LongRecording::merge(const std::vector<std::size_t>& starts) {
 }
 
 Recording LongRecording::finish(const std::string& file) {
-  if (means_.rows() == 0) throw InputError(file, "no row is left: " + first_refusal_);
+  if (means_.rows() == 0) throw InputError(file, "no sample is left: " + first_refusal_);
   means_.file = file;
   if (means_.refused_rows > 0) {
-    options_->watch.say(file, counted(means_.refused_rows, "row") +
+    options_->watch.say(file, counted(means_.refused_rows, "sample") +
                                   " left out by the board's rules, the first: " + first_refusal_);
   }
   options_->watch.say(
-      file, format("%zu rows: read in means of %zu (%.4g s), %zu of them", read_rows_,
+      file, format("%zu samples: read in means of %zu (%.4g s), %zu of them", read_rows_,
                    rows_per_mean_, period_s_ * static_cast<double>(rows_per_mean_), means_.rows()));
   means_.rows_per_row = rows_per_mean_;
   return std::move(means_);

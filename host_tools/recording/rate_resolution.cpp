@@ -42,9 +42,10 @@ RateResolution rate_resolution(const Recording& recording) {
 
 void require_varying_rate(const Recording& recording) {
   if (recording.rows() < 2 || rate_resolution(recording).varies()) return;
-  throw InputError(recording.file, format("the rate does not move: %.10g deg/h in all %zu rows; is "
-                                          "the gyro on and connected?",
-                                          recording.rate_dph[0], recording.rows()));
+  throw InputError(recording.file,
+                   format("the rate does not move: %.10g deg/h in all %zu samples; is "
+                          "the gyro on and connected?",
+                          recording.rate_dph[0], recording.rows()));
 }
 
 }  // namespace fogcomp::recording

@@ -101,7 +101,7 @@ struct ReadOptions {
   std::string model_columns{};
   std::vector<Mask> masks{};
   bool skip_bad_rows = false;
-  /// Keeps the rows that the board would refuse: for the board's own code, which judges them
+  /// Keeps the samples that the board would refuse: for the board's own code, which judges them
   /// itself.
   bool keep_refused_rows = false;
   /// Refuses a recording of more than kMaxRows instead of taking means: for outputs row by row.

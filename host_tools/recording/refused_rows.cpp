@@ -39,7 +39,7 @@ class Words {
            (ranges.size() > 1 ? format(" (the first of %zu times)", ranges.size()) : "") +
            format(
                ", %.4g s in all, as no working sensor does; the board would reject it; "
-               "the rows are kept",
+               "the samples are kept",
                stood_s);
   }
 
@@ -131,14 +131,14 @@ void name_refused_rows(const Recording& recording, const Words& words,
     if (rows.empty()) continue;
     const std::string fault = words.fault(rows, why);
     if (rows.size() == recording.rows()) {
-      throw InputError(recording.file, "the board would refuse every row: " + fault + "; " +
+      throw InputError(recording.file, "the board would refuse every sample: " + fault + "; " +
                                            likely_cause(recording, why));
     }
-    watch.say(recording.file, counted(rows.size(), "row") + " left out: " + fault +
+    watch.say(recording.file, counted(rows.size(), "sample") + " left out: " + fault +
                                   "; the board would refuse " + (rows.size() == 1 ? "it" : "them"));
   }
   if (refused.size() == recording.rows()) {
-    throw InputError(recording.file, "no row is left; see the lines above");
+    throw InputError(recording.file, "no sample is left; see the lines above");
   }
 }
 

@@ -66,7 +66,7 @@ void say_how_sparse(const Recording& recording, const ColumnInfo& info, std::siz
                     const ReadWatch& watch) {
   const double one_in = static_cast<double>(recording.rows()) / static_cast<double>(readings);
   watch.say(recording.file,
-            format("%s: a reading in %zu of %zu rows (1 in %.3g), between them "
+            format("%s: a reading in %zu of %zu samples (1 in %.3g), between them "
                    "on a straight line",
                    std::string(info.name).c_str(), readings, recording.rows(), one_in));
 }
@@ -92,30 +92,31 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
     const std::size_t readings = readings_in(column);
     if (readings == column.size()) continue;
     if (readings == 0 && info.column == Column::temperature_degc) {
-      throw InputError(recording.file, std::string(info.name) + " has no value in any row");
+      throw InputError(recording.file, std::string(info.name) + " has no value in any sample");
     }
     if (readings > 0) complete(recording.time_s, column);
     const bool complete_now = readings_in(column) == column.size();
     if (readings > 0 && (complete_now || is_needed(info.column))) {
       say_how_sparse(recording, info, readings, watch);
     } else {
-      watch.say(recording.file, std::string(info.name) + format(" has a value in %zu of %zu rows: "
-                                                                "the column is ignored",
-                                                                readings, column.size()));
+      watch.say(recording.file,
+                std::string(info.name) + format(" has a value in %zu of %zu samples: "
+                                                "the column is ignored",
+                                                readings, column.size()));
       column.clear();
     }
   }
   const std::vector<std::size_t> removed = incomplete_rows(recording);
   if (removed.empty()) return;
   watch.say(recording.file,
-            counted(removed.size(), "row") +
+            counted(removed.size(), "sample") +
                 format(" left out: no temperature or input rate within %g s, the first at line %zu",
                        rules::kMaxBridgeS, lines.line_of(removed.front())));
   recording.empty_rows += removed.size();
   lines = lines_without(lines, recording.rows(), removed);
   remove_rows(recording, removed);
   if (recording.rows() == 0)
-    throw InputError(recording.file, "no row is left; see the lines above");
+    throw InputError(recording.file, "no sample is left; see the lines above");
 }
 
 }  // namespace fogcomp::recording

@@ -54,7 +54,7 @@ void find_stretches(Recording& recording) {
   if (period_s < rules::kMinPeriodS || period_s > rules::kMaxPeriodS) {
     throw InputError(
         recording.file,
-        format("rows are %g s apart; is the time in s? if not, give --columns time=NAME[us]",
+        format("samples are %g s apart; is the time in s? if not, give --columns time=NAME[us]",
                period_s));
   }
   recording.period_s = without_rounding_error(period_s);

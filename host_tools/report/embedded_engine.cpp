@@ -1,7 +1,7 @@
 #include "report/embedded_engine.hpp"
 
 #ifdef FOGCOMP_ENGINE
-// embedded_engine.S.in
+// Defined in embedded_engine.S.in.
 extern "C" const char fogcomp_engine_module[];
 extern "C" const char fogcomp_engine_module_end[];
 extern "C" const char fogcomp_engine_script[];

@@ -4,8 +4,8 @@
 
 namespace fogcomp::report {
 
-/// The workbench's engine (workbench/engine/): WebAssembly, packed by gzip, as base64, and
-/// emscripten's script that starts it; both empty where emscripten was not there at build time.
+/// The workbench's engine (workbench/engine/): the WebAssembly module (gzip, then base64) and
+/// emscripten's loader script. Both are empty if emscripten was missing at build time.
 struct EmbeddedEngine {
   std::string_view module;
   std::string_view script;

@@ -7,13 +7,13 @@
 
 namespace fogcomp::report {
 
-/// host_tools/report/page/: frame, style, plots.
+/// Files of host_tools/report/page/: frame, style and scripts of every page.
 const std::vector<EmbeddedFile>& page_files();
 
-/// host_tools/report/workbench/: the same of the workbench, its script in parts.
+/// Files of host_tools/report/workbench/: HTML, style and scripts of the workbench.
 const std::vector<EmbeddedFile>& workbench_files();
 
-/// uPlot as npm has it: script, style, licence; empty where npm was not to be had at build time.
+/// uPlot from npm: script, style, licence. Empty if npm was missing at build time.
 const std::vector<EmbeddedFile>& plot_library_files();
 
 }  // namespace fogcomp::report

@@ -10,17 +10,18 @@
 
 namespace fogcomp::report {
 
-/// A text as the content of an element or of a quoted attribute.
+/// A text, escaped for the content of an element or for a quoted attribute; UTF-8 is made valid.
 std::string escaped(std::string text);
 std::string escaped(const findings::Text& text);
 
-/// As data for a script: nothing in it may end the element.
+/// JSON as the content of a <script> element, without "<", so that it cannot end the element.
 std::string script_data(const Json& json);
 
-/// The text of the embedded file of that name, which must be there.
+/// The text of the embedded file `name`. Throws std::logic_error if it is not among `files`.
 const std::string& file_of(const std::vector<EmbeddedFile>& files, const std::string& name);
 
-/// The frame with each {{part}} put in.
+/// `frame` with each {{name}} replaced by the part of that name. Throws std::logic_error if a part
+/// is missing.
 std::string filled(const std::string& frame,
                    const std::vector<std::pair<std::string, std::string>>& parts);
 

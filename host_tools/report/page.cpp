@@ -28,21 +28,28 @@ std::string element(const char* tag, const std::string& content) {
   return format("<%s>%s</%s>\n", tag, content.c_str(), tag);
 }
 
-// "left:12.3%", of the whole width
+// "left:12.3%": `value` as a share of `max`, as a CSS length.
 std::string share_style(const char* property, double value, double max) {
   const double share = max > 0 ? std::clamp(value / max, 0.0, 1.0) : 0;
   return format("%s:%.1f%%", property, 100 * share);
 }
 
-// A row of a table. The first cell is its name.
+// The content of a row's first cell, its name. An identifier may break after each underscore.
+std::string name_element(const Text& name, const std::string& link) {
+  std::string content;
+  for (const char letter : escaped(name)) {
+    content += letter;
+    if (letter == '_') content += "<wbr>";
+  }
+  return link.empty() ? content : "<a href=\"" + escaped(link) + "\">" + content + "</a>";
+}
+
 std::string row_element(const Table& table, const Table::Row& row) {
   std::string html = "<tr>";
   for (std::size_t column = 0; column < row.cells.size(); ++column) {
     const char* const tag = column == 0 ? "th" : "td";
-    std::string content = escaped(row.cells[column].text);
-    if (column == 0 && !row.link.empty()) {
-      content = "<a href=\"" + escaped(row.link) + "\">" + content + "</a>";
-    }
+    const Text& text = row.cells[column].text;
+    const std::string content = column == 0 ? name_element(text, row.link) : escaped(text);
     html += format("<%s%s>%s</%s>", tag, table.is_of_words(column) ? " class=\"words\"" : "",
                    content.c_str(), tag);
   }
@@ -61,7 +68,7 @@ std::string head_element(const Table& table) {
 std::string table_element(const Table& table) {
   std::string html;
   if (!table.caption.empty()) html += element("p", escaped(table.caption.sentence()));
-  // A narrow screen scrolls it sideways; the keyboard too.
+  // Scrolls sideways where the window is too narrow; tabindex: by the keyboard too.
   html += "<div class=\"scroll\" tabindex=\"0\"><table>\n" + head_element(table) + "<tbody>\n";
   for (const Table::Row& row : table.rows) html += row_element(table, row);
   html += "</tbody></table></div>\n";
@@ -69,6 +76,7 @@ std::string table_element(const Table& table) {
   return html;
 }
 
+// The value whose bar takes the whole width.
 double full_length(const Table& table) {
   double full = std::max(table.full, table.floor);
   for (const Table::Row& row : table.rows) {
@@ -90,7 +98,7 @@ std::string bar_element(const Table::Cell& cell, const std::string& colour, doub
   return html + "</span><span class=\"value\">" + escaped(cell.text) + "</span></div>";
 }
 
-// Below the bars: the scale and what it is of.
+// The axis below the bars: from 0 to `full`, and its quantity with the unit.
 std::string axis_element(const Text& quantity, double full) {
   return "<div class=\"row axis\"><div></div><div class=\"bar\"><span "
          "class=\"scale\"><span>0</span>"
@@ -99,7 +107,7 @@ std::string axis_element(const Text& quantity, double full) {
          "</span></span><span class=\"value\"></span></div></div>\n";
 }
 
-// What the colours mean, where there are several.
+// The legend of the colours, if there are several, and of the dashed line.
 std::string key_elements(const Table& table) {
   std::vector<Table::Column> keys = table.keys;
   if (keys.empty()) {
@@ -109,15 +117,17 @@ std::string key_elements(const Table& table) {
   if (keys.size() == 1) keys.clear();
   std::string html;
   for (const Table::Column& key : keys) {
-    html += " <span class=\"key\" style=\"background:var(--" + key.colour + ")\"></span> " +
-            escaped(key.title);
+    html += " <span class=\"keyed\"><span class=\"key\" style=\"background:var(--" + key.colour +
+            ")\"></span> " + escaped(key.title) + "</span>";
   }
-  if (table.floor > 0)
-    html += " Dashed: the noise floor, " + escaped(findings::number(table.floor)) + ".";
+  if (table.floor > 0) {
+    html += (keys.empty() ? " Dashed" : "; dashed") + std::string(": the noise floor, ") +
+            escaped(findings::number(table.floor)) + ".";
+  }
   return html;
 }
 
-// A row with bars: its name, the bars one below the other, and what the other columns say.
+// A row with bars: its name, the bars one below the other, and the other columns as a note.
 std::string bars_row_element(const Table& table, const Table::Row& row, double full) {
   std::string bars;
   std::string note;
@@ -155,16 +165,17 @@ std::string bars_element(const Table& table) {
   return html;
 }
 
-// How to read and handle the plots of any report, and what is drawn of long runs.
+// Footer of every report with plots: how to operate and how to read them.
 constexpr const char* kHowToRead =
     "Drag across a plot to zoom in time or in both directions, double-click to see all again; "
     "click on a name in a legend to hide or show its curve. Shaded: red while the chamber heats, "
     "blue while it cools. Heating and cooling in plots over another quantity: the direction in "
-    "which the temperature last moved; soaks count with the ramp before them. Of a curve of more "
-    "than 4000 rows, the minimum and maximum of each of 2000 intervals are drawn; clouds of more "
-    "than 2000 points are means of neighbouring rows.";
+    "which the temperature last moved; soaks count with the ramp before them. A curve of more than "
+    "4000 rows is drawn by the minimum and maximum of each of 2000 intervals; a point of a cloud "
+    "of more than 2000 rows is the mean of neighbouring rows.";
 
-// The document's parts one after the other as HTML, and its plots as data.
+// Collects the document's parts as HTML (body) and the data of its plots as JSON (plots).
+// `draws`: whether the plot library is there; without it plots are only counted.
 class PageWriter {
  public:
   explicit PageWriter(bool draws) : draws_(draws) {}
@@ -186,12 +197,13 @@ class PageWriter {
     const std::size_t number = plot_count_++;
     if (!draws_) return;
     begin();
+    const std::string title = escaped(plot.title.sentence());
     const std::string caption = escaped(plot.caption);
     body_ +=
         format("<figure class=\"plot%s\">\n", plot.is_small ? " small" : "") +
-        element("figcaption", "<strong>" + escaped(plot.title) + "</strong> " + caption) +
+        element("figcaption", "<strong>" + title + "</strong> " + caption) +
         format("<div class=\"canvas\" data-plot=\"%zu\" role=\"img\" aria-label=\"%s\"></div>\n",
-               number, (escaped(plot.title) + " " + caption).c_str()) +
+               number, (title + " " + caption).c_str()) +
         "<noscript>" + plot_svg(plot) + "</noscript></figure>\n";
     plots_.push(plot_json(plot));
   }
@@ -214,7 +226,7 @@ class PageWriter {
   std::size_t plot_count() const { return plot_count_; }
 
  private:
-  // A heading stands only where something follows it.
+  // Opens a section with the last heading. A heading that no part follows is not written.
   void begin() {
     if (heading_ == nullptr) return;
     body_ += in_section_ ? "</section>\n<section>\n" : "<section>\n";
@@ -244,7 +256,8 @@ std::string page(const Document& document, const WorkbenchSetup* bench) {
   std::string body = "<p class=\"subject\">" + escaped(document.subject()) + "</p>\n";
   body += element("h1", escaped(document.found().sentence()));
   if (!drawn && writer.plot_count() > 0) {
-    body += element("p", "No plots here: this fogcomp was built without npm.");
+    body += element(
+        "p", "No plots here: this fogcomp was built without npm. Install npm and build it again.");
   }
   body += writer.body();
   if (drawn && writer.plot_count() > 0) body += element("footer", escaped(Text(kHowToRead)));

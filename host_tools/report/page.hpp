@@ -7,9 +7,9 @@
 
 namespace fogcomp::report {
 
-/// One HTML page that needs nothing else: words and tables as HTML, plots as data with the script
-/// that draws them. Nothing that is given becomes markup. `bench`: what the workbench of the page
-/// begins with; nullptr: it has none.
+/// A self-contained HTML page: words and tables as HTML, plots as data with the script that draws
+/// them. All text is escaped. `bench`: initial state of the page's workbench; nullptr: no
+/// workbench.
 std::string page(const findings::Document& document, const WorkbenchSetup* bench = nullptr);
 
 }  // namespace fogcomp::report

@@ -32,7 +32,8 @@ Json setup_json(const WorkbenchSetup& setup) {
       .set("states", json_array(setup.states, state_json));
 }
 
-// Its parts in the order of their first letters.
+// The files of workbench/ that begin with "a_", "b_", ... in that order; the others are parts of
+// the page.
 std::string workbench_script() {
   std::string script;
   for (const EmbeddedFile& part : workbench_files()) {
@@ -65,12 +66,12 @@ Parts bench_parts(const PageContent& content) {
 
 const char* without_scripts(const PageContent& content) {
   return content.report.empty()
-             ? "The workbench calculates in this page: it needs a browser with scripts allowed. "
-               "What a report says can be read without."
-             : "With scripts allowed the plots can be zoomed, and their curves hidden.";
+             ? "The workbench calculates in this page, so it needs a browser that allows scripts. "
+               "Reports can be read without scripts."
+             : "With scripts allowed, plots can be zoomed and their curves hidden.";
 }
 
-// What draws, for a page that has something to draw.
+// Style sheet and scripts; a page without plots and workbench has no script.
 Parts script_parts(const PageContent& content) {
   const std::vector<EmbeddedFile>& library = plot_library_files();
   const std::string& style = file_of(page_files(), "style");

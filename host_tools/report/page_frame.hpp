@@ -7,15 +7,16 @@
 
 namespace fogcomp::report {
 
-/// What goes into the frame that all pages have (page/frame.html).
+/// Contents of a page; all pages have the same frame (page/frame.html).
 struct PageContent {
-  std::string subject;
-  std::string report{};                   ///< what was found, as HTML; "": nothing
-  Json plots = Json::array();             ///< of the report
-  bool draws = false;                     ///< whether it has some
-  const WorkbenchSetup* bench = nullptr;  ///< nullptr: the page does not calculate
+  std::string subject;                    ///< title of the page: the command line
+  std::string report{};                   ///< the findings as HTML; "": none
+  Json plots = Json::array();             ///< data of the report's plots (plot_json.hpp)
+  bool draws = false;                     ///< whether the report has plots
+  const WorkbenchSetup* bench = nullptr;  ///< nullptr: the page has no workbench
 };
 
+/// The whole page as HTML.
 std::string framed(const PageContent& content);
 
 }  // namespace fogcomp::report

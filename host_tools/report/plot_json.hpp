@@ -7,11 +7,11 @@
 
 namespace fogcomp::report {
 
-/// What the page's scripts shade and name along an axis.
+/// Bands along the x axis, which page/drawing.js shades and names: label, from, to, colour.
 Json bands_json(const std::vector<findings::Band>& bands);
 
-/// What page/plots.js reads. Values are rounded to 1e-5 of their span (log_log: five digits), far
-/// below a pixel.
+/// A plot as page/plots.js reads it. Values are rounded to 1e-5 of their span (on logarithmic axes
+/// to five digits), far below a pixel.
 Json plot_json(const findings::Plot& plot);
 
 }  // namespace fogcomp::report

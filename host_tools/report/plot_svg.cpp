@@ -13,7 +13,7 @@ using findings::Curve;
 using findings::Look;
 using findings::Plot;
 
-// In pixels: the picture, and the axes in it.
+// Size of the picture and position of the axes, pixels.
 constexpr double kWidth = 680;
 constexpr double kHeight = 240;
 constexpr double kLeft = 66;
@@ -21,19 +21,19 @@ constexpr double kRight = 672;
 constexpr double kTop = 8;
 constexpr double kBottom = 200;
 
-/// From a quantity to a place between two pixels.
+// Maps a quantity to pixels, linearly or logarithmically.
 class Scale {
  public:
   Scale(bool logarithmic, double first_pixel, double last_pixel)
       : logarithmic_(logarithmic), first_(first_pixel), last_(last_pixel) {}
 
   bool can_show(double value) const { return std::isfinite(value) && (!logarithmic_ || value > 0); }
-  void hold(double value) {
+  void include(double value) {
     if (!can_show(value)) return;
     min_ = std::min(min_, on_axis(value));
     max_ = std::max(max_, on_axis(value));
   }
-  /// Some room at both ends; all around a single value.
+  // Adds a share of the span at both ends; around a single value a tenth of it, or 1.
   void widen(double share) {
     if (!(min_ <= max_)) min_ = max_ = 0;
     const double spare = max_ > min_ ? share * (max_ - min_) : std::max(0.1 * std::fabs(max_), 1.0);
@@ -58,7 +58,7 @@ class Scale {
   double max_ = -HUGE_VAL;
 };
 
-// Steps of 1, 2 or 5; of a logarithmic axis whole powers of ten.
+// At steps of 1, 2 or 5 times a power of ten; on a logarithmic axis at whole powers of ten.
 std::vector<double> Scale::ticks() const {
   constexpr double kIntervals = 6;
   const double min_step = (max_ - min_) / kIntervals;
@@ -88,10 +88,10 @@ Axes axes_of(const Plot& plot) {
   const bool log_y = plot.kind == Plot::Kind::log_log;
   Axes axes{{log_y || plot.kind == Plot::Kind::log_x, kLeft, kRight}, {log_y, kBottom, kTop}};
   for (const Curve& curve : plot.curves) {
-    for (const double x : x_of(plot, curve)) axes.x.hold(x);
-    for (const double y : curve.y) axes.y.hold(y);
+    for (const double x : x_of(plot, curve)) axes.x.include(x);
+    for (const double y : curve.y) axes.y.include(y);
   }
-  for (const findings::Level& level : plot.levels) axes.y.hold(level.y);
+  for (const findings::Level& level : plot.levels) axes.y.include(level.y);
   axes.x.widen(0);
   axes.y.widen(0.06);
   return axes;
@@ -144,7 +144,7 @@ std::string grid_of(const Plot& plot, const Axes& axes) {
              format(" transform=\"translate(12 %.0f) rotate(-90)\"", (kTop + kBottom) / 2).c_str());
 }
 
-// Minimum and maximum of each pixel, broken where there is a gap.
+// A path through the minimum and maximum in each pixel column, broken at gaps.
 std::string outline(const std::vector<double>& x, const std::vector<double>& y, const Axes& axes) {
   std::string path;
   bool begins = true;
@@ -212,8 +212,8 @@ std::string curve_of(const Plot& plot, const Curve& curve, const Axes& axes) {
 std::string legend_of(const Plot& plot) {
   std::string html = "<p>";
   for (const Curve& curve : plot.curves) {
-    html += "<span class=\"key\" style=\"background:var(--" + curve.colour + ")\"></span> " +
-            escaped(curve.label) + " ";
+    html += "<span class=\"keyed\"><span class=\"key\" style=\"background:var(--" + curve.colour +
+            ")\"></span> " + escaped(curve.label) + "</span> ";
   }
   return html + "</p>";
 }

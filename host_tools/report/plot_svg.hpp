@@ -6,8 +6,8 @@
 
 namespace fogcomp::report {
 
-/// A plot as it stands, with its legend, as HTML: for whoever reads a page where no script runs.
-/// Of a curve the minimum and maximum of each pixel.
+/// A static SVG of a plot with its legend, for readers without scripts. A curve is drawn by its
+/// minimum and maximum in each pixel column.
 std::string plot_svg(const findings::Plot& plot);
 
 }  // namespace fogcomp::report

@@ -18,17 +18,17 @@ using findings::Sentence;
 using findings::Shown;
 using findings::Table;
 
-constexpr std::size_t kMaxLine = 100;
-constexpr std::size_t kMaxName = 60;  // a longer one has a line of its own
+constexpr std::size_t kMaxLine = 100;  // characters
+constexpr std::size_t kMaxName = 60;   // a longer name has a line of its own
 
-// What a terminal counts: characters, not bytes.
+// Characters of a UTF-8 text.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char byte) {
     return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
   }));
 }
 
-// A name, or a column of words, begins at the left; figures end at the right.
+// `text` padded to `width`: words to the left, figures to the right.
 std::string cell(const std::string& text, std::size_t width, bool words) {
   const std::string blanks(width - std::min(width, width_of(text)), ' ');
   return words ? text + blanks : blanks + text;
@@ -39,7 +39,7 @@ std::string without_blanks_at_end(std::string line) {
   return line + "\n";
 }
 
-// Broken between words where it is too long.
+// Breaks `text` between words into lines of at most kMaxLine characters.
 std::string wrapped(const std::string& text, const std::string& indent) {
   std::string lines;
   std::string line = indent;
@@ -53,7 +53,7 @@ std::string wrapped(const std::string& text, const std::string& indent) {
   return lines + line + "\n";
 }
 
-// A number, perhaps with "%" or a range of two, and no words behind it.
+// Whether `text` is a number or a range of two, perhaps with "%", and has no words after it.
 bool is_figure(const std::string& text) {
   if (std::string_view("+-.0123456789").find(text[0]) == std::string_view::npos) return false;
   for (std::size_t i = 1; i < text.size(); ++i) {
@@ -62,7 +62,7 @@ bool is_figure(const std::string& text) {
   return true;
 }
 
-// Figures with a few words among them, such as "not shown", are still figures.
+// Whether a column is aligned as words: the first one, and those with more words than figures.
 bool has_words(const Table& table, std::size_t column) {
   std::ptrdiff_t words = 0;
   for (const Table::Row& row : table.rows) {
@@ -89,7 +89,7 @@ ColumnLayout layout_of(const Table& table, std::size_t column) {
   return layout;
 }
 
-// Cells or titles, each as wide as its column.
+// One line of a table, each cell padded to its column.
 std::string line_of(const std::vector<std::string>& cells,
                     const std::vector<ColumnLayout>& columns) {
   std::string line = "  ";
@@ -125,7 +125,7 @@ std::string text_of(const Table& table) {
   return text;
 }
 
-// The parts one after the other; a blank line before what is more than a sentence.
+// Collects the parts as text, with a blank line around listings and tables.
 class TerminalWriter {
  public:
   explicit TerminalWriter(bool details) : details_(details) {}
@@ -155,7 +155,7 @@ class TerminalWriter {
   const std::string& text() const { return text_; }
 
  private:
-  // A heading stands only where something follows it.
+  // Writes the last heading, or a blank line. A heading that no part follows is not written.
   void begin(bool block) {
     if (!heading_.empty()) {
       text_ += "\n" + heading_ + "\n";

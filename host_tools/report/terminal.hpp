@@ -6,8 +6,8 @@
 
 namespace fogcomp::report {
 
-/// What was found as lines for a terminal, plots left out: first what was found, then what to do
-/// ("next: COMMAND"), then sentences and tables. `details`: also what a page draws, as figures.
+/// The findings as lines of text without plots: the main finding, then what to do next
+/// ("next: COMMAND"), then sentences and tables. `details`: also the figures that a page draws.
 std::string terminal(const findings::Document& document, bool details = false);
 
 }  // namespace fogcomp::report

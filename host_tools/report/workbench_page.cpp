@@ -14,7 +14,7 @@ std::string why_no_workbench() {
            "again";
   }
   if (plot_library_files().empty()) {
-    return "this fogcomp was built without the library that draws: install npm and build it again";
+    return "this fogcomp was built without its plot library: install npm and build it again";
   }
   return "";
 }

@@ -123,6 +123,17 @@ void SignalSeries::add_without_delay(const BlockSeries& series, RowAverager& row
   }
 }
 
+namespace {
+
+// What lags begin with. The board knows no rate of temperature at its start; a lag that begins with
+// the rate of a ramp would differ from the board's for as long as its time constant.
+fog::Signals<model::RealNumbers> at_rest(fog::Signals<model::RealNumbers> signals) {
+  signals.temperature_rate = 0;
+  return signals;
+}
+
+}  // namespace
+
 template <class Make>
 Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading,
                                         bool follows_rate) const {
@@ -139,7 +150,7 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading,
       const Block& block = run.blocks[i];
       Signals signals = run.signals(i, reading);
       if (follows_rate) signals.block.input_rate = run.input_rate_dph(i);
-      if (run.restarts[i]) part.reset(signals);
+      if (run.restarts[i]) part.reset(at_rest(signals));
       part.step(signals, values.data());
       if (block.row == kNoRow) continue;
       const double weight = block.samples;

@@ -29,8 +29,8 @@ Json parameters_json(const model::EffectTerm& term, const model::TermInfo& info)
   return parameters;
 }
 
-// As `fit --effects` takes the term: its name, what was given of its shape, and what is identified
-// though it need not be.
+// The term as an argument of `fit --effects`: its name, the shape parameters that are fixed
+// (=value), and those identified that by default are not (=?).
 std::string effect_words(const model::EffectTerm& term) {
   if (term.expression) return term.name + " = " + term.expression->expression.text;
   std::string words = term.name;

@@ -5,11 +5,11 @@
 
 namespace fogcomp::workbench {
 
-/// The terms of a model for people: coefficients and shape parameters with their uncertainties in
-/// their own units, and where a shape may be looked for.
+/// The terms of a model: coefficients and shape parameters with standard deviations in their
+/// natural units, and the bounds of each shape parameter.
 Json terms_json(const model::Model& model);
 
-/// The model itself ("text", its file), its terms and its history.
+/// A model: its file ("text"), terms, history and options of its rows.
 Json model_json(const model::Model& model);
 
 }  // namespace fogcomp::workbench

@@ -37,25 +37,25 @@ void parse_words(Command& command, const std::vector<std::string>& words) {
   cli::parse(command, {words.begin() + 1, words.end()});
 }
 
-// Words that name a set of recordings and how they are read.
+// Key of a set of recordings and of the options that they are read with.
 std::string key_of(const std::vector<std::vector<std::string>>& parts) {
   std::string key;
   for (const std::vector<std::string>& part : parts) key += join(part, "\n") + "\n\n";
   return key;
 }
 
-// Rows of one length, read as a model has it.
+// What a model decides of its rows and of reading recordings.
 std::vector<std::string> rows_of(const model::Model& model) {
   return {format("%a", model.average_s), model.columns, format("%a", model.scale_factor)};
 }
 
-// As an expression has it.
+// The history as a call in an expression: "lag(T, 300 s)".
 std::string name_of(const diagnosis::TemperatureHistory& history) {
   return history.is_play ? format("play(T, %g degC)", history.parameter)
                          : format("lag(T, %g s)", history.parameter);
 }
 
-// What the residual can be drawn over, with the words of its axis.
+// Columns that the residual can be drawn over, with the labels of their axes.
 Json variables_json(const compare::Comparison& comparison) {
   Json variables = Json::array();
   const auto push = [&](const std::string& name, const findings::Text& label) {
@@ -80,7 +80,7 @@ std::string sentence_of(const std::string& words) {
   return findings::words(words).sentence();
 }
 
-// What `compare` says of a run, a sentence each.
+// The sentences of `compare` on a run.
 Json words_json(const compare::ModelOnRun& run, const model::Model& model) {
   std::vector<std::string> words{findings::error_words(run.comparison),
                                  findings::structure_words(run)};
@@ -98,6 +98,7 @@ std::vector<double> numbers_of(const std::vector<compare::Branch>& branches) {
   return numbers;
 }
 
+// 1 for each row after a gap and for the first, else 0.
 std::vector<double> gaps_of(const series::Rows& rows) {
   std::vector<double> gaps(rows.time_s.size());
   for (const recording::RowRange& stretch : rows.stretches()) gaps[stretch.first] = 1;
@@ -123,13 +124,13 @@ std::string Session::answer(const std::vector<std::string>& words) {
     if (words[0] == "effects") return effects().text();
     const auto command = kCommands.find(words[0]);
     if (command == kCommands.end())
-      throw InputError("fogcomp", "no command '" + words[0] + "' here");
+      throw InputError("fogcomp", "no command '" + words[0] + "' in the workbench");
     Json found = (this->*command->second)(words);
     return found.set("remarks", notes_).text();
   } catch (const InputError& wrong) {
     return error(wrong.what());
   } catch (const std::bad_alloc&) {
-    return error("out of memory; use a shorter recording, or the command line");
+    return error("out of memory; use a shorter recording or the command line");
   } catch (const std::exception& fault) {
     return error(std::string("internal error: ") + fault.what());
   }
@@ -148,14 +149,14 @@ Json Session::effects() const {
 
 namespace {
 
-// A recording, and how it is read.
+// The arguments of `info` and `columns`.
 struct RecordingCall : cli::Command {
   cli::RecordingOptions recording{this};
   RecordingCall() : Command("info", {"RUN", 1, 1}, "", "") {}
   int run() const override { return 0; }
 };
 
-// What a column of a recording can be, and the units that it can be in.
+// The quantities that a column of a recording can be, with their units.
 Json column_keys() {
   Json keys = Json::array();
   for (std::size_t slot = 0; slot < recording::kColumns.size(); ++slot) {
@@ -307,7 +308,7 @@ Json Session::diagnose(const Words& words) {
   sentences.set("findings", json_array(said.findings, sentence_of))
       .set("next", sentence_of(said.next));
   sentences.set("limits", json_array(said.limits, sentence_of));
-  // What `add` is to be told, as words.
+  // Arguments of the proposed `add`.
   Json next = Json();
   if (ladder.next.addition && ladder.next.addition->accepted) {
     const diagnosis::AdditionRequest& request_to_add = ladder.next.addition->request;
@@ -379,7 +380,7 @@ const diagnosis::JudgingRuns& Session::judging_runs(const Request& request, cons
   return known->second;
 }
 
-// Keeps what is said, for the answer, and passes on how far the work is.
+// Keeps notes and remarks for the answer; passes progress on.
 workflow::Observer Session::observer() {
   const auto keep = [this](const std::string& line) { notes_.push_back(line); };
   return {keep, keep, observer_.progress};

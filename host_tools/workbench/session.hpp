@@ -12,24 +12,24 @@
 
 namespace fogcomp::workbench {
 
-/// The commands of the loop one after the other, as a page gives them: fit, add, compare, diagnose,
-/// apply, export, with the words of a shell, and the same files written. Recordings are read once.
-/// What a command finds is what its `--json` prints; values by the row are columns.
+/// Runs command lines one after the other, as a page gives them: fit, add, compare, diagnose,
+/// apply, export, history. They take the words of a shell, write the same files and return what
+/// `--json` prints; values of each row are columns. Recordings are read once.
 class Session {
  public:
   explicit Session(workflow::Observer observer = {}) : observer_(std::move(observer)) {}
 
-  /// `words`: a command line without `fogcomp`; beside these,
+  /// `words`: a command line without `fogcomp`, or one of these, which only a page has:
   ///   effects                      the catalogue
-  ///   info RUN                     what was understood of a recording
-  ///   columns RUN                  its columns, and what each is or could be
-  ///   formula MODEL 'NAME = EXPR'  whether the model can take this term
-  ///   preview MODEL EFFECT RUN...  as `add`, without its judgement: what an effect would do
-  /// Returns a JSON object; with "error", one line, where a shell would have exit code 2.
+  ///   info RUN                     a recording as it was read
+  ///   columns RUN                  its columns and what each is or could be
+  ///   formula MODEL 'NAME = EXPR'  an error if the model cannot take this term
+  ///   preview MODEL EFFECT RUN...  as `add`, without its judgement out of sample
+  /// Returns a JSON object. Never throws: an error (exit code 2 in a shell) is one line in "error".
   std::string answer(const std::vector<std::string>& words);
 
-  /// A value per row of a run of the last `compare`, or "preview", of the last `preview`; nullptr
-  /// where there is no such column.
+  /// A column of run number `run` of the last `compare`, or "preview" of the last `preview`: one
+  /// value per row, in s, degC, degC/min, deg/h or the unit of the input. nullptr if there is none.
   const std::vector<double>* column(std::size_t run, const std::string& name) const;
 
  private:
@@ -45,15 +45,15 @@ class Session {
   Json formula(const Words& words);
   Json written(const Words& words);
 
-  /// The recordings of a command that refits a model, read once.
+  /// The runs and holdouts of a command that refits a model; read at its first call.
   template <class Request>
   const diagnosis::JudgingRuns& judging_runs(const Request& request, const Words& reading);
   void keep_columns(const compare::ModelOnRuns& model);
   workflow::Observer observer();
 
   workflow::Observer observer_;
-  Words notes_;  ///< of the command at work
-  /// Recordings as they were read, by all that decides how.
+  Words notes_;  ///< remarks of the current command
+  /// Recordings that were read; key: their names and all that decides how they are read (key_of).
   std::map<std::string, diagnosis::JudgingRuns> judging_;
   std::map<std::string, std::vector<compare::RunInBlocks>> compared_;
   std::vector<std::map<std::string, std::vector<double>>> columns_;  ///< of each run

@@ -103,10 +103,11 @@ std::size_t SimulatedChamber::run(const std::function<void(const RowChunk&)>& si
              static_cast<double>(simulation_.total_rows()));
   }
   if (rows == 0) {
-    throw InputError(request_.profile,
-                     format("the programme lasts %g s, less than one row at %g Hz; raise --rate or "
-                            "make it longer",
-                            duration_s(), request_.options.rate_hz));
+    throw InputError(
+        request_.profile,
+        format("the programme lasts %g s, less than one sample at %g Hz; raise --rate or "
+               "make it longer",
+               duration_s(), request_.options.rate_hz));
   }
   return rows;
 }

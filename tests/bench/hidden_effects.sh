@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# hidden_effects.sh [--quick] [--wide] [--seeds dev|final|second|third] [--cases N] [--case ID] [--jobs N] [--stages LIST] [--build DIR] [-o DIR]:
-# how well `fogcomp diagnose` names what is hidden in simulated gyros (hidden_effects/README.md). Stages: make,
-# answer, propose, score. Resumes: a case is made or answered again only where something it depends on has changed.
+# hidden_effects.sh [--quick] [--wide] [--seeds dev|final|second|third] [--cases N] [--case ID] [--jobs N]
+# [--stages LIST] [--build DIR] [-o DIR]: how well `fogcomp diagnose` names what is hidden in simulated gyros
+# (hidden_effects/README.md). Stages: make, answer, propose, score. Resumes: a case is made or answered again only where
+# something it depends on has changed.
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/../..")
 here=$source/tests/bench/hidden_effects
@@ -12,7 +13,7 @@ while (($#)); do
     --wide) wide=wide-; shift; continue ;;
     --seeds | --cases | --case | --jobs | --stages | --build | -o) (($# >= 2)) ||
       { echo "$1 needs a value" >&2; exit 2; } ;;
-    *) sed -n '2s/^# //p' "$0" >&2; exit 2 ;;
+    *) sed -n '2,3s/^# //p' "$0" >&2; exit 2 ;;
   esac
   case $1 in
     --seeds) seeds=$2 ;;

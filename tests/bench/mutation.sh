@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# mutation.sh [--one-of N] [--seed S]: do the tests bite? Puts wrong operations into firmware/core, one at a time (one of
-# N possible ones, drawn by S; 8 and 1; --one-of 1 tries all), and counts those that make a test fail. Those that do not
-# are in build/mutation/survivors.txt. Exits 1 where fewer than 85 % are found. Takes some 3 s a mutant.
+# mutation.sh [--one-of N] [--seed S]: do the tests bite? Puts wrong operations into firmware/core, one at a time (one
+# of N possible ones, drawn by S; 8 and 1; --one-of 1 tries all), and counts those that make a test fail. Those that do
+# not are in build/mutation/survivors.txt. Exits 1 where fewer than 85 % are found. Takes some 3 s a mutant.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 one_of=8 seed=1

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # stack_depth.sh IMAGE.elf OBJECTS PERCENT: the deepest the stack of a Cortex-M image can become: the longest chain of
 # calls from the reset handler, an interrupt upon it, a fault upon that. Frames are those that the compiler states
-# (OBJECTS/**/*.ci, -fcallgraph-info=su), or of a library's function those that its instructions show; calls are those in
-# the image's own code, one through a pointer going to any function of which the image holds the address. Exits 1 for
+# (OBJECTS/**/*.ci, -fcallgraph-info=su), or of a library's function those that its instructions show; calls are those
+# in the image's own code, one through a pointer going to any function of which the image holds the address. Exits 1 for
 # recursion, a frame of unknown size, or where less than PERCENT of the stack's reserve stays free.
 set -euo pipefail
 (($# == 3)) || { sed -n '2,6s/^# //p' "$0" >&2; exit 2; }
@@ -75,7 +75,9 @@ awk -v reserve="$reserve" -v percent="$percent" -v vectors="$vectors" -v image="
   END {
     if (failed) exit 1
     for (f in code) if (f in dynamic) fail("the frame of " f " has no fixed size")
-    for (f in indirect) for (t in taken) if (t != f && t in code && !(t in is_fault) && !(t in is_interrupt)) calls[f] = calls[f] " " t
+    for (f in indirect) for (t in taken) {
+      if (t != f && t in code && !(t in is_fault) && !(t in is_interrupt)) calls[f] = calls[f] " " t
+    }
     exception = 36 # eight registers, and a word to align them
     if (main_at == "") fail("no reset handler found")
     main = depth(main_at)

@@ -28,7 +28,8 @@ find firmware host_tools -name '*.hpp' -o -name '*.cpp' -o -name '*.c' | LC_ALL=
     head = head " " $0
   }
   /\{$/ {
-    if (head ~ /^ *(template ?<.*> *)?(inline )?(namespace|class|struct|enum|union|extern)/ && head !~ /\) (const |override |noexcept )*\{$/) {
+    if (head ~ /^ *(template ?<.*> *)?(inline )?(namespace|class|struct|enum|union|extern)/ &&
+        head !~ /\) (const |override |noexcept )*\{$/) {
       head = ""
     } else if (head ~ /\(.*[)}]( const| override| noexcept| final)*( ->[^{}=]*)? \{$/) {
       inside = 1

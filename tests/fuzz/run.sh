@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # run.sh [TARGET...] [-OPTION=VALUE...]: the fuzzers, or some of them, for long: two at a time, with libFuzzer's options
-# and -runs=100000000 each unless told otherwise (`sensor_stream -max_len=512`: some thirty frames an input, 30 minutes).
-# The build, seeds and corpora are those of tests/run.sh.
+# and -runs=100000000 each unless told otherwise (`sensor_stream -max_len=512`: some thirty frames an input, 30
+# minutes). The build, seeds and corpora are those of tests/run.sh.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source cmake/bootstrap/packages.sh

@@ -52,7 +52,7 @@ for average in 10 2700; do
 done
 rm hour.model hour2.model
 awk -F, -v OFS=, 'NR > 1 { $2 += 273.15 } 1' good.csv >kelvin.csv
-refuses '^kelvin\.csv: the board would refuse every row: temperature 293.* is outside -70 to 130 degC; is temperature_degc in kelvin\? subtract 273\.15' \
+refuses '^kelvin\.csv: the board would refuse every sample: temperature 293.* is outside -70 to 130 degC; is temperature_degc in kelvin\? subtract 273\.15' \
   "${fit[@]}" kelvin.csv
 
 # Ports.
@@ -109,7 +109,7 @@ refuses '^counts\.csv.*scale-factor' "${fit[@]}" counts.csv
 # Denoising.
 denoise=(denoise good.csv -o kept)
 refuses '^missing\.csv: ' denoise missing.csv -o kept
-refuses '^one\.csv: 1 row without a gap: at most 0 levels of sym8' denoise one.csv -o kept
+refuses '^one\.csv: 1 value without a gap: at most 0 levels of sym8' denoise one.csv -o kept
 refuses 'at most 8 levels of sym8, not 12; use fewer --levels' "${denoise[@]}" --levels 12
 refuses "--wavelet 'sym88' is not one of" "${denoise[@]}" --wavelet sym88
 refuses "--threshold 'sure' is not one of" "${denoise[@]}" --threshold sure
@@ -253,7 +253,7 @@ awk -F, -v OFS=, 'NR > 1 { $1 += 1709625600 } 1' good.csv >since_1970.csv
 "$fogcomp" simulate -o rest.csv --profile static --seed 13 >/dev/null
 "$fogcomp" fit good.csv copy.csv -o twice.model --effects bias,temperature_rate >/dev/null 2>twice
 cmp twice.model good.model || fail "a copy of a recording counts in a fit"
-grep -q '^note: copy\.csv: has the same rows as good\.csv; counted once' twice ||
+grep -q '^note: copy\.csv: has the same samples as good\.csv; counted once' twice ||
   fail "a copy is not named: $(cat twice)"
 for command in 'fit still.csv -o kept --effects bias' 'add good.model warm_up still.csv -o kept' \
   'compare good.model still.csv' 'diagnose good.model still.csv' \
@@ -261,19 +261,19 @@ for command in 'fit still.csv -o kept --effects bias' 'add good.model warm_up st
   # shellcheck disable=SC2086
   refuses '^still\.csv: the rate does not move: 0\.5 deg/h in all .* is the gyro on' $command
 done
-refuses '^copy\.csv: has the same rows as good\.csv, which is fitted to' \
+refuses '^copy\.csv: has the same samples as good\.csv, which is fitted to' \
   add good.model warm_up good.csv -o kept --holdout copy.csv
-refuses '^good\.csv: has the same rows as good\.csv, which is fitted to' \
+refuses '^good\.csv: has the same samples as good\.csv, which is fitted to' \
   add good.model warm_up good.csv -o kept --holdout good.csv
-refuses '^copy\.csv: has the same rows as good\.csv, .*--static must be another' \
+refuses '^copy\.csv: has the same samples as good\.csv, .*--static must be another' \
   diagnose good.model good.csv --static copy.csv
 refuses '^glass_transition: these recordings do not determine tg' fit rest.csv -o kept --effects bias,glass_transition
 refuses '^aging: these recordings do not determine t0 .*is it since power-on' \
   fit long_on.csv -o kept --effects bias,bias_temperature,aging
 refuses '^aging: these recordings do not determine t0' add good.model aging long_on.csv -o kept
-# Calendar times are counted from the first row, and a fit says what that means.
+# Calendar times are counted from the first sample, and a fit says what that means.
 "$fogcomp" fit since_1970.csv -o since_1970.model --effects bias,temperature_rate >/dev/null 2>unix
-grep -q '^since_1970\.csv: read as UNIX times, counted from the first row: power-on is not known$' unix ||
+grep -q '^since_1970\.csv: read as UNIX times, counted from the first sample: power-on is not known$' unix ||
   fail "UNIX times are not named: $(cat unix)"
 grep -q '^note: since_1970\.csv: power-on is not known: effects .*warm_up, aging' unix ||
   fail "what they cost: $(cat unix)"

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# lots.sh FOGCOMP: of a lot with a noisy gyro, one with an effect that the model lacks, one whose coefficient is off and one
-# whose bias differs from run to run, batch names each by what makes it one, says why a gyro fails, and nobody else.
+# lots.sh FOGCOMP: of a lot with a noisy gyro, one with an effect that the model lacks, one whose coefficient is off and
+# one whose bias differs from run to run, batch names each by what makes it one, says why a gyro fails, and nobody else.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: lots.sh FOGCOMP}")
@@ -15,7 +15,9 @@ simulate() {
   mkdir -p "$(dirname "$file")"
   "$fogcomp" simulate -o "$file" --seed "$seed" "$@" >said.txt
 }
-coefficient() { awk -v seed="$1" 'BEGIN { srand(seed); printf "temperature_rate:coefficient=%.4f", 0.137 + 0.04 * (rand() - 0.5) }'; }
+coefficient() {
+  awk -v seed="$1" 'BEGIN { srand(seed); printf "temperature_rate:coefficient=%.4f", 0.137 + 0.04 * (rand() - 0.5) }'
+}
 for number in $(seq 1 12); do
   options=(--effect "$(coefficient "$number")")
   ((number == 3)) && options+=(--effect thermal_hysteresis:width_dph=0.1)

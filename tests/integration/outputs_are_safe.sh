@@ -118,8 +118,8 @@ refused '^circle: is a link that leads to itself' "$fogcomp" simulate -o circle
 # Nobody can prepare the temporary name: not of one process, and no name is opened through a link.
 echo victim >victim
 # shellcheck disable=SC2016
-bash -c 'for i in $(seq $(($$ - 2)) $(($$ + 2))); do ln -s victim "planted.csv.part-$i"; done; exec "$1" simulate -o planted.csv' - \
-  "$fogcomp" >said.txt
+bash -c 'for i in $(seq $(($$ - 2)) $(($$ + 2))); do ln -s victim "planted.csv.part-$i"; done
+  exec "$1" simulate -o planted.csv' - "$fogcomp" >said.txt
 [[ $(cat victim) == victim && ! -L planted.csv ]] && cmp run.csv planted.csv || fail "written through a planted link"
 rm planted.csv*
 

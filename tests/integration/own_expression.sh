@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# own_expression.sh FOGCOMP SOURCE IMAGES: a drift that no effect of the catalogue describes is fitted with an expression,
-# its parameter found, saved, compared and exported within the bound that the header states; model and header replay
-# to the same bytes, and the flash image of both boards sends them too (where QEMU and the compiler are).
+# own_expression.sh FOGCOMP SOURCE IMAGES: a drift that no effect of the catalogue describes is fitted with an
+# expression, its parameter found, saved, compared and exported within the bound that the header states; model and
+# header replay to the same bytes, and the flash image of both boards sends them too (where QEMU and the compiler are).
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "$1") source=$2 images=$3

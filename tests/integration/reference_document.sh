@@ -124,7 +124,8 @@ if renew:
 for problem in problems:
     print(problem, file=sys.stderr)
 if problems:
-    print("tests/integration/reference_document.sh FOGCOMP SOURCE --renew writes usage and options anew", file=sys.stderr)
+    print("tests/integration/reference_document.sh FOGCOMP SOURCE --renew writes usage and options anew",
+          file=sys.stderr)
 else:
     print(f"{len(commands)} commands, {len(set(model_keys))} keys of a model file, as the tool has them")
 sys.exit(bool(problems))

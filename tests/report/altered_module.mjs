@@ -1,8 +1,8 @@
-// The engine of a page, changed so that it fails: a function that is `unreachable`, or less memory.
+// Alters the WebAssembly engine of a page so that it fails: a function that traps, or less memory.
 import { readFileSync } from "node:fs";
 import { gunzipSync } from "node:zlib";
 
-// Sections of a module, and its numbers (LEB128).
+// Reads a WebAssembly module: sections, names, LEB128 numbers.
 class Module {
   constructor(bytes) {
     this.bytes = bytes;
@@ -16,7 +16,7 @@ class Module {
     }
   }
   section(wanted) {
-    for (let at = 8; at < this.bytes.length;) {
+    for (let at = 8; at < this.bytes.length; ) {
       const id = this.bytes[at];
       const size = this.number(at + 1);
       if (id === wanted) return this.number(size.at); // how many it has, and where they begin
@@ -73,7 +73,7 @@ const module_of = (page) => {
   return new Module(gunzipSync(Buffer.from(packed, "base64")));
 };
 
-// The engine of that page as base64, the exported function `name` being a trap.
+// The engine of that page as base64; its exported function `name` traps.
 export const trapping = (page, name) => {
   const module = module_of(page);
   const body = module.body(module.exported(name));
@@ -82,11 +82,11 @@ export const trapping = (page, name) => {
   body[body.length - 1] = 11;
   return module.bytes.toString("base64");
 };
-// The same with at most so many pages of 64 KiB.
+// The engine of that page as base64, its memory limited to `pages` of 64 KiB.
 export const with_memory = (page, pages) => {
   const module = module_of(page);
   const { at } = module.section(5);
-  const max = module.number(at + 1).at; // behind the flag and the least
+  const max = module.number(at + 1).at; // behind the flag and the minimum
   const length = module.number(max).at - max;
   for (let i = 0; i < length; ++i) module.bytes[max + i] = ((pages >> (7 * i)) & 127) | (i + 1 < length ? 128 : 0);
   return module.bytes.toString("base64");

@@ -1,4 +1,4 @@
-// A headless Chromium, driven over the DevTools protocol by a pipe: nothing but Node itself.
+// A headless Chromium, driven over the DevTools protocol through a pipe, with Node's own modules only.
 import { spawn } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -152,6 +152,7 @@ class Tab {
     await this.send("Input.dispatchMouseEvent", { type, x, y, ...more });
   }
 
+  // The whole page as a PNG.
   async screenshot() {
     const { cssContentSize: size } = await this.send("Page.getLayoutMetrics");
     const clip = { x: 0, y: 0, width: size.width, height: size.height, scale: 1 };

@@ -1,5 +1,5 @@
-// node check_pages.mjs CHROMIUM FOLDER: the pages that in_browser.sh has made in FOLDER against what the same
-// commands said with --json: what a page is about, in which order, and that its bars are the JSON's figures.
+// node check_pages.mjs CHROMIUM FOLDER: compares the pages that in_browser.sh made in FOLDER with the --json of the
+// same commands: names, order, and the figures of the bars.
 import { readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -16,7 +16,7 @@ const check = (name, good, what) => {
 const near = (a, b) => Math.abs(a - b) <= 1e-3 * Math.max(Math.abs(a), Math.abs(b)) + 1e-6; // four digits
 const as_json = JSON.stringify;
 
-// What a reader reads of a page, and the data of its plots.
+// The texts of a page and the data of its plots.
 const read = `(() => {
   const words = (element, selector) => [...element.querySelectorAll(selector)].map((one) => one.textContent);
   const drawn = JSON.parse(document.getElementById("plots").textContent);
@@ -47,7 +47,7 @@ const page = async (name) => {
 const bars_of = (seen, quantity, row) =>
   seen.bars.find((bars) => bars.quantity === quantity && bars.rows.some(({ name }) => name === row));
 
-// A name of a file is shown as it is.
+// Names of files are not typeset.
 const names = async () => {
   for (const name of ["info.html", "fit.html", "compare.html", "diagnose.html", "add.html"]) {
     const seen = await page(name);
@@ -99,7 +99,7 @@ const fit = async () => {
   );
 };
 
-// Several models: everything of the best, which is drawn last and so on top; the curves named.
+// Several models: the details are those of the best one, which is drawn last, on top; the curves are named.
 const models = async () => {
   const name = "models.html";
   const seen = await page(name);
@@ -132,12 +132,12 @@ const models = async () => {
   );
 };
 
-// Bars of probability, the candidates in the order of the JSON; what is named drawn over the residual.
+// Bars of probability, the candidates in the JSON's order; the named effect is drawn over the residual.
 const diagnose = async () => {
   const name = "diagnose.html";
   const seen = await page(name);
   const said = json("diagnose.json");
-  const effects = seen.bars.filter(({ quantity }) => quantity === "probability");
+  const effects = seen.bars.filter(({ quantity }) => quantity.startsWith("probability"));
   check(name, effects.length === 2, `has ${effects.length} lists of probability, not sets and effects`);
   const [sets, candidates] = effects;
   check(
@@ -167,7 +167,7 @@ const diagnose = async () => {
   );
 };
 
-// Over every input that varies; what the residual depends on most comes first.
+// The residual over every input that varies; the strongest dependence first.
 const inputs = async () => {
   for (const name of ["input.html", "input_diagnose.html"]) {
     const seen = await page(name);

@@ -1,5 +1,5 @@
-// node compare_outputs.mjs PAGE SHELL...: pairs of files word by word. Numbers may differ in what the C libraries'
-// functions differ in: the page's and the host's round the last bit of exp and sin unlike; and so may hashes of them.
+// node compare_outputs.mjs PAGE SHELL...: compares pairs of files word by word. Numbers may differ by `tolerance`,
+// because the page's C library and the host's round the last bit of exp and sin differently; hashes may differ.
 import { readFileSync } from "node:fs";
 
 const tolerance = 1e-6; // relative; below every uncertainty of a coefficient

@@ -41,7 +41,8 @@ mv lot/index.html batch.html
 
 # A rate table: 60 ppm of scale factor error, and a light power on which nothing depends.
 awk -F, -v OFS=, 'NR == 1 { print $0, "input_rate_dph", "light_power_uw"; next }
-  { w = 5000 * sin($1 / 900); print $1, $2, $3 + w * 1.00006, w, 30 + sin($1 / 5000) }' OFMT=%.8g run_degC.csv >table.csv
+  { w = 5000 * sin($1 / 900); print $1, $2, $3 + w * 1.00006, w, 30 + sin($1 / 5000) }' \
+  OFMT=%.8g run_degC.csv >table.csv
 "$fogcomp" compare static.model table.csv --report input.html >/dev/null
 "$fogcomp" diagnose static.model table.csv --report input_diagnose.html >/dev/null
 

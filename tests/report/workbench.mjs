@@ -1,5 +1,5 @@
-// node workbench.mjs CHROMIUM SHOTS [PART]: what workbench.sh says, on its pages in this folder; leaves the commands of a random
-// session and the model that the page made of it.
+// node workbench.mjs CHROMIUM SHOTS [PART]: what workbench.sh says, on its pages in this folder; leaves the commands of
+// a random session and the model that the page made of it.
 import { writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -14,13 +14,13 @@ const check = (name, good, what) => {
   console.error(`${name}: ${what}`);
 };
 
-// A page, with what a reader does on it.
+// A page in a tab, with the actions of a user.
 class Bench {
   static async open(browser, name, shape = { width: 1280, dark: false }, first = "") {
     const bench = new Bench();
     bench.name = name;
     bench.tab = await browser.tab();
-    // Tests see the workers, and what is saved.
+    // Tests record the workers and what is saved or copied.
     await bench.tab.send("Page.addScriptToEvaluateOnNewDocument", {
       source:
         first +
@@ -119,7 +119,7 @@ class Bench {
     return this.tab.evaluate("window.saved.text()");
   }
 
-  // What a screen reader is told: what can be operated has a name, and what changes by itself is announced.
+  // The accessibility tree: every control has a name, and contents that change by themselves are announced.
   async listen(label, { announced = [] } = {}) {
     await this.tab.send("Accessibility.enable");
     const { nodes } = await this.tab.send("Accessibility.getFullAXTree");
@@ -168,19 +168,23 @@ class Bench {
     return Number(await this.text("#ladder [aria-current] .value"));
   }
 
-  // Paper, width, names, console and requests, wide and narrow, light and dark.
+  // Checks brightness, width, names and curves at 1280 and 390 px, light and dark.
   async look(label) {
     for (const width of [1280, 390]) {
       for (const dark of [false, true]) {
         await this.tab.show({ width, dark });
+        await this.tab.evaluate("scrollTo(0, 0)");
         const seen = await this.tab.evaluate(`(() => {
           const [r, g, b] = getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number);
-          const named = (element) => element.ariaLabel || element.labels?.[0]?.textContent.trim() || element.textContent.trim();
+          const named = (element) =>
+            element.ariaLabel || element.labels?.[0]?.textContent.trim() || element.textContent.trim();
           return {
             paper: (r + g + b) / 3, sideways: document.documentElement.scrollWidth - innerWidth,
-            nameless: [...document.querySelectorAll("button, input, select")].filter((element) => element.checkVisibility() && !named(element)).length,
+            nameless: [...document.querySelectorAll("button, input, select")]
+              .filter((element) => element.checkVisibility() && !named(element)).length,
             coloured: [...document.querySelectorAll("#bench canvas")].map((canvas) => {
-              const copy = Object.assign(document.createElement("canvas"), { width: canvas.width, height: canvas.height });
+              const { width, height } = canvas;
+              const copy = Object.assign(document.createElement("canvas"), { width, height });
               const pen = copy.getContext("2d", { willReadFrequently: true });
               pen.drawImage(canvas, 0, 0);
               const pixels = pen.getImageData(0, 0, copy.width, copy.height).data;
@@ -222,13 +226,13 @@ class Bench {
   }
 }
 
-// Compare, see where it fails, learn what is missing, add it, watch the error fall; and back again.
+// The README's loop: compare, diagnose, add what is missing, the error falls; then undo, masks, a refusal, a formula.
 const loop = async (browser) => {
   const bench = await Bench.open(browser, "loop.html");
   await bench.state(0);
   check(
     "loop",
-    (await bench.text("#found")).startsWith("Residual 852.3 against a floor of 9.679"),
+    (await bench.text("#found")).startsWith("Residual 852.3 °/h against a floor of 9.679"),
     await bench.text("#found"),
   );
   await bench.diagnosed();
@@ -272,7 +276,7 @@ const loop = async (browser) => {
   await bench.state(3);
   check("loop", (await bench.text("#masks")) === "", "a mask cannot be taken away");
   await bench.diagnosed();
-  // What does not help is refused with the reason, and added all the same on request.
+  // An effect that does not help is refused with the reason, and added on request.
   await bench.click(`#diagnosis [aria-label="Add temperature_rate"]`);
   await bench.until(`document.querySelector(".judged button")`, "a refusal");
   check("loop", (await bench.text(".judged")).startsWith("Not added. "), await bench.text(".judged"));
@@ -286,7 +290,7 @@ const loop = async (browser) => {
   bench.silent();
 };
 
-// With the keyboard alone: to an effect of the catalogue, and into the model with it.
+// With the keyboard alone: Tab to an effect of the catalogue, Space adds it.
 const keyboard = async (browser) => {
   const bench = await Bench.open(browser, "loop.html");
   await bench.state(0);
@@ -309,8 +313,8 @@ const keyboard = async (browser) => {
   bench.silent();
 };
 
-// Ticks, shapes that are dragged, fixed and set free, formulas and masks by chance, by a real mouse; what the page then
-// shows to be typed is left for a shell.
+// A random session with a real mouse: effects ticked, shapes dragged, fixed and freed, formulas and masks added. The
+// commands that the page then shows are left for workbench.sh, which runs them in a shell.
 const session = async (browser) => {
   const bench = await Bench.open(browser, "session.html");
   await bench.state(0);
@@ -408,7 +412,7 @@ const session = async (browser) => {
   bench.silent();
 };
 
-// Names from files are text. An engine that stops is started again, and the page goes on.
+// Names from files are never markup. An engine that traps is started again, and the page goes on.
 const trouble = async (browser) => {
   const bench = await Bench.open(browser, "hostile.html");
   await bench.state(0);
@@ -418,9 +422,9 @@ const trouble = async (browser) => {
     "a name became markup",
   );
   check("hostile", (await bench.text("header .subject")).includes("<img src=x"), "the name is not shown as it is");
-  // From now on the engine that answers is one that traps.
-  await bench.tab
-    .evaluate(`WebAssembly.compile(Uint8Array.from(atob("${trapping("hostile.html", "fogcomp_call")}"), (letter) => letter.charCodeAt(0)))
+  // Replaces the engine's module by one that traps.
+  const trap = trapping("hostile.html", "fogcomp_call");
+  await bench.tab.evaluate(`WebAssembly.compile(Uint8Array.from(atob("${trap}"), (letter) => letter.charCodeAt(0)))
     .then((module) => { workers[0].postMessage({ module }); })`);
   await bench.click("#effect_bias_temperature");
   await bench.until(
@@ -434,7 +438,7 @@ const trouble = async (browser) => {
   bench.silent();
 };
 
-// A recording for which the memory does not suffice says so, and the next one is read.
+// A recording too large for the memory is refused, and the next one is read.
 const memory = async (browser) => {
   const bench = await Bench.open(
     browser,
@@ -449,10 +453,10 @@ const memory = async (browser) => {
   await bench.choose_file("fast.csv");
   await bench.until(`/out of memory|engine stopped/.test(document.body.innerText)`, "the reason");
   await bench.choose_file("mems.csv");
-  await bench.until(`/8399 rows/.test(document.getElementById("dropped").textContent)`, "the next recording");
+  await bench.until(`/8399 samples/.test(document.getElementById("dropped").textContent)`, "the next recording");
 };
 
-// Esc leaves everything as it was: a drag across a plot, one of a slider, a dialog.
+// Esc cancels a drag across a plot and one of a slider.
 const escape = async (browser) => {
   const bench = await Bench.open(browser, "loop.html");
   await bench.state(0);
@@ -485,7 +489,7 @@ const escape = async (browser) => {
   bench.silent();
 };
 
-// On a rate-table run: compare, see where it fails, learn what is missing, add it until nothing is.
+// A rate-table run: draws the residual over input rate and history, adds what is missing until nothing is.
 const rate_table = async (browser) => {
   const bench = await Bench.open(browser, "table.html");
   await bench.state(0);
@@ -499,9 +503,11 @@ const rate_table = async (browser) => {
     `axes: ${options}`,
   );
   for (const variable of ["input_rate", "play(T, 5 degC)"]) {
-    await bench.tab.evaluate(
-      `(() => { const select = document.getElementById("variable"); select.value = ${JSON.stringify(variable)}; select.dispatchEvent(new Event("change")); })()`,
-    );
+    await bench.tab.evaluate(`(() => {
+      const select = document.getElementById("variable");
+      select.value = ${JSON.stringify(variable)};
+      select.dispatchEvent(new Event("change"));
+    })()`);
     await bench.tab.settle();
     const axis = await bench.tab.evaluate(
       `[document.getElementById("variable").value, document.querySelectorAll("#variable_plot canvas").length]`,
@@ -534,7 +540,7 @@ const rate_table = async (browser) => {
   bench.silent();
 };
 
-// A report opens with what was found; its workbench stands at the command's model. Without scripts it can be read.
+// A report opens with its findings; its workbench begins with the command's model. It can be read without scripts.
 const report = async (browser) => {
   const bench = await Bench.open(browser, "report.html");
   check(
@@ -590,7 +596,7 @@ const report = async (browser) => {
   if (shots) writeFileSync(join(shots, "without_scripts.png"), await plain.screenshot());
 };
 
-// 60,000 rows.
+// A run of 60,000 rows fits into 200 MB.
 const long = async (browser) => {
   const bench = await Bench.open(browser, "long.html");
   await bench.state(0);
@@ -608,7 +614,7 @@ const long = async (browser) => {
   bench.silent();
 };
 
-// A page without data takes files, and asks about columns that are not clear.
+// A page without recordings takes files and asks about columns that are not clear.
 const files = async (browser) => {
   const bench = await Bench.open(browser, "empty.html");
   await bench.until(`!document.getElementById("opening").hidden`, "the question for files");
@@ -662,7 +668,7 @@ const files = async (browser) => {
   check("files", /read as .*Gyro_Y/.test(await bench.text("#columns_said")), await bench.text("#columns_said"));
   await bench.click("#columns_take");
   await bench.until(
-    `/8399 rows/.test(document.getElementById("dropped").textContent)`,
+    `/8399 samples/.test(document.getElementById("dropped").textContent)`,
     "what was understood of the file",
   );
   await bench.until(`!document.getElementById("begin").disabled`, "the button");

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# workbench.sh FOGCOMP [SHOTS]: the workbench's page in Chromium, with a mouse and a keyboard: the README's loop, a random
-# session whose commands make the same files in a shell, masked rows, hostile names, an engine that traps, 60,000 rows,
-# a rate table, columns that are not clear, a screen reader, a narrow window. Screenshots go to the folder SHOTS.
+# workbench.sh FOGCOMP [SHOTS]: the workbench's page in Chromium, with a mouse and a keyboard: the README's loop, a
+# random session whose commands make the same files in a shell, masked rows, hostile names, an engine that traps, 60,000
+# rows, a rate table, columns that are not clear, a screen reader, a narrow window. Screenshots go to the folder SHOTS.
 set -euo pipefail
 fogcomp=$(realpath "${1:?usage: workbench.sh FOGCOMP [SHOTS]}")
 shots=${2:+$(realpath "$2")}
@@ -28,7 +28,7 @@ cp "$example" mems.csv
 hostile='<img src=x onerror=document.title="gone">.csv'
 awk -F, -v OFS=, '/^time_s/ { print "time_s", "temperature_degc", "<b>rate</b> [deg/h]"; next } 1' mems.csv >"$hostile"
 "$fogcomp" workbench "$hostile" -o hostile.html --columns 'rate=<b>rate</b> [deg/h]' >/dev/null
-"$fogcomp" simulate -o fast.csv --rate 5 >/dev/null # 297,750 rows: the page has their means over 1 s
+"$fogcomp" simulate -o fast.csv --rate 5 >/dev/null # 297,750 samples: the page has their means over 1 s
 "$fogcomp" simulate -o table.csv --profile rate_table --effect scale_factor:peak=1 >/dev/null
 "$fogcomp" fit table.csv -o still.model --effects bias,bias_temperature:order=3 >/dev/null
 "$fogcomp" workbench still.model table.csv -o table.html >/dev/null
@@ -41,7 +41,7 @@ for page in *.html; do
 done
 
 "$fogcomp" workbench fast.csv -o long.html >/dev/null 2>note.txt
-grep -q "has 297750 rows, of which the workbench has the 59550 means over 1 s" note.txt
+grep -q "has 297750 samples; the workbench has their 59550 means over 1 s" note.txt
 
 node "$here/workbench.mjs" chromium "$shots"
 

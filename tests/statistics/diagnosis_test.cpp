@@ -82,7 +82,7 @@ TEST(Diagnosis, NamesTheEffectThatIsMissing) {
     const char* declared;
   } kCases[] = {
       {fog::test::natural_term("polarization_ripple", {13, 0}, {0.012, 0.006}), kBasic},
-      {fog::test::natural_term("thermal_hysteresis", {6, 0}, {0.02}), kBasic},
+      {fog::test::natural_term("thermal_hysteresis", {6, 0}, {0.024}), kBasic},
       {fog::test::natural_term("temperature_rate_product", {}, {9e-4}), kBasic},
       {basic()[2], "bias,bias_temperature:order=2"},
   };

@@ -1,5 +1,5 @@
-# Sourced by the tests that run a board in the background: a folder of its own in $scratch; at the end, however it comes,
-# what runs is stopped and the folder removed.
+# Sourced by the tests that run a board in the background: a folder of its own in $scratch; at the end, however it
+# comes, what runs is stopped and the folder removed.
 scratch=$(mktemp -d)
 clean_up() {
   jobs -p | xargs -r kill 2>/dev/null || true

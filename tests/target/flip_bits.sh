@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
-# flip_bits.sh PROGRAMS MACHINE ELF boot|running MODEL CHECKER REST SEED: flips bits in the product image ELF on QEMU's MACHINE
-# (PROGRAMS: the folder of boot_flips and running_flips). Of the model table MODEL bits, of the code that checks and
-# that forms frames CHECKER bits, of everything in flash REST bits, drawn with SEED; `all` is every bit.
-# boot: each flip is one boot, none of which may give a rate marked valid. running: each flip, of flash and as many of the
-# constants in RAM as of the model, must be found within 10 s of samples.
+# flip_bits.sh PROGRAMS MACHINE ELF boot|running MODEL CHECKER REST SEED: flips bits in the product image ELF on QEMU's
+# MACHINE (PROGRAMS: the folder of boot_flips and running_flips). Of the model table MODEL bits, of the code that checks
+# and that forms frames CHECKER bits, of everything in flash REST bits, drawn with SEED; `all` is every bit.
+# boot: each flip is one boot, none of which may give a rate marked valid. running: each flip, of flash and as many of
+# the constants in RAM as of the model, must be found within 10 s of samples.
 set -euo pipefail
-(($# == 8)) || { sed -n '2,7p' "$0" >&2; exit 2; }
+(($# == 8)) || { sed -n '2,6s/^# //p' "$0" >&2; exit 2; }
 programs=$1 machine=$2 elf=$3 mode=$4 model=$5 checker=$6 rest=$7 seed=$8
 symbols=$(arm-none-eabi-nm -S -C "$elf")
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# identity.sh MACHINE PLATFORM BOARD IMAGES FOGCOMP MAKE_MODEL IN.bin DIR: a board says on its console and to `fogcomp health`
-# which firmware it runs, which image and whose model; one that is bound to another processor gives no valid rate, and says why.
+# identity.sh MACHINE PLATFORM BOARD IMAGES FOGCOMP MAKE_MODEL IN.bin DIR: a board says on its console and to `fogcomp
+# health` which firmware it runs, which image and whose model; one that is bound to another processor gives no valid
+# rate, and says why.
 set -euo pipefail
 machine=$1 platform=$2 board=$3 images=$4 fogcomp=$5 make_model=$6 input=$7 folder=$8
 here=$(realpath "$(dirname "$0")")

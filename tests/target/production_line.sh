@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# production_line.sh MACHINE FLASH ELF FOGCOMP IN.bin DIR: from recordings to a gyro that ships, without a compiler: the five commands of
-# firmware/README.md as they stand there, on an emulated board with the generic image ELF, whose service strap is closed.
-# OpenOCD's part QEMU takes, which starts with the image, and the demodulator's this test. The gyro is calibrated again and loaded again: the
-# board keeps the table before. A strap that is open, and a table of another gyro, are refused.
-# The emulated STM32F405 has no flash that can be written: it says so, and its table comes as from a programmer.
+# production_line.sh MACHINE FLASH ELF FOGCOMP IN.bin DIR: from recordings to a gyro that ships, without a compiler: the
+# five commands of firmware/README.md as they stand there, on an emulated board with the generic image ELF, whose
+# service strap is closed. OpenOCD's part QEMU takes, which starts with the image, and the demodulator's this test. The
+# gyro is calibrated again and loaded again: the board keeps the table before. A strap that is open, and a table of
+# another gyro, are refused. The emulated STM32F405 has no flash that can be written: it says so, and its table comes as
+# from a programmer.
 set -euo pipefail
 machine=$1 slot=$(($2 + 48 * 1024)) elf=$(realpath "$3") fogcomp=$(realpath "$4") input=$(realpath "$5") folder=$6
 here=$(realpath "$(dirname "$0")")
@@ -45,7 +46,9 @@ openocd() {
   [[ $* == *fogcomp.elf* ]]
   start "${strap[@]}"
 }
-mapfile -t commands < <(awk '/the line from the chamber/ { found = 1 } found && /^    / { print substr($0, 5); any = 1 } any && !/^    / { exit }' \
+mapfile -t commands < <(awk '/the line from the chamber/ { found = 1 }
+  found && /^    / { print substr($0, 5); any = 1 }
+  any && !/^    / { exit }' \
   "$here/../../firmware/README.md")
 ((${#commands[@]} == 5)) || { echo "${#commands[@]} commands in the README" >&2; exit 1; }
 # run NUMBER: one of them, its output in said.txt.

@@ -74,8 +74,9 @@ tail -c 16 "$input" >"$scratch/sensor.in"
 poll_for "answer to one sample more" is_answered
 kill "$qemu"
 wait "$qemu" || true
-cmp -s <(head -c 2 "$output") <(tail -c +$((expected_bytes + 1)) "$output" | head -c 2) ||
-  give_up "after $expected_bytes bytes comes no frame, but $(tail -c +$((expected_bytes + 1)) "$output" | head -c 8 | od -An -t x1)"
+next() { tail -c +$((expected_bytes + 1)) "$output" | head -c "$1"; }
+cmp -s <(head -c 2 "$output") <(next 2) ||
+  give_up "after $expected_bytes bytes comes no frame, but $(next 8 | od -An -t x1)"
 truncate -s "$expected_bytes" "$output"
 
 frames=$(($(stat -c %s "$input") / 16))

@@ -17,7 +17,8 @@ job() {
   printf ' %q' "$fogcomp" batch "$input" -o "$output" "$@"
 }
 log=$output/slurm
-array=$({ job "${options[@]}"; echo ' --shard "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_MAX" --jobs "${SLURM_CPUS_PER_TASK:-1}"'; } |
+share='--shard "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_MAX" --jobs "${SLURM_CPUS_PER_TASK:-1}"' # for the task's shell
+array=$({ job "${options[@]}"; echo " $share"; } |
   sbatch "${sbatch_options[@]}" --parsable --job-name=fogcomp --array="1-$tasks" --output="$log/task_%a.txt")
 merge=$({ job "${options[@]}" --merge; echo; } |
   sbatch --parsable --job-name=fogcomp-merge --dependency="afterany:$array" --output="$log/merge.txt")

@@ -1,8 +1,9 @@
-// What every plot of a page is drawn with.
+// Drawing helpers of all plots, over uPlot.
 "use strict";
 const root = document.documentElement;
 const byId = (id) => document.getElementById(id);
 
+// The value of the style sheet's colour --name, as #rrggbb or #rrggbbaa.
 const colour = (name, opacity = 1) => {
   const hex = getComputedStyle(root)
     .getPropertyValue("--" + name)
@@ -16,6 +17,7 @@ const colour = (name, opacity = 1) => {
 };
 const significant = (value, digits = 4) =>
   value == null || !isFinite(value) ? "" : String(Number(value.toPrecision(digits)));
+// Decimals that show a step exactly, at most 9.
 const decimals = (step) => {
   let places = 0;
   while (places < 9 && Math.abs(step * 10 ** places - Math.round(step * 10 ** places)) > 1e-6) ++places;
@@ -34,17 +36,17 @@ const axis = (label, extra) => ({
   values: (u, splits, a, space, step) => splits.map((value) => value.toFixed(decimals(step))),
   ...extra,
 });
-// As wide for plots below each other, unless a figure needs more.
+// Width of a y axis, pixels: the same for all plots, unless a figure needs more.
 const width_of_figures = (u, texts) => 18 + 7 * Math.max(6, ...(texts || []).map((text) => (text || "").length));
 
-// With some space above and below; around 0 where there is nothing.
+// A range with 6 % of space above and below; -1 to 1 if there are no values.
 const spaced = (min, max) => {
   if (min == null) return [-1, 1];
   const spare = 0.06 * (max - min) || 0.1 * Math.abs(max) || 1;
   return [min - spare, max + spare];
 };
 
-// The bands of the x axis that are in view: their edges in canvas pixels.
+// The visible bands of the x axis with their edges in canvas pixels.
 const bands_in_view = (u, bands) =>
   bands
     .map((band) => ({
@@ -54,7 +56,7 @@ const bands_in_view = (u, bands) =>
     }))
     .filter(({ left, right }) => left < right);
 
-// Behind everything; returns how many.
+// Shades the bands that have a colour. Returns their number.
 const shade_bands = (u, bands, opacity) => {
   const shaded = bands_in_view(u, bands).filter((band) => band.colour);
   u.ctx.save();
@@ -66,8 +68,8 @@ const shade_bands = (u, bands, opacity) => {
   return shaded.length;
 };
 
-// Before everything, where there is room: the whole name, or what comes behind its first word, as
-// "-40" of "soak -40". Returns how many.
+// Writes the names of bands that are wide enough: the whole name, or without its first word ("-40" of
+// "soak -40"). Returns the number of names written.
 const name_bands = (u, bands) => {
   const pen = u.ctx;
   let named = 0;
@@ -93,7 +95,7 @@ const name_bands = (u, bands) => {
   return named;
 };
 
-// Paints within the axes.
+// Calls paint(pen), clipped to the area within the axes.
 const clipped = (u, paint) => {
   const pen = u.ctx;
   pen.save();
@@ -106,7 +108,7 @@ const clipped = (u, paint) => {
   pen.restore();
 };
 
-// A standard deviation as a vertical bar.
+// Draws an error bar from low to high.
 const sigma_bar = (u, at, low, high) => {
   const x = u.valToPos(at, "x", true);
   u.ctx.beginPath();
@@ -115,12 +117,13 @@ const sigma_bar = (u, at, low, high) => {
   u.ctx.stroke();
 };
 
-// Dashed lines across the plot, with their names.
+// Draws dashed horizontal lines with their names.
 const draw_levels = (u, levels) =>
   clipped(u, (pen) => {
     const { left, width } = u.bbox;
     pen.font = figures(12 * devicePixelRatio);
     pen.textAlign = "right";
+    pen.textBaseline = "bottom";
     pen.strokeStyle = pen.fillStyle = colour("mark");
     pen.setLineDash([2 * devicePixelRatio, 3 * devicePixelRatio]);
     levels.forEach(({ y: value, label = "" }) => {
@@ -129,6 +132,6 @@ const draw_levels = (u, levels) =>
       pen.moveTo(left, y);
       pen.lineTo(left + width, y);
       pen.stroke();
-      pen.fillText(label, left + width - 4 * devicePixelRatio, y - 4 * devicePixelRatio);
+      pen.fillText(label, left + width - 4 * devicePixelRatio, y - 2 * devicePixelRatio);
     });
   });

@@ -1,6 +1,6 @@
-// Draws the plots of a report with uPlot from the data in #plots (report/plot.hpp). Drag zooms, a
-// double click shows all again, a click in the legend hides a curve; plots of one group share cursor
-// and zoom in x.
+// Draws the plots of a report with uPlot from the data in #plots (report/plot_json.hpp). Drag zooms, a
+// double click shows all, a click in the legend hides a curve. Plots of one group share cursor and
+// zoom in x.
 "use strict";
 (() => {
   const plots = JSON.parse(byId("plots").textContent);
@@ -8,7 +8,7 @@
   const drawn = [];
   const groups = new Map(); // name -> the plots drawn
 
-  // Plots of one group begin and end together, so that showing all means the same for each.
+  // All plots of a group get the same ends in x, so that a double click shows the same range in each.
   const with_group = new Map();
   plots
     .filter((plot) => plot.group)
@@ -30,8 +30,8 @@
     });
   });
 
-  // The columns that uPlot wants: one x for all. Where curves have their own, every point has a row
-  // for itself, as several may have the same x.
+  // The columns that uPlot takes: one x for all curves. If curves have an x of their own, each point is
+  // a row of its own, because several may have the same x.
   const aligned = (plot) => {
     if (plot.curves.every((curve) => !curve.x)) return [plot.x, ...plot.curves.map((curve) => curve.y)];
     const points = plot.curves.flatMap((curve, c) =>
@@ -45,8 +45,8 @@
     return [points.map((point) => point.x), ...plot.curves.map((curve, c) => column(c, (point) => point.y))];
   };
 
-  // Positive parts upwards, negative ones downwards from zero, each on the one before. A part is
-  // two curves then, and the one below is not named a second time.
+  // Stacks the parts of a model: positive values upwards, negative ones downwards from zero. Each part
+  // becomes two curves, of which only the upper one is in the legend.
   const stacked = (plot) => {
     const parts = plot.curves.filter((curve) => curve.look === "line");
     const lines = plot.curves.filter((curve) => curve.look !== "line");
@@ -113,7 +113,7 @@
     return band ? ` (${band.label})` : "";
   };
 
-  // Standard deviations as vertical bars, levels as lines with their names.
+  // Draws standard deviations as error bars, and the levels.
   const annotate = (u, plot) => {
     clipped(u, (pen) =>
       plot.curves.forEach((curve, c) => {
@@ -129,7 +129,7 @@
     draw_levels(u, plot.levels);
   };
 
-  // The nearest point of a curve, as clouds share their x with others.
+  // Index of the nearest row in which curve `s` has a point.
   const nearest = (u, s, at) => {
     const column = u.data[s];
     for (let away = 0; away < column.length; ++away) {
@@ -145,11 +145,11 @@
     return { width, height: Math.round(Math.min(square ? 400 : 280, Math.max(220, 0.7 * width))) };
   };
 
-  // uPlot colours the marks of its legend once only, and does not say what a click there does.
+  // Renews the colours of the legend's marks, which uPlot sets once only, and says what a click does.
   const dress_legend = (u) =>
     u.root.querySelectorAll(".u-legend .u-series").forEach((row, i) => {
       if (i === 0) return;
-      row.title = "click: hide or show this curve";
+      row.title = "Click to hide or show this curve";
       const stroke = u.series[i].stroke;
       if (stroke) row.querySelector(".u-marker").style.background = stroke();
     });
@@ -165,6 +165,7 @@
     };
     const values = (logarithmic) =>
       logarithmic ? { values: (u, splits) => splits.map((value) => significant(value)) } : {};
+    const counts = plot.curves.every((curve) => curve.y.every((y) => Number.isInteger(y ?? 0)));
     const named = (i) => (plot.names[i] ? `${plot.names[i]}: ` : "");
     const x_value = (self, v, s, i) => named(i) + significant(v) + segment_at(plot, v);
     const peers = groups.get(plot.group) || [];
@@ -177,7 +178,11 @@
         },
         axes: [
           axis(plot.x_label, { ...values(log_x), size: 34 }),
-          axis(plot.y_label, { ...values(log_y), size: width_of_figures }),
+          axis(plot.y_label, {
+            ...values(log_y),
+            size: width_of_figures,
+            ...(counts && !log_y ? { incrs: [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000] } : {}),
+          }),
         ],
         series: [
           { label: plot.x_label, value: x_value },
@@ -193,7 +198,7 @@
           points: { size: 7 },
         },
         hooks: {
-          // How many are shaded and named is left in the page for tests.
+          // Tests read the numbers of shaded and named bands from the page.
           drawClear: [
             (self) => {
               holder.dataset.shaded = shade_bands(self, plot.bands, 0.13);
@@ -205,7 +210,7 @@
               holder.dataset.named = name_bands(self, plot.bands);
             },
           ],
-          // Only what the reader did spreads: the others then have the same range and stop there.
+          // Passes a zoom on to the group. A plot that has the range already does not pass it on again.
           setScale: [
             (self, key) => {
               if (key !== "x" || !self.ready) return;

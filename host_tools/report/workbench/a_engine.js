@@ -1,4 +1,4 @@
-// The engine in its workers: compiled once, started as often as needed.
+// The engine (WebAssembly) in web workers: compiled once, started as often as needed.
 "use strict";
 const text_of = (id) => document.getElementById(id).textContent;
 
@@ -10,14 +10,15 @@ const compile_engine = async () => {
   return WebAssembly.compile(await new Response(unpacked).arrayBuffer());
 };
 
-// Calls are answered in turn. What a worker has read it keeps; `files` are what another one needs to
-// take its place: after a cancelled call, or when the engine has failed.
+// One worker, which answers calls in turn and keeps the recordings that it has read. `files` (name to
+// bytes) is what a new worker gets if this one is replaced: after a cancelled call or a failure.
+// on_progress(stage, done): stage null at the end, done 0 to 1. on_fault(message).
 class Engine {
   #module;
   #worker = null;
   #waiting = new Map();
   #id = 0;
-  #there = new Set(); // names of files that the worker has
+  #sent = new Set(); // names of files that the worker has
 
   constructor(module, files, on_progress, on_fault) {
     this.#module = module;
@@ -31,7 +32,7 @@ class Engine {
     const address = URL.createObjectURL(new Blob([text_of("engine_script")], { type: "text/javascript" }));
     this.#worker = new Worker(address);
     URL.revokeObjectURL(address);
-    this.#there.clear();
+    this.#sent.clear();
     this.#worker.onmessage = ({ data }) => this.#take(data);
     this.#worker.onerror = (event) => this.#fail(event.message || "the engine did not start");
     this.#send({ module: this.#module }).catch(() => {});
@@ -57,10 +58,9 @@ class Engine {
     this.#waiting.delete(data.id);
   }
 
-  // A trap leaves the engine in no state to go on: another one takes its place, and what was asked
-  // for meanwhile is told why it has no answer.
+  // A trap leaves the engine unusable: replaces the worker and answers all waiting calls with the error.
   #fail(what) {
-    const error = `The engine stopped (${what}) and was started again. Nothing that was shown is lost.`;
+    const error = `The engine stopped (${what}) and was started again. The model is unchanged: try again.`;
     const callers = [...this.#waiting.values()];
     this.#waiting.clear();
     this.#worker.terminate();
@@ -73,13 +73,13 @@ class Engine {
     return this.#waiting.size > 0;
   }
 
-  // A file for the calls to come, in the place of one of that name.
+  // Gives the following calls a file; it replaces one of that name.
   put(name, bytes) {
     this.files.set(name, bytes);
-    this.#there.delete(name);
+    this.#sent.delete(name);
   }
 
-  // Ends what is under way; its callers are told nothing more.
+  // Stops the running call and those that wait; they are rejected with Cancelled.
   cancel() {
     if (!this.busy) return;
     this.#waiting.forEach(({ reject }) => reject(new Cancelled()));
@@ -89,9 +89,11 @@ class Engine {
     this.#start();
   }
 
+  // `words`: a command line without "fogcomp". Resolves to { found: its JSON, values: for each run an
+  // object with the columns asked for }.
   async call(words, columns = []) {
-    const files = [...this.files].filter(([name]) => !this.#there.has(name)).map(([name, bytes]) => ({ name, bytes }));
-    files.forEach(({ name }) => this.#there.add(name));
+    const files = [...this.files].filter(([name]) => !this.#sent.has(name)).map(([name, bytes]) => ({ name, bytes }));
+    files.forEach(({ name }) => this.#sent.add(name));
     return this.#send({ words, columns, files });
   }
 }

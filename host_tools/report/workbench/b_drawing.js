@@ -1,5 +1,6 @@
-// The plots. Values come from the engine; here they are only drawn.
+// The workbench's three plots. All values come from the engine.
 "use strict";
+// An element with attributes, listeners ("onclick") and children.
 const make = (tag, attributes = {}, ...children) => {
   const element = document.createElement(tag);
   Object.entries(attributes).forEach(([name, value]) => {
@@ -11,23 +12,25 @@ const make = (tag, attributes = {}, ...children) => {
   return element;
 };
 
-const rms = (value) =>
+// A rate with its significant digits, also if they are zeros.
+const rms = (value, digits = 4) =>
   value == null
     ? ""
-    : Math.abs(value) >= 1e-6 && Math.abs(value) < 1e4
-      ? value.toPrecision(4)
-      : String(Number(value.toPrecision(4)));
+    : Math.abs(value) >= 1e-6 && Math.abs(value) < 10 ** digits
+      ? value.toPrecision(digits)
+      : String(Number(value.toPrecision(digits)));
 const all_plots = new Set();
 new ResizeObserver(() => all_plots.forEach((plot) => plot.resize())).observe(document.body);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => all_plots.forEach((plot) => plot.redraw()));
 
-// A plot over the rows of a run, in place of the one that stood in `holder`. `draw` paints before
-// the curves (under) or after them (over), in canvas pixels.
+// A plot of the rows of a run in the element `holder`, `height` CSS pixels high. show() takes the data
+// and the options label (x axis), group (shared cursor), range, series, under and over (paint before
+// and after the curves) and selected (called at the end of a drag).
 class Plot {
   constructor(holder, height) {
     this.holder = holder;
     this.height = height;
-    this.held = false; // the mouse button, down within the axes
+    this.held = false; // whether the mouse button is down within the axes
     holder.addEventListener(
       "mousedown",
       ({ button }) => {
@@ -46,7 +49,7 @@ class Plot {
     if (this.u && this.shape === shape) {
       const { min, max } = this.u.scales.x;
       const before = this.u.data[0];
-      const zoomed = min != null && (min > before[0] || max < before[before.length - 1]); // null: not drawn yet
+      const zoomed = min != null && (min > before[0] || max < before[before.length - 1]); // null before the first drawing
       const same_run = before.length === data[0].length && before[0] === data[0][0];
       this.options = options;
       this.u.setData(data);
@@ -85,7 +88,7 @@ class Plot {
   resize() {
     if (this.u && this.holder.clientWidth > 0 && this.holder.clientWidth !== this.u.width) this.u.setSize(this.size());
   }
-  // Whether there was one. What is drawn until the button is let go counts for nothing.
+  // Cancels a drag until the mouse button is released. Returns whether there was one.
   cancel_drag() {
     if (!this.held) return false;
     const clear = () => this.u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
@@ -106,12 +109,13 @@ class Plot {
   }
 }
 
-// A point for each row, in the colour of its branch; of many rows every second, third, ...
-const most_points = 20000;
+// Draws a point for each row in the colour of its branch, of more than max_points rows every second,
+// third, ...
+const max_points = 20000;
 const cloud = (u, x, y, colours, size) =>
   clipped(u, (pen) => {
     const side = size * devicePixelRatio;
-    const step = Math.ceil(x.length / most_points);
+    const step = Math.ceil(x.length / max_points);
     for (const [kind, fill] of Object.entries(colours)) {
       pen.fillStyle = fill;
       for (let i = 0; i < x.length; i += step) {
@@ -121,7 +125,7 @@ const cloud = (u, x, y, colours, size) =>
     }
   });
 
-// Means of classes with their standard errors, as the engine has them.
+// Draws the means of bins along x with their standard errors.
 const means = (u, bins) =>
   clipped(u, (pen) => {
     const side = 5 * devicePixelRatio;
@@ -140,7 +144,7 @@ const means = (u, bins) =>
 
 const curve = (name, more = {}) => ({ stroke: () => colour(name), width: 1.25, points: { show: false }, ...more });
 
-// Broken where the run has a gap.
+// Columns for uPlot, time in hours; a row of nulls breaks the curves at each gap.
 const with_gaps = (run, names) => {
   const x = [];
   const columns = names.map(() => []);
@@ -161,7 +165,7 @@ const plots = {
   variable: new Plot(byId("variable_plot"), 300),
 };
 
-// What is masked, as bands of the plots over time.
+// Masks as bands of the plots over time.
 const bands_of = (masks) =>
   masks.map(([from, to]) => ({ from: from / 3600, to: to / 3600, colour: "measured", label: "" }));
 

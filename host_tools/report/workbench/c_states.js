@@ -1,5 +1,5 @@
-// Where the reader is: each state is a model and the command lines that make it. What is undone stays
-// until something else is done.
+// Undo and redo: each state is a model and the command that made it. Undone states stay until the next
+// change.
 "use strict";
 const base_name = (path) => path.split("/").pop();
 const setup = JSON.parse(text_of("setup"));
@@ -18,7 +18,7 @@ class States {
   get path() {
     return this.list.slice(0, this.at + 1);
   }
-  // A name that no model of the page has had.
+  // A file name that no model of the page has had.
   next_model() {
     ++this.#models;
     const name = `m${this.#models}.model`;
@@ -36,7 +36,7 @@ class States {
     if (index >= 0 && index < this.list.length) this.at = index;
   }
 
-  // The commands that make the model of now: from the last one that began anew.
+  // The commands that make the current model, from the last `fit` on.
   commands() {
     const begin = this.path.map((state) => state.words && state.words[0] === "fit").lastIndexOf(true);
     return this.path
@@ -48,7 +48,7 @@ class States {
 
 const states = new States();
 
-// Rows that do not count: [run, from, to] in seconds.
+// Masks are [run, from, to] in seconds since power-on.
 const mask_words = (masks) =>
   masks.flatMap(([run, from, to]) => [
     "--mask",
@@ -62,9 +62,9 @@ const masks_from = (words) =>
   });
 const masks_on = (masks, verb) => (verb === "fit" ? masks.filter(([run]) => setup.runs.includes(run)) : masks);
 
-// Everything that a command has beside the effects: recordings, those that judge, how they are read.
+// The command lines: recordings, holdouts, options for reading them, masks.
 const judged_by = () => setup.holdouts.flatMap((name) => ["--holdout", name]);
-// `rows`: what else the model of now says of how it is fitted.
+// `rows`: the current model's options of the fit's rows (rows_of).
 const fit_words = (effects, expressions, model, masks, rows = []) => [
   "fit",
   ...setup.runs,
@@ -118,7 +118,7 @@ const effects_of = (view) =>
 const expressions_of = (view) => view.terms.filter((term) => term.is_expression).map((term) => term.words);
 const effect_name = (words) => words.split(":")[0];
 
-// A shape parameter given, or ("?") to be identified.
+// The words of an effect with a shape parameter fixed, or to be identified ("?").
 const with_parameter = (words, parameter, value) => {
   const [name, ...given] = words.split(":");
   const others = given.filter((one) => !one.startsWith(parameter + "="));

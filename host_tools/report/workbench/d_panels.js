@@ -2,7 +2,7 @@
 "use strict";
 const percent = (share) => `${Math.round(100 * share)} %`;
 
-// 0.1509 ± 0.0021: as many decimals as the uncertainty has.
+// "0.1509 ± 0.0021": both to the second digit of the standard deviation.
 const with_sigma = (value, sigma) => {
   if (!(sigma > 0) || !isFinite(sigma)) return significant(value);
   const places = Math.min(9, Math.max(0, 1 - Math.floor(Math.log10(sigma))));
@@ -10,7 +10,8 @@ const with_sigma = (value, sigma) => {
   return `${value.toFixed(places)} ± ${sigma.toFixed(places)}`;
 };
 
-// A slider over a shape parameter's range, on its own scale. Letting it go fixes the value.
+// A slider over a shape parameter's range (linear, logarithmic or whole numbers), which fixes the
+// parameter when released, and a button that lets the fit identify it. Esc cancels a drag.
 const shape_control = (term, parameter, change) => {
   const { name, unit, value, sigma, identified, left_out, min, max, logarithmic, whole } = parameter;
   const is_log = logarithmic && min > 0;
@@ -23,12 +24,12 @@ const shape_control = (term, parameter, change) => {
       left_out && own
         ? `${name}: left out`
         : `${name} ${found}${unit ? " " + unit : ""}${own && !identified ? ", fixed" : ""}`;
+    slider.ariaValueText = figure.textContent;
   };
-  say(value, true);
   const steps = whole ? max - min : 400;
   const begin = Math.round(steps * to(Math.max(value, min)));
   let held = false;
-  let left = false; // by Esc, while the button is down
+  let left = false; // whether Esc cancelled the drag
   const slider = make("input", {
     type: "range",
     min: 0,
@@ -49,6 +50,7 @@ const shape_control = (term, parameter, change) => {
     },
     onchange: () => (left ? leave() : change(with_parameter(term.words, name, rounded()))),
   });
+  say(value, true);
   const leave = () => {
     left = true;
     slider.value = begin;
@@ -63,16 +65,18 @@ const shape_control = (term, parameter, change) => {
     : make("button", {
         type: "button",
         ariaPressed: String(identified),
-        textContent: identified ? "free" : "set free",
-        title: identified ? "identified by the fit; press to fix it where it is" : "let the fit identify it",
+        ariaLabel: `free ${name} of ${term.effect}`,
+        textContent: "free",
+        title: identified ? "Identified by the fit; press to fix it at this value" : "Press to let the fit identify it",
         onclick: () => change(with_parameter(term.words, name, identified ? Number(value.toPrecision(6)) : "?")),
       });
   return make("div", { className: "shape" }, figure, slider, free);
 };
 
-// A long name may break at its underscores.
+// A name that may break after its underscores.
 const breakable = (name) => name.split(/(?<=_)/).flatMap((part, i) => (i > 0 ? [make("wbr"), part] : [part]));
 
+// Details of a term of the model: coefficients, shape parameters, doubts and notes.
 const about_term = (term, notes, change) => {
   const rows = term.coefficients.map(({ symbol, value, sigma, unit }) =>
     make(
@@ -94,6 +98,7 @@ const about_term = (term, notes, change) => {
   ];
 };
 
+// Details of an effect of the catalogue.
 const about_effect = (effect) =>
   effect
     ? [
@@ -103,7 +108,8 @@ const about_effect = (effect) =>
       ]
     : [];
 
-// One effect of the catalogue, or an expression: in or out, what it brings, and more on request.
+// A line of the list of effects: checkbox, name (opens the details), figure. `why`: what the recordings
+// lack to show the effect, "" if nothing; `hover`: previews the effect.
 class EffectRow {
   constructor({ name, ticked, brings = "", strong = false, why = "", about, toggle, hover, open, opened }) {
     const box = make("input", {
@@ -119,6 +125,7 @@ class EffectRow {
       className: "name",
       textContent: name,
       ariaExpanded: String(opened.has(name)),
+      ariaLabel: `details of ${name}`,
       title: why,
       onclick: () => {
         more.hidden = !more.hidden;
@@ -142,7 +149,7 @@ class EffectRow {
 }
 
 const opened_effects = new Set();
-let known_untestable = []; // by the recordings alone: it stays while the next diagnosis is made
+let known_untestable = []; // depends on the recordings alone: kept until the next diagnosis
 
 const show_effects = (catalogue, view, notes, diagnosis, actions) => {
   const list = byId("effects");
@@ -174,12 +181,12 @@ const show_effects = (catalogue, view, notes, diagnosis, actions) => {
       name: effect.effect,
       ticked: false,
       opened: opened_effects,
-      brings: candidate ? significant(candidate.rms_after_dph, 3) : "",
+      brings: candidate ? rms(candidate.rms_after_dph, 3) : "",
       strong: Boolean(candidate && candidate.lead > 0.5),
       why: untestable.has(effect.effect) ? `needs ${untestable.get(effect.effect)}` : "",
       about: [
         ...(untestable.has(effect.effect)
-          ? [make("p", { textContent: `These recordings do not show it: it needs ${untestable.get(effect.effect)}.` })]
+          ? [make("p", { textContent: `Not visible in these recordings: needs ${untestable.get(effect.effect)}.` })]
           : []),
         ...about_effect(effect),
       ],
@@ -190,22 +197,23 @@ const show_effects = (catalogue, view, notes, diagnosis, actions) => {
   const can = others.filter((effect) => !untestable.has(effect.effect));
   const cannot = others.filter((effect) => untestable.has(effect.effect));
   list.replaceChildren(
-    group("in the model, and its share of the drift"),
+    group("In the model; share of the drift"),
     ...inside,
-    group(diagnosis ? "to be added, and what would be left, °/h" : "to be added"),
+    group(diagnosis ? "To add; rms left with it, °/h" : "To add"),
     ...can.map(row),
-    ...(cannot.length ? [group("not to be seen in these recordings"), ...cannot.map(row)] : []),
+    ...(cannot.length ? [group("Not visible in these recordings"), ...cannot.map(row)] : []),
   );
   if (focused && focused.startsWith("effect_") && byId(focused)) byId(focused).focus();
 };
 
-// What each state leaves, on the runs that it is fitted to and on those that judge.
-const worst = (runs) => runs.reduce((most, run) => Math.max(most, run.residual_rms_dph), 0);
+// The rms of the residual in the worst run of a state: of the runs fitted to, and of the holdouts.
+const worst = (runs) => runs.reduce((max, run) => Math.max(max, run.residual_rms_dph), 0);
 const errors_of = (view) => ({
   fitted: worst(view.compare.runs.filter(({ file }) => !setup.holdouts.includes(file))),
   judged: setup.holdouts.length ? worst(view.compare.runs.filter(({ file }) => setup.holdouts.includes(file))) : null,
 });
 
+// A bar of `value` in the colour `name`; `full`: the value of the whole width, `floor`: dashed line.
 const bar = (value, full, floor, name) =>
   make(
     "span",
@@ -224,6 +232,7 @@ const bar = (value, full, floor, name) =>
     make("span", { className: "value", textContent: rms(value) }),
   );
 
+// The error ladder: measured, then each state, with buttons that go to them.
 const show_ladder = (go) => {
   const first = states.list[0].view.compare.runs;
   const floor = Math.max(...first.map((run) => run.noise_floor_dph || 0)) || null;
@@ -254,7 +263,7 @@ const show_ladder = (go) => {
     { className: "legend" },
     ...keys,
     ...(setup.holdouts.length
-      ? ["; ", make("span", { className: "key", style: "background:var(--second)" }), " on runs that judge"]
+      ? ["; ", make("span", { className: "key", style: "background:var(--second)" }), " on holdouts"]
       : []),
   );
   byId("ladder").replaceChildren(
@@ -264,6 +273,7 @@ const show_ladder = (go) => {
   );
 };
 
+// The judgement of the last addition and the diagnosis of a state.
 const show_diagnosis = (state, actions) => {
   const place = byId("diagnosis");
   const judged = state.judged
@@ -273,13 +283,13 @@ const show_diagnosis = (state, actions) => {
           { className: `judged${state.judged.good ? " good" : ""}` },
           state.judged.reason + " ",
           ...(state.judged.anyway
-            ? [make("button", { type: "button", textContent: "Add it all the same", onclick: state.judged.anyway })]
+            ? [make("button", { type: "button", textContent: "Add it anyway", onclick: state.judged.anyway })]
             : []),
         ),
       ]
     : [];
   if (!state.diagnosis) {
-    place.replaceChildren(...judged, make("p", { className: "faint", textContent: state.trouble || "looking …" }));
+    place.replaceChildren(...judged, make("p", { className: "faint", textContent: state.trouble || "Diagnosing …" }));
     return;
   }
   const { words, diagnosis, add } = state.diagnosis;
@@ -312,9 +322,13 @@ const show_diagnosis = (state, actions) => {
             make(
               "tr",
               {},
-              ...["candidate", "largest", "explains", "leaves", ""].map((text) =>
-                make("th", { textContent: text, scope: "col" }),
-              ),
+              ...[
+                ["candidate", "Effect that may be missing"],
+                ["largest", "Probability that it is the largest of the missing effects"],
+                ["explains", "Share of what is above the noise, by it alone"],
+                ["rms left", "Residual with it alone added, °/h"],
+                ["", ""],
+              ].map(([text, title]) => make("th", { textContent: text, title, scope: "col" })),
             ),
           ),
           make(
@@ -327,14 +341,14 @@ const show_diagnosis = (state, actions) => {
                 make("td", {}, ...breakable(one.effect)),
                 make("td", { textContent: percent(one.lead) }),
                 make("td", { textContent: percent(one.explained_fraction) }),
-                make("td", { textContent: significant(one.rms_after_dph, 3) }),
+                make("td", { textContent: rms(one.rms_after_dph, 3) }),
                 make(
                   "td",
                   {},
                   make("button", {
                     type: "button",
                     textContent: "+",
-                    title: `add ${one.effect}, judged out of sample`,
+                    title: `Add ${one.effect} if it helps out of sample`,
                     ariaLabel: `Add ${one.effect}`,
                     onclick: () => actions.judge({ effects: [one.effect] }),
                   }),
@@ -357,7 +371,7 @@ const show_diagnosis = (state, actions) => {
     ...table,
     ...paragraphs(words.findings),
     ...(words.limits.length
-      ? [make("details", {}, make("summary", { textContent: "What limits this" }), ...paragraphs(words.limits))]
+      ? [make("details", {}, make("summary", { textContent: "Limits of this diagnosis" }), ...paragraphs(words.limits))]
       : []),
   );
 };

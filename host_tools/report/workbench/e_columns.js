@@ -1,12 +1,12 @@
-// Asks which column of a file is which; the readers say what they understand and refuse.
+// The dialog that maps columns of a file; the engine's readers decide what is understood or refused.
 "use strict";
 
-// `look` gives what the engine says of a file's columns when --columns is this; `given` is what it was so
-// far. The answer is what it is to be, or null where the reader leaves it as it is.
+// `look` returns what the engine understands of the file `name` with a value of --columns; `given` is the
+// value so far. Resolves to the new value, or null if the user cancels.
 const ask_for_columns = async (name, look, given) => {
   const dialog = byId("columns");
   const first = await look(given);
-  const choices = new Map(); // of what a recording has: the selects for column and unit
+  const choices = new Map(); // quantity -> its selects { column, unit }
 
   const map = () =>
     first.keys
@@ -17,7 +17,7 @@ const ask_for_columns = async (name, look, given) => {
       })
       .join(",");
 
-  // A map is read as it stands there: what is chosen later counts.
+  // Shows what the engine says of the current choice; answers to earlier choices are dropped.
   let asked = 0;
   const judge = async () => {
     const turn = ++asked;
@@ -30,7 +30,7 @@ const ask_for_columns = async (name, look, given) => {
     byId("columns_take").disabled = refusal !== "";
   };
 
-  // The unit that its name has is not said again.
+  // A column whose name has a unit needs no other.
   const show_unit = ({ column, unit }) => {
     const own = column.value === "" ? "" : first.columns[column.value].unit;
     unit.disabled = column.value === "" || own !== "";
@@ -39,7 +39,7 @@ const ask_for_columns = async (name, look, given) => {
   };
 
   const row = ({ key, required, units }) => {
-    // Of several that it could be none is taken for granted.
+    // Preselects a column only if no other could be meant.
     const could_be = first.columns.flatMap((one, i) => (one.key === key ? [i] : []));
     const meant = could_be.length === 1 ? could_be[0] : -1;
     const column = make(
@@ -93,6 +93,7 @@ const ask_for_columns = async (name, look, given) => {
   else await judge();
   dialog.returnValue = "";
   dialog.showModal();
+  dialog.querySelector("select").focus();
   return new Promise((done) => {
     dialog.onclose = () => done(dialog.returnValue === "take" ? map() : null);
   });
@@ -103,7 +104,7 @@ byId("columns_form").onsubmit = (event) => {
 };
 byId("columns_cancel").onclick = () => byId("columns").close();
 
-// The options of a reader, as words; what --columns is among them, and they with another one.
+// Recording options as words; the value of --columns in them; the same with another value.
 const words_of = (text) =>
   (text.match(/'[^']*'|"[^"]*"|\S+/g) || []).map((word) => word.replace(/^(['"])(.*)\1$/, "$2"));
 const columns_in = (words) => (words.includes("--columns") ? words[words.indexOf("--columns") + 1] || "" : "");

@@ -1,10 +1,10 @@
-// What happens on the page: a change makes a command, the command a state, the state is shown and then
-// diagnosed beside.
+// The page's behaviour: a change becomes a command, the command a state; the state is shown and then
+// diagnosed in the background.
 "use strict";
 (async () => {
-  let fitting = null; // the engine that answers what the reader does
-  let diagnosing = null; // another one, for what takes longer
-  let previewing = null; // and one for the candidate under the mouse
+  let fitting = null; // engine of the user's changes
+  let diagnosing = null; // engine of the diagnosis, which takes longer
+  let previewing = null; // engine of the preview of the candidate under the mouse
   let catalogue = [];
   let run = 0;
   let variable = "temperature_degc";
@@ -20,6 +20,7 @@
     "temperature_rate",
   ];
 
+  // Shows an error, or hides the last one.
   const trouble = (what) => {
     byId("trouble").textContent = what || "";
     byId("trouble").hidden = !what;
@@ -29,21 +30,23 @@
     byId("working").firstElementChild.style.width = `${100 * (done || 0)}%`;
   };
 
+  // The answer of an engine; throws its error.
   const checked = ({ found, values }) => {
     if (found.error) throw new Error(found.error);
     return { ...found, values };
   };
 
-  // A model file that one engine has made, for all.
+  // Gives a model file to all engines.
   const keep_model = (name, text) => {
     const bytes = new TextEncoder().encode(text);
     [fitting, diagnosing, previewing].forEach((engine) => engine.put(name, bytes));
   };
 
+  // What is shown of a model: its comparison with the runs, and their columns.
   const view_of = async (model, masks) => {
     const inputs = setup.columns || [];
     const view = checked(await fitting.call(compare_words(model, masks), [...columns, ...inputs]));
-    // What a recording has beside the three columns is known by now.
+    // Optional columns are known only after the first answer: asks again with them.
     const more = view.runs
       .flatMap((one) => one.variables.map(({ name }) => name))
       .filter((name) => ![...columns, ...inputs].includes(name));
@@ -52,7 +55,7 @@
     return view_of(model, masks);
   };
 
-  // Not before the reader pauses, and not while a change is fitted: that comes first.
+  // Waits for a pause of the user; a change that is being fitted comes first.
   const diagnose = async (state) => {
     diagnosing.cancel();
     await new Promise((done) => setTimeout(done, 300));
@@ -80,7 +83,7 @@
       ...view.runs.map(({ file }, i) =>
         make("button", {
           type: "button",
-          textContent: base_name(file) + (setup.holdouts.includes(file) ? " (judges)" : ""),
+          textContent: base_name(file) + (setup.holdouts.includes(file) ? " (holdout)" : ""),
           ariaPressed: String(i === run),
           onclick: () => {
             run = i;
@@ -128,7 +131,7 @@
     if (!states.now.diagnosis) diagnose(states.now);
   };
 
-  // One after the other: what comes while another is under way waits for it.
+  // Runs changes one after the other.
   let last = Promise.resolve();
   let changing = 0;
   const in_turn = (work) => {
@@ -153,7 +156,7 @@
     show();
   };
 
-  // `change` makes of the model as it then is what is to be fitted.
+  // Fits a changed model: `change` returns what it changes of { effects, expressions, masks }.
   const fit = (label, change) =>
     in_turn(async () => {
       const model = states.next_model();
@@ -178,6 +181,7 @@
       });
     });
 
+  // Adds effects or an expression if `add` accepts them out of sample; `force`: in any case.
   const judge = (what, force = false) =>
     in_turn(async () => {
       const model = states.next_model();
@@ -201,7 +205,7 @@
       });
     });
 
-  // The candidate under the mouse over what is left; a change does not wait for it.
+  // Draws the candidate under the mouse over the residual; a change does not wait for it.
   let wanted = null;
   const preview = async (effect, on) => {
     wanted = on ? effect : null;
@@ -227,8 +231,8 @@
     }
     if (wanted !== effect || states.now !== state) return;
     const { found, values } = state.previews.get(effect);
-    byId("candidate").textContent = found.error || `with ${effect}: ${significant(found.rms_after_dph)}`;
-    // Files of one run are joined there, and here shown one by one: then there is none to draw.
+    byId("candidate").textContent = found.error || `with ${effect}: ${rms(found.rms_after_dph)} rms`;
+    // Not drawn for files of one run, which the engine joins and the page shows one by one.
     values.forEach((one, i) => {
       const shown = state.view.values[i];
       if (one.preview && shown && one.preview.length === shown.time_s.length) shown.preview = one.preview;
@@ -251,7 +255,7 @@
     preview,
   };
 
-  // Rows of the run in view that are not to count.
+  // Draws the shown run with its masks.
   const draw = () => {
     const name = name_of_run();
     const masks = states.now.masks.filter(([of]) => of === name).map(([, from, to]) => [from, to]);
@@ -283,7 +287,8 @@
           {},
           make("button", {
             type: "button",
-            title: "count these rows again",
+            title: "Remove this mask",
+            ariaLabel: `remove the mask ${base_name(one[0])} ${one[1]} to ${one[2]} s`,
             textContent: `${base_name(one[0])} ${one[1]}..${one[2]} s ×`,
             onclick: () =>
               fit(`unmask ${one[1]}..${one[2]} s`, ({ masks }) => ({ masks: masks.filter((other) => other !== one) })),
@@ -296,7 +301,7 @@
     event.preventDefault();
     const [from, to] = ["mask_from", "mask_to"].map((id) => Number(byId(id).value.replace(",", ".") || NaN));
     if (from < to) mask(from, to);
-    else trouble("Mask: two times in seconds since power-on are needed, the earlier one first");
+    else trouble("Mask: give two times in seconds since power-on, the earlier one first.");
   };
 
   const save = (name, text) => {
@@ -350,7 +355,7 @@
     event.preventDefault();
   });
 
-  // A formula is read as it is typed.
+  // Checks a formula as it is typed.
   byId("expression").oninput = () => {
     const text = byId("expression").value.trim();
     if (!text) {
@@ -370,7 +375,7 @@
     if (text) fit(`+ ${text}`, ({ expressions }) => ({ expressions: [...expressions, text] }));
   };
 
-  // The commands of a link, in the order in which they were given.
+  // Runs the commands of a link.
   const replay = async (commands) => {
     for (const words of commands) {
       const model = words[words.indexOf("-o") + 1];
@@ -390,7 +395,7 @@
     go(states.list.length - 1);
   };
 
-  // The models that the page was made with.
+  // Shows the models that the page was written with.
   const begin_with_states = async () => {
     const masks = masks_from(setup.masks);
     for (const { model, label, words, judgement, accepted } of setup.states) {
@@ -422,11 +427,11 @@
     if (!states.now) await fit("bias", () => ({}));
   };
 
-  // Without recordings in the page, the reader brings them.
+  // Asks for recordings, where the page has none.
   const ask_for_files = (module) => {
     const form = byId("opening");
     const files = new Map();
-    const judges = new Set();
+    const holdouts = new Set();
     byId("starting").hidden = true;
     form.hidden = false;
     const engine = new Engine(module, files, working, trouble);
@@ -443,7 +448,7 @@
     const list = async () => {
       setup.reading = words_of(byId("reading").value);
       const rows = [];
-      let good = files.size > judges.size;
+      let good = files.size > holdouts.size;
       for (const name of files.keys()) {
         const { found } = await engine.call(["info", name, ...setup.reading]);
         if (found.error) good = false;
@@ -452,13 +457,13 @@
           {
             ariaLabel: `use of ${name}`,
             onchange: () => {
-              if (use.value === "judges") judges.add(name);
-              else judges.delete(name);
+              if (use.value === "holdout") holdouts.add(name);
+              else holdouts.delete(name);
               list();
             },
           },
           make("option", { value: "fit", textContent: "fit to it" }),
-          make("option", { value: "judges", textContent: "judge by it", selected: judges.has(name) }),
+          make("option", { value: "holdout", textContent: "holdout: judge by it", selected: holdouts.has(name) }),
         );
         const choose = make("button", {
           type: "button",
@@ -472,18 +477,17 @@
             {},
             make("strong", { textContent: name }),
             make("span", {}, choose, " ", use),
-            make("p", {
-              textContent:
-                found.error ||
-                [`${found.rows} rows, every ${significant(found.period_s)} s.`, ...found.remarks].join(" "),
-            }),
+            ...(found.error
+              ? [found.error]
+              : [`${found.rows} samples, every ${significant(found.period_s)} s`, ...found.remarks]
+            ).map((line) => make("p", { textContent: line })),
           ),
         );
       }
       byId("dropped").replaceChildren(...rows);
       byId("begin").disabled = !good;
     };
-    // Of files whose columns are not clear the reader is asked what they are.
+    // Takes files; opens the dialog for those whose columns are not clear.
     const take = async (chosen) => {
       for (const file of chosen) engine.put(file.name, new Uint8Array(await file.arrayBuffer()));
       await list();
@@ -506,8 +510,8 @@
     };
     form.onsubmit = (event) => {
       event.preventDefault();
-      setup.runs = [...files.keys()].filter((name) => !judges.has(name));
-      setup.holdouts = [...judges];
+      setup.runs = [...files.keys()].filter((name) => !holdouts.has(name));
+      setup.holdouts = [...holdouts];
       begin(module, files);
     };
   };
@@ -524,11 +528,11 @@
       else ask_for_files(module);
     } catch (fault) {
       byId("starting").hidden = true;
-      trouble(`This page cannot calculate here: ${fault.message}. It needs a browser of 2023 or later.`);
+      trouble(`This page cannot calculate here: ${fault.message}. Open it in a browser of 2023 or later.`);
     }
   };
 
-  // A report opens with what was found; the engine starts when the reader turns to the workbench.
+  // A report opens with its findings; the engine starts when the user turns to the workbench.
   let started = null;
   const show_view = (bench) => {
     document.body.dataset.view = bench ? "bench" : "report";

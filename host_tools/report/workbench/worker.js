@@ -1,9 +1,10 @@
-// In a worker, behind emscripten's loader: one engine, one call after the other. A call brings the
-// files that it needs and names the columns that it wants back.
+// Runs in a web worker after emscripten's loader: one engine, one call at a time. A call brings the
+// files that it needs and names the columns that it returns.
 "use strict";
 let engine = null;
 const home = "/a/b/c/d/e/f/g/h";
 
+// A copy of a column of the last `compare` or `preview`; null if there is none.
 const column = (run, name) => {
   const place = engine._malloc(4);
   const first = engine.ccall("fogcomp_column", "number", ["number", "string", "number"], [run, name, place]);
@@ -12,7 +13,7 @@ const column = (run, name) => {
   return first ? engine.HEAPF64.slice(first >> 3, (first >> 3) + count) : null;
 };
 
-// The folders of a path, as far as they are not there.
+// Makes the missing folders of a path.
 const make_folders = (path) => {
   const parts = path.split("/").slice(0, -1);
   parts.forEach((part, i) => {
@@ -52,7 +53,7 @@ onmessage = async ({ data }) => {
   try {
     if (data.module) {
       engine = await start(data.module);
-      // Paths are as the reader's shell has them: some of them go up from its folder.
+      // Paths are those of the shell, which may begin with "../": the deep folder leaves room for them.
       make_folders(home + "/");
       engine.FS.chdir(home);
       postMessage({ id: data.id });

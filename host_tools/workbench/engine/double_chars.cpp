@@ -10,7 +10,7 @@
 namespace fogcomp::workbench {
 namespace {
 
-constexpr int kMaxDigits = 17;  // that any double needs
+constexpr int kMaxDigits = 17;  // suffice for any double
 
 struct Decimal {
   std::string digits;  // the first one is not 0
@@ -36,7 +36,7 @@ double value_of(const Decimal& decimal) {
   return std::strtod(text.c_str(), nullptr);
 }
 
-// The next larger one of as many digits.
+// The next larger decimal with the same number of digits.
 Decimal above(Decimal decimal) {
   std::size_t at = decimal.digits.size();
   while (at > 0 && decimal.digits[at - 1] == '9') decimal.digits[--at] = '0';
@@ -49,8 +49,8 @@ Decimal above(Decimal decimal) {
   return decimal;
 }
 
-// Fewer digits first. Below a power of two neighbours are twice as near as above it: there the
-// nearest decimal may miss, and the next one above still read back.
+// The shortest decimal that reads back as `value`. Just below a power of two doubles are twice as
+// dense as above it: there the nearest decimal may fail and the next one above it succeed.
 Decimal shortest(double value) {
   int digits = kMaxDigits - 2;  // half of all doubles that are computed need no fewer
   if (value_of(decimal_of(value, digits)) == value) {
@@ -103,7 +103,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// Where a decimal number ends; `first` where there is none.
+// End of the decimal number at `first`; `first` if there is none.
 const char* end_of_number(const char* first, const char* last) {
   const char* at = first;
   if (at != last && *at == '-') ++at;

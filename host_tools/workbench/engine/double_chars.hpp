@@ -1,8 +1,8 @@
 #pragma once
 
-// For the engine's compiler alone, whose library (libc++ 14) has std::to_chars and std::from_chars
-// for whole numbers only. Every digit is that of the host's library, or a model file of the page
-// would not be the shell's.
+// std::to_chars and std::from_chars of double for the engine's library (libc++ 14), which has them
+// for integers only. All digits equal those of the host's library, so that a page writes the same
+// model files as the shell.
 
 #include <charconv>
 

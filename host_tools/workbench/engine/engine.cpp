@@ -1,4 +1,4 @@
-// The session for a page: two functions that its script calls.
+// The engine's interface to report/workbench/worker.js: two functions on one session.
 
 #include <emscripten.h>
 
@@ -25,14 +25,15 @@ fogcomp::workbench::Session& session() {
 
 extern "C" {
 
-/// `words`: separated by line ends. The answer stays until the next call.
+/// Session::answer() for `words` separated by line ends. The result is valid until the next call.
 EMSCRIPTEN_KEEPALIVE const char* fogcomp_call(const char* words) {
   static std::string answer;
   answer = session().answer(fogcomp::split(words, '\n'));
   return answer.c_str();
 }
 
-/// A column of the session, and how many values it has; nullptr where there is none.
+/// Session::column() with the number of its values in `count`; nullptr and 0 if there is none.
+/// Valid until the next call of fogcomp_call().
 EMSCRIPTEN_KEEPALIVE const double* fogcomp_column(int run, const char* name, int* count) {
   const std::vector<double>* const column = session().column(static_cast<std::size_t>(run), name);
   *count = column == nullptr ? 0 : static_cast<int>(column->size());

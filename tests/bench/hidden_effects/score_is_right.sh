@@ -28,7 +28,10 @@ answer() {
   echo 1 >"$scratch/answers/$1/seconds.txt"
   echo made up >"$scratch/answers/$1/key"
 }
-named() { echo "{\"verdict\":\"missing_effect\",\"effect\":\"$1\",\"confusable\":[],\"candidates\":[{\"effect\":\"$1\",\"probability\":1}]}"; }
+named() {
+  printf '{"verdict":"missing_effect","effect":"%s","confusable":[],"candidates":[{"effect":"%s","probability":1}]}\n' \
+    "$1" "$1"
+}
 
 oracle() {
   local id=$1 plan=$scratch/truth/$1/plan.txt hidden added
@@ -52,8 +55,13 @@ scored() {
 }
 # expect MEASURE VALUE: in results.json; a measure without cases is null.
 expect() {
-  printf 'file(READ "%s" text)\nstring(JSON value GET "${text}" measures %s value)\nif(NOT value EQUAL %s)\nmessage(FATAL_ERROR "%s is ${value}, not %s")\nendif()\n' \
-    "$scratch/results.json" "$1" "$2" "$1" "$2" >"$scratch/check.cmake"
+  cat >"$scratch/check.cmake" <<SCRIPT
+file(READ "$scratch/results.json" text)
+string(JSON value GET "\${text}" measures $1 value)
+if(NOT value EQUAL $2)
+  message(FATAL_ERROR "$1 is \${value}, not $2")
+endif()
+SCRIPT
   cmake -P "$scratch/check.cmake"
 }
 
@@ -89,7 +97,10 @@ for id in "${ids[@]}"; do
   # In the files as in the trial: the requested sizes, and declared effects described by their formulas.
   awk '$1 == "hidden" { size[$2] = $4 }
        $1 == "visible" && !($3 > 0.97 * size[$2] && $3 < 1.03 * size[$2]) { print FILENAME, $0; bad = 1 }
-       $1 == "misfit_beside_delays" { seen = 1; if (!($2 ~ /^[0-9.]+$/ && $2 <= 0.101)) { print FILENAME, $0; bad = 1 } }
+       $1 == "misfit_beside_delays" {
+         seen = 1
+         if (!($2 ~ /^[0-9.]+$/ && $2 <= 0.101)) { print FILENAME, $0; bad = 1 }
+       }
        END { exit bad || !seen }' "$scratch/truth/$id/plan.txt" "$scratch/truth/$id/facts.txt"
 done
 echo "an oracle is scored as one, none and nonsense as what they are"

@@ -15,8 +15,13 @@ sed -n '/^| measure/,/^$/p' "$made/said.txt"
 
 # bound MEASURE LESS|GREATER VALUE: fails if the measure is beyond VALUE, or has no cases.
 bound() {
-  printf 'file(READ "%s" text)\nstring(JSON value GET "${text}" measures %s value)\nif(NOT value MATCHES "[0-9]" OR value %s %s)\nmessage(FATAL_ERROR "%s is ${value}, bound %s")\nendif()\n' \
-    "$made/results.json" "$1" "$2" "$3" "$1" "$3" >"$made/check.cmake"
+  cat >"$made/check.cmake" <<SCRIPT
+file(READ "$made/results.json" text)
+string(JSON value GET "\${text}" measures $1 value)
+if(NOT value MATCHES "[0-9]" OR value $2 $3)
+  message(FATAL_ERROR "$1 is \${value}, bound $3")
+endif()
+SCRIPT
   cmake -P "$made/check.cmake"
 }
 bound failed GREATER 0

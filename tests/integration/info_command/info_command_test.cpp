@@ -77,10 +77,10 @@ TEST(InfoCommand, TellsHowManyRowsTheBoardWouldRefuse) {
   }
   const std::string run = recording::temporary_file("refused.csv", text);
   const std::string said = info(run).output;
-  EXPECT_NE(said.find("3 rows left out: temperature 85 degC at line 22 (then 52, 82) is"),
+  EXPECT_NE(said.find("3 samples left out: temperature 85 degC at line 22 (then 52, 82) is"),
             std::string::npos)
       << said;
-  EXPECT_NE(said.find("\n  3 rows left out by the board's rules\n"), std::string::npos) << said;
+  EXPECT_NE(said.find("\n  3 samples left out by the board's rules\n"), std::string::npos) << said;
   EXPECT_NE(info(run + " --json").output.find("\"refused_rows\":3"), std::string::npos);
 }
 

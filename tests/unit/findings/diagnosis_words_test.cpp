@@ -81,7 +81,7 @@ TEST(DiagnosisWords, InBriefAreOneSentenceWithEffectSizeAndProbability) {
   found.variable = "input_rate_dph";
   EXPECT_EQ(in_brief(found, {}).sentence,
             "something is missing that no effect of the catalogue explains (it depends most on "
-            "input_rate_dph): 907.0 deg/h rms");
+            "input rate): 907.0 deg/h rms");
   found.verdict = diagnosis::Verdict::none;
   EXPECT_EQ(in_brief(found, {}).sentence,
             "no effect is missing: 907.1 deg/h rms is left, noise alone is 9.700");

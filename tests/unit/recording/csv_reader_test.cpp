@@ -185,8 +185,9 @@ TEST(CsvReader, ConvertsAnInputRateInAnotherUnit) {
 
 TEST(CsvReader, SaysWhatIsWrongWithTheFile) {
   EXPECT_EQ(fault(""), ": is empty; is it the right file?");
-  EXPECT_EQ(fault("# only a comment\n"), ": has no header line and no rows; is it the right file?");
-  EXPECT_EQ(fault(kHeader), ": has a header but no rows");
+  EXPECT_EQ(fault("# only a comment\n"),
+            ": has no header line and no samples; is it the right file?");
+  EXPECT_EQ(fault(kHeader), ": has a header but no samples");
   EXPECT_THROW(read_recording(::testing::TempDir(), {}), InputError);
   EXPECT_THROW(read_recording("/no/such/file.csv", {}), InputError);
   ReadOptions options;
@@ -199,7 +200,7 @@ TEST(CsvReader, SaysWhatIsWrongWithTheFile) {
 
 TEST(CsvReader, RefusesTimesThatCannotBeSeconds) {
   EXPECT_EQ(fault(kHeader + "0,20,1\n5e6,20,1\n1e7,20,1\n"),
-            ": rows are 5e+06 s apart; is the time in s? if not, give --columns time=NAME[us]");
+            ": samples are 5e+06 s apart; is the time in s? if not, give --columns time=NAME[us]");
 }
 
 TEST(CsvReader, NeverCrashesOnAMutatedFile) {

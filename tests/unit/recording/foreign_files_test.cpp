@@ -371,14 +371,14 @@ TEST(ForeignFiles, AreRefusedWithTheLineThatHelpsWhereTheyMeanTwoThings) {
       {"comma twice", "time_s,temperature_degc,rate_dph\n0,5,20,1,1,5\n1,5,20,1,1,5\n",
        ":2: 6 fields where the header has 3 (a ',' within numbers? separate columns by ';')"},
       {"too few digits", "unix_s,temperature_degc,rate_dph\n1.7097e9,20,1\n1.7097e9,20,2\n",
-       ":3: time repeats, 0 s from the first row; has it enough digits?"},
+       ":3: time repeats, 0 s from the first sample; has it enough digits?"},
       {"no header", "0\t20\t1\n1\t20\t1\n",
        "put a line such as time_s,temperature_degc,rate_dph before them, or give --columns "
        "'time=1[s],temperature=2[degC],rate=3[deg/h]'"},
       {"no rate", "Time [s];Temp [degC]\n0;20\n1;20\n", "no column 'rate_dph'"},
       {"counts", "time_s;temperature_degc;gyro_counts\n0;20;1\n", "without a scale factor"},
       {"no temperature", "time_s,temperature_degc,rate_dph\n0,,1\n1,NaN,2\n",
-       "temperature_degc has no value in any row"},
+       "temperature_degc has no value in any sample"},
       {"gzip", "\x1F\x8B\x08", "zcat FILE | fogcomp ... -"},
       {"workbook", "PK\x03\x04", "save the sheet as CSV"},
       {"MATLAB", "MATLAB 5.0 MAT-file, Platform: GLNXA64", "writetable"},
@@ -480,7 +480,8 @@ TEST(ForeignFiles, HaveATemperatureBetweenItsReadings) {
   ASSERT_EQ(recording.rows(), 100U);
   EXPECT_NEAR(recording.temperature_degc[37], 20.37, 1e-9);
   EXPECT_NEAR(recording.temperature_degc[99], 20.9, 1e-9);  // held behind the last reading
-  EXPECT_NE(said.find("temperature_degc: a reading in 10 of 100 rows (1 in 10)"), std::string::npos)
+  EXPECT_NE(said.find("temperature_degc: a reading in 10 of 100 samples (1 in 10)"),
+            std::string::npos)
       << said;
 }
 
@@ -496,9 +497,10 @@ TEST(ForeignFiles, LeaveOutRowsWhoseValuesNobodyKnows) {
   EXPECT_EQ(recording.rate_dph, (std::vector<double>{3, 4, 7, 8}));
   EXPECT_EQ(recording.empty_rows, 4U);
   EXPECT_TRUE(recording[fog::Input::supply].empty());
-  EXPECT_NE(said.find("2 rows left out: no time or rate, the first at line 3"), std::string::npos)
+  EXPECT_NE(said.find("2 samples left out: no time or rate, the first at line 3"),
+            std::string::npos)
       << said;
-  EXPECT_NE(said.find("2 rows left out: no temperature or input rate within 60 s, the first at "
+  EXPECT_NE(said.find("2 samples left out: no temperature or input rate within 60 s, the first at "
                       "line 2"),
             std::string::npos)
       << said;

@@ -53,7 +53,7 @@ TEST(LongRecording, KeepsMeansOfNeighboursOfAllRowsInBoundedMemory) {
     EXPECT_NEAR(means.rate_dph[i], 1e-3 * middle, 1e-6);
     EXPECT_NEAR(means.temperature_degc[i], 20 + 1e-6 * middle, 1e-6);
   }
-  EXPECT_NE(said.find("long.csv: 5242880 rows: read in means of 2 (0.01 s), 2621440 of them"),
+  EXPECT_NE(said.find("long.csv: 5242880 samples: read in means of 2 (0.01 s), 2621440 of them"),
             std::string::npos)
       << said;
 }
@@ -122,7 +122,7 @@ TEST(LongRecording, LeavesOutWhatTheBoardWouldRefuseBeforeItTakesMeans) {
   const Recording means = recording.finish("long.csv");
   EXPECT_EQ(means.refused_rows, 11U);  // the rate for 50 ms, as the board does
   EXPECT_LT(*std::max_element(means.temperature_degc.begin(), means.temperature_degc.end()), 25);
-  EXPECT_NE(said.find("11 rows left out by the board's rules, the first: "), std::string::npos)
+  EXPECT_NE(said.find("11 samples left out by the board's rules, the first: "), std::string::npos)
       << said;
 }
 

@@ -262,10 +262,11 @@ TEST(RefusedRows, AreNamedWithTheirLinesCountedAndLeftOut) {
   const std::string path = temporary_file("refused.csv", text);
   std::string said;
   const Recording recording = read_recording(path, heard_in(said));
-  EXPECT_EQ(said,
-            path +
-                ": 7 rows left out: temperature 85 degC at line 4 (then 7, 11, 14, ...) is what a "
-                "DS18B20 says before its first conversion; the board would refuse them\n");
+  EXPECT_EQ(
+      said,
+      path +
+          ": 7 samples left out: temperature 85 degC at line 4 (then 7, 11, 14, ...) is what a "
+          "DS18B20 says before its first conversion; the board would refuse them\n");
   EXPECT_EQ(recording.refused_rows, 7U);
   EXPECT_EQ(recording.rows(), 13U);
   EXPECT_EQ(recording.rate_dph.size(), 13U);
@@ -305,7 +306,7 @@ TEST(RefusedRows, AreAnErrorWhereNoneIsLeft) {
     FAIL();
   } catch (const InputError& error) {
     const std::string message = error.what();
-    EXPECT_NE(message.find("the board would refuse every row: temperature 293.15 degC at line 2 "
+    EXPECT_NE(message.find("the board would refuse every sample: temperature 293.15 degC at line 2 "
                            "(then 3, 4, 5, ...) is outside -70 to 130 degC; is temperature_degc in "
                            "kelvin? subtract 273.15"),
               std::string::npos)

@@ -160,7 +160,7 @@ TEST_F(Workbench, AppliesAndExportsAsTheCommandsDo) {
 
 TEST_F(Workbench, AnswersWhatIsWrongInOneLine) {
   EXPECT_EQ(ask({}), "{\"error\":\"fogcomp: no command\"}");
-  EXPECT_TRUE(holds(ask({"flash", "x"}), "no command 'flash' here"));
+  EXPECT_TRUE(holds(ask({"flash", "x"}), "no command 'flash' in the workbench"));
   EXPECT_TRUE(holds(ask({"fit", path("run.csv"), "--effects", "temprate", "-o", path("x.model")}),
                     "\"error\":\""));
   EXPECT_TRUE(holds(ask({"compare", path("missing.model"), path("run.csv")}), "\"error\":\""));

@@ -1,3 +1,3 @@
-// Eigen includes this first of all for SSE2. Emscripten's SSE2 has no MMX; and Eigen's hints to the
-// register allocator of a GCC for x86, empty assembler statements, mean nothing to WebAssembly.
+// Replaces the header that Eigen includes first for SSE2: Emscripten's SSE2 has no MMX. Removes
+// Eigen's empty assembler statements (hints to GCC's register allocator on x86).
 #define __asm__(...)
