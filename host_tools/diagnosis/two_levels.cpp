@@ -27,95 +27,45 @@ struct Shape {
   double decay = 0;
 };
 
-// Of the possible means of a stretch.
-using Centres = Eigen::Array<double, kCentres, 1>;
-
-Centres centres_of(const Shape& shape) {
-  return shape.height * (Centres::LinSpaced(0, kCentres - 1) / (kCentres - 1) - 0.5);
-}
-
-// Sum of logarithms, as the logarithm of a product: few logarithms instead of one for each factor.
-template <int kSize>
-class LogProduct {
- public:
-  using Factors = Eigen::Array<double, kSize, 1>;
-
-  void multiply(const Factors& factors) {
-    if (!is_moderate(factors)) {
-      log_ += factors.log();
-      return;
-    }
-    product_ *= factors;
-    if (is_moderate(product_)) return;
-    log_ += product_.log();
-    product_.setOnes();
-  }
-  Factors log() const { return log_ + product_.log(); }
-
- private:
-  static bool is_moderate(const Factors& factors) {
-    return factors.minCoeff() > 1e-100 && factors.maxCoeff() < 1e100;
-  }
-
-  Factors product_ = Factors::Ones();
-  Factors log_ = Factors::Zero();
-};
-
-// Log-likelihoods for every centre, up to a common constant. A row that does not count (NaN) gives
-// no information; time passes.
+// Log-likelihoods up to a common constant. A row that does not count (NaN) gives no information;
+// time passes.
 
 // Forward algorithm.
-Centres log_two_levels(const Eigen::VectorXd& values, const Shape& shape) {
+double log_two_levels(const Eigen::VectorXd& values, const Shape& shape, double centre) {
   const double stay = (1 + shape.decay) / 2;
-  const Centres centres = centres_of(shape);
-  const Centres low = centres - shape.height / 2;
-  const Centres ratio_at_zero = (-shape.height * centres).exp();
-  LogProduct<kCentres> likelihoods;
-  Centres squares = Centres::Zero();
-  Centres upper = Centres::Constant(0.5);
+  const double low = centre - shape.height / 2;
+  double log_likelihood = 0;
+  double upper = 0.5;
   for (const double value : values) {
     if (!std::isnan(value)) {
-      const Centres ratio = std::exp(shape.height * value) * ratio_at_zero;
-      const Centres likelihood = (1 - upper) + upper * ratio;
-      likelihoods.multiply(likelihood);
-      squares += (value - low).square();
+      const double ratio = std::exp(shape.height * (value - centre));
+      const double likelihood = (1 - upper) + upper * ratio;
+      log_likelihood += std::log(likelihood) - (value - low) * (value - low) / 2;
       upper *= ratio / likelihood;
     }
     upper = upper * stay + (1 - upper) * (1 - stay);
   }
-  return likelihoods.log() - squares / 2;
+  return log_likelihood;
 }
 
-// Kalman filter of a first-order Gauss-Markov process: its innovations are linear in the centre.
-Centres log_wander(const Eigen::VectorXd& values, const Shape& shape) {
+// Kalman filter of a first-order Gauss-Markov process.
+double log_wander(const Eigen::VectorXd& values, const Shape& shape, double centre) {
   const double variance = shape.height * shape.height / 4;
-  LogProduct<1> totals;
-  // Over the rows, each over its variance: of the innovation with centre 0 and of its derivative.
-  double square = 0;
-  double product = 0;
-  double slope_square = 0;
-  double state = 0;  // with centre 0
-  double by_centre = 1;
+  double log_likelihood = 0;
+  double state = centre;
   double doubt = variance;
   for (const double value : values) {
     if (!std::isnan(value)) {
       const double total = doubt + 1;
       const double innovation = value - state;
-      square += innovation * innovation / total;
-      product += innovation * by_centre / total;
-      slope_square += by_centre * by_centre / total;
-      totals.multiply(LogProduct<1>::Factors(total));
+      log_likelihood -= (innovation * innovation / total + std::log(total)) / 2;
       state += doubt / total * innovation;
-      by_centre /= total;
       doubt /= total;
     }
-    state *= shape.decay;
-    by_centre = 1 + shape.decay * (by_centre - 1);
+    state = centre + shape.decay * (state - centre);
     doubt = variance + shape.decay * shape.decay * (doubt - variance);
   }
-  const Centres centres = centres_of(shape);
-  const Centres squares = square - 2 * product * centres + slope_square * centres.square();
-  return -(squares + totals.log()[0]) / 2;
+  return log_likelihood;
 }
 
 double mean_of(const Eigen::VectorXd& values) {
@@ -132,10 +82,11 @@ double mean_of(const Eigen::VectorXd& values) {
 // The best centre of a stretch of mean 0.
 template <class Log>
 std::pair<double, double> best_centre(const Eigen::VectorXd& values, const Shape& shape, Log log) {
-  const Centres centres = centres_of(shape);
-  const Centres likelihoods = log(values, shape);
   std::pair<double, double> best{-HUGE_VAL, 0};
-  for (int i = 0; i < kCentres; ++i) best = std::max(best, {likelihoods[i], centres[i]});
+  for (int i = 0; i < kCentres; ++i) {
+    const double centre = (static_cast<double>(i) / (kCentres - 1) - 0.5) * shape.height;
+    best = std::max(best, {log(values, shape, centre), centre});
+  }
   return best;
 }
 
