@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "support/decompositions.hpp"
-#include "support/gram.hpp"
+#include "support/least_squares.hpp"
 
 namespace fogcomp::fit {
 namespace {
@@ -22,14 +22,10 @@ series::ColumnRange ExplainedSpace::add(const Eigen::MatrixXd& columns) {
 }
 
 void ExplainedSpace::finish() {
-  gram_ = fogcomp::gram(pending_);
-  projection_.resize(width_);
-  Eigen::Index at = 0;
-  for (const Eigen::MatrixXd& columns : pending_) {
-    projection_.segment(at, columns.cols()) = columns.transpose() * residual_;
-    at += columns.cols();
-  }
+  const Eigen::MatrixXd all = side_by_side(pending_, residual_.size());
   pending_.clear();
+  gram_ = fogcomp::gram(all);
+  projection_ = all.transpose() * residual_;
 }
 
 // Woodbury: with noise of covariance I + R V R', a'b becomes a'b - a'R (R'R + 1/V)^-1 R'b.

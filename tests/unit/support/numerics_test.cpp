@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "support/decompositions.hpp"
-#include "support/gram.hpp"
 #include "support/least_squares.hpp"
 #include "support/periodogram.hpp"
 
@@ -33,16 +32,6 @@ TEST(Decompositions, SolveWhatTheySay) {
   EXPECT_LT(eigen.values[0], eigen.values[2]);
   const MatrixXd tall = MatrixXd::Random(40, 3);
   EXPECT_LT((gram(tall) - tall.transpose() * tall).norm(), 1e-13);
-}
-
-TEST(Gram, IsThatOfThePartsSideBySide) {
-  for (const Eigen::Index rows : {1, 255, 256, 600}) {
-    const std::vector<MatrixXd> parts{MatrixXd::Random(rows, 3), MatrixXd::Random(rows, 0),
-                                      MatrixXd::Random(rows, 14)};
-    const MatrixXd all = side_by_side(parts, rows);
-    EXPECT_LT((gram(parts) - all.transpose() * all).norm(), 1e-12) << rows;
-  }
-  EXPECT_EQ(gram(std::vector<MatrixXd>{}).size(), 0);
 }
 
 TEST(Decompositions, SayWhereAMatrixIsNotDefinite) {
