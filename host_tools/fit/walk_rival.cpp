@@ -5,7 +5,6 @@
 
 #include "fit/decision_rules.hpp"
 #include "noise/random_walk.hpp"
-#include "noise/whitening.hpp"
 #include "support/least_squares.hpp"
 
 namespace fogcomp::fit {
@@ -69,14 +68,13 @@ double chance_of_walk(const WalkRival& rival, const std::vector<Explanatory>& al
 
 namespace {
 
-// Orthonormal directions of whitened columns outside the span of `basis`.
-Eigen::MatrixXd new_directions(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& basis,
-                               const noise::Whitening& whitening) {
-  const Eigen::MatrixXd white = whitening.apply(columns);
-  const Eigen::MatrixXd left = projected_out(basis, white);
+// Orthonormal directions of columns outside the span of `basis`.
+Eigen::MatrixXd new_directions(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& basis) {
+  const Eigen::MatrixXd left = projected_out(basis, columns);
   std::vector<Eigen::MatrixXd> seen;
   for (Eigen::Index i = 0; i < left.cols(); ++i) {
-    if (left.col(i).norm() > rules::kMinSeen * white.col(i).norm()) seen.emplace_back(left.col(i));
+    if (left.col(i).norm() > rules::kMinSeen * columns.col(i).norm())
+      seen.emplace_back(left.col(i));
   }
   return orthonormal(side_by_side(seen, left.rows()));
 }
@@ -84,21 +82,17 @@ Eigen::MatrixXd new_directions(const Eigen::MatrixXd& columns, const Eigen::Matr
 }  // namespace
 
 double chance_of_walk(const series::Rows& rows, const noise::NoiseModel& noise,
-                      const Eigen::VectorXd& row_weights, const Eigen::MatrixXd& before,
-                      const Eigen::MatrixXd& added, const Eigen::VectorXd& measured) {
-  const noise::Whitening whitening(noise, rows, row_weights);
-  const Eigen::MatrixXd basis = orthonormal(whitening.apply(before));
-  const auto without_model = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
-    return projected_out(basis, whitening.apply(columns));
-  };
-  ExplainedSpace space(without_model(measured));
-  const series::ColumnRange effect = space.add(new_directions(added, basis, whitening));
-  const WalkModes modes = add_walk(space, without_model(visible_walk_modes(rows, noise)));
+                      const noise::Whitening& whitening, const AddedColumns& columns) {
+  const Eigen::MatrixXd basis = orthonormal(columns.before);
+  ExplainedSpace space(projected_out(basis, columns.measured));
+  const series::ColumnRange effect = space.add(new_directions(columns.added, basis));
+  const WalkModes modes =
+      add_walk(space, projected_out(basis, whitening.apply(visible_walk_modes(rows, noise))));
   space.finish();
   const WalkRival rival = find_walk(space, modes, noise.walks);
-  const auto columns = static_cast<double>(effect.count);
-  return chance_of_walk(rival, {{log_evidence(space.chi2_drop({effect}), columns), 0}},
-                        {{log_evidence(rival.space.chi2_drop({effect}), columns), 0}});
+  const auto count = static_cast<double>(effect.count);
+  return chance_of_walk(rival, {{log_evidence(space.chi2_drop({effect}), count), 0}},
+                        {{log_evidence(rival.space.chi2_drop({effect}), count), 0}});
 }
 
 }  // namespace fogcomp::fit

@@ -4,6 +4,7 @@
 
 #include "fit/explained_space.hpp"
 #include "noise/noise_model.hpp"
+#include "noise/whitening.hpp"
 #include "series/rows.hpp"
 
 namespace fogcomp::fit {
@@ -44,10 +45,14 @@ struct Explanatory {
 double chance_of_walk(const WalkRival& rival, const std::vector<Explanatory>& alone,
                       const std::vector<Explanatory>& beside);
 
-/// The same for columns added to a linear model, on rows x any number that are whitened with
-/// `noise` and `row_weights`. `before`, `added` and `measured`: not whitened.
+/// The same for columns added to a linear model. All whitened with `noise`: `before` and `added`
+/// are rows x any number, `measured` has a value per row.
+struct AddedColumns {
+  Eigen::MatrixXd before;
+  Eigen::MatrixXd added;
+  Eigen::VectorXd measured;
+};
 double chance_of_walk(const series::Rows& rows, const noise::NoiseModel& noise,
-                      const Eigen::VectorXd& row_weights, const Eigen::MatrixXd& before,
-                      const Eigen::MatrixXd& added, const Eigen::VectorXd& measured);
+                      const noise::Whitening& whitening, const AddedColumns& columns);
 
 }  // namespace fogcomp::fit

@@ -55,12 +55,14 @@ noise::NoiseModel white_noise_and_walks() {
 TEST(WalkRival, IsRarelyRefusedForSmoothFunctions) {
   const series::Rows rows = fog::test::made_rows(
       kRows, [](double) { return 20.0; }, kRow_s);
-  const Eigen::VectorXd weights = Eigen::VectorXd::Ones(kRows);
+  const noise::NoiseModel noise = white_noise_and_walks();
+  const noise::Whitening whitening(noise, rows, Eigen::VectorXd::Ones(kRows));
   const Eigen::MatrixXd bias = Eigen::MatrixXd::Ones(kRows, 1);
   int refused = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    const double chance =
-        chance_of_walk(rows, white_noise_and_walks(), weights, bias, smooth(40), walking(seed));
+    const double chance = chance_of_walk(
+        rows, noise, whitening,
+        {whitening.apply(bias), whitening.apply(smooth(40)), whitening.apply(walking(seed))});
     if (chance < rules::kMaxChanceOfWalk) ++refused;
   }
   EXPECT_LE(refused, 3);
