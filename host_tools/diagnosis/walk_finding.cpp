@@ -9,12 +9,17 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Prior: an effect of the basis is as probable as none.
-std::vector<fit::Explanatory> explanatory(const std::vector<Hypothesis>& hypotheses,
-                                          const RegressorBasis& regressors) {
-  const double each = -std::log(static_cast<double>(regressors.size()));
+// Effects, and smooth structure of any kind. Prior: an effect of the basis is as probable as none,
+// and so is structure.
+std::vector<fit::Explanatory> explanatory(const fit::ExplainedSpace& space,
+                                          const std::vector<Hypothesis>& hypotheses,
+                                          const EvidenceSpace& evidence) {
+  const double each = -std::log(static_cast<double>(evidence.regressors.size()));
   std::vector<fit::Explanatory> all;
   for (const Hypothesis& h : hypotheses) all.push_back({h.log_evidence, h.log_prior + each});
+  all.push_back({fit::log_evidence(space.chi2_drop({evidence.structure}),
+                                   static_cast<double>(evidence.structure.count)),
+                 0});
   return all;
 }
 
@@ -27,15 +32,11 @@ WalkFinding assess_walk(const EvidenceSpace& evidence, const std::vector<Hypothe
   if (rival.coefficient == 0) return {};
   const NullTest test = test_against_noise(rival.space, evidence.regressors, evidence.structure,
                                            noise.degrees_of_freedom, seed);
-  if (test.finds_something()) return {};
-  std::vector<fit::Explanatory> alone = explanatory(hypotheses, evidence.regressors);
-  alone.push_back({fit::log_evidence(evidence.space.chi2_drop({evidence.structure}),
-                                     static_cast<double>(evidence.structure.count)),
-                   0});
   const std::vector<Hypothesis> beside =
       find_hypotheses(rival.space, evidence.candidates, evidence.regressors);
   return {rival.coefficient,
-          fit::chance_of_walk(rival, alone, explanatory(beside, evidence.regressors)),
+          fit::chance_of_walk(rival, explanatory(evidence.space, hypotheses, evidence),
+                              explanatory(rival.space, beside, evidence)),
           std::exp(std::min(test.library_log_p, test.structure_log_p))};
 }
 

@@ -11,7 +11,7 @@ namespace fogcomp::diagnosis {
 /// A random walk of the bias as alternative to an effect or other slow structure.
 struct WalkFinding {
   double coefficient = 0;  ///< of the likeliest, deg/h/sqrt(h)
-  double chance = 0;       ///< 0 where something stands out of noise that walks
+  double chance = 0;       ///< that nothing but noise and such a walk is there
   double noise_alone = 1;  ///< chance that such noise looks like this
 
   /// Whether slow effects must not be accepted because of it.
