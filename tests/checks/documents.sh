@@ -77,7 +77,8 @@ def check_rules():
     # Other numbers stand with the file that has them.
     for name in set(re.findall(r"`(k[A-Z]\w*)`", text)) - names:
         files = re.findall(rf"`{name}`[^`)]*`([a-z_/]+\.[ch]pp)`", text)
-        if not any(name in open(os.path.join(root, "host_tools/diagnosis", f), encoding="utf-8").read() for f in files):
+        places = [os.path.join(root, "host_tools", "" if "/" in f else "diagnosis", f) for f in files]
+        if not any(name in open(place, encoding="utf-8").read() for place in places):
             problems.append(f"{page}: {name} is no rule, and no file is named that has it")
 
 
