@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # hidden_effects.sh [--quick] [--wide] [--seeds dev|final|second|third] [--cases N] [--case ID] [--jobs N]
 # [--stages LIST] [--build DIR] [-o DIR]: how well `fogcomp diagnose` names what is hidden in simulated gyros
-# (hidden_effects/README.md). Stages: make, answer, propose, score. Resumes: a case is made or answered again only where
-# something it depends on has changed.
+# (hidden_effects/README.md). Stages: make, answer, propose, told, score. Resumes: a case is made or answered again only
+# where something it depends on has changed.
 set -euo pipefail
 source=$(realpath "$(dirname "$0")/../..")
 here=$source/tests/bench/hidden_effects
-seeds=dev wide='' cases='' jobs=$(nproc) out='' build=$source/build/host stages=make,answer,propose,score only=''
+seeds=dev wide='' cases='' jobs=$(nproc) out='' build=$source/build/host stages=make,answer,propose,told,score only=''
 while (($#)); do
   case $1 in
     --quick) cases=116; shift; continue ;;
@@ -72,6 +72,10 @@ if wants propose; then
   printf '%s\n' "${ids[@]}" | each propose "$here/propose_case.sh" "$fogcomp" "$out" "$simulator"
   (cd "$out/runs" && for id in "${ids[@]}"; do ls -d "$id.proposed" "$id.random" 2>/dev/null || true; done) |
     each "answer with one more run" "$here/answer_case.sh" "$fogcomp" "$out" "$tool"
+fi
+if wants told; then
+  { (cd "$out/truth" && grep -lE '^kind (three|rate)$' "${ids[@]/%//plan.txt}") || true; } | sed 's|/plan.txt||' |
+    each tell "$here/told_case.sh" "$fogcomp" "$out" "$tool"
 fi
 if wants score; then
   printf '%s\n' "${ids[@]}" >"$out/cases.txt"

@@ -40,6 +40,7 @@ void read_loop(const std::string& here, Answer& answer) {
   answer.end = loop["last"].is_null() ? answer.verdict : loop["last"]["verdict"].text();
   answer.before_loop_dph = rms_of_compare(here + "/before.json");
   answer.after_loop_dph = rms_of_compare(here + "/after.json");
+  answer.told_dph = rms_of_compare(here + "/told.json");
   // There may have been nothing to add.
   if (!answer.after_loop_dph) answer.after_loop_dph = answer.before_loop_dph;
 }

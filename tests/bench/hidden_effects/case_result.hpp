@@ -56,6 +56,7 @@ struct Answer {
   std::optional<bool> next_accepted;              ///< if there is a proposal
   std::optional<double> before_loop_dph;  ///< rms of the unseen run, with the original model
   std::optional<double> after_loop_dph;   ///< and with the loop's model
+  std::optional<double> told_dph;         ///< and with a model that was told what is hidden
   std::string end;                        ///< the loop's last verdict
 
   bool names(const std::string& effect) const;
