@@ -7,7 +7,7 @@ source cmake/bootstrap/packages.sh
 require_packages "${build_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}" || exit 2
 
 cmake --preset host -DFOG_BENCH=ON >/dev/null
-cmake --build build/host --target wavelet_speed streaming_worth training_speed solver_speed fit_sweep >/dev/null
+cmake --build build/host --target wavelet_speed streaming_worth training_speed solver_speed fit_sweep fogcomp >/dev/null
 cmake --preset stm32f405 >/dev/null
 cmake --build build/stm32f405 --target denoiser_speed >/dev/null
 
@@ -28,3 +28,11 @@ tests/target/denoiser_speed.sh netduinoplus2 build/stm32f405/denoiser_speed.elf
 echo
 echo "== streaming at 200 Hz"
 build/host/tests/bench/streaming_worth docs/examples/mems_chamber.csv
+echo
+echo "== a tick of the workbench's page, 5955 rows, in Node"
+if [[ -f build/host/host_tools/engine/engine.js ]]; then
+  build/host/fogcomp simulate -o build/host/workbench_speed.csv >/dev/null
+  node tests/bench/workbench_speed.mjs build/host/host_tools/engine/engine.js build/host/workbench_speed.csv
+else
+  echo "skipped: built without emscripten"
+fi
