@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "diagnosis/decision_rules.hpp"
 #include "diagnosis/evidence_space.hpp"
-#include "fit/decision_rules.hpp"
 
 namespace fogcomp::diagnosis {
 
@@ -15,7 +15,7 @@ struct WalkFinding {
   double noise_alone = 1;  ///< chance that such noise looks like this
 
   /// Whether slow effects must not be accepted because of it.
-  bool may_be_all() const { return chance >= fit::rules::kMaxChanceOfWalk; }
+  bool may_be_all() const { return chance >= rules::kMaxChanceOfNamedWalk; }
 };
 
 /// Probability that everything slow is a random walk of the bias: no effect and no smooth structure
