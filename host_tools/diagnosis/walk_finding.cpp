@@ -30,14 +30,17 @@ WalkFinding assess_walk(const EvidenceSpace& evidence, const std::vector<Hypothe
   if (!noise.from_quiet_parts) return {};
   const fit::WalkRival rival = fit::find_walk(evidence.space, evidence.walk, noise.walks);
   if (rival.coefficient == 0) return {};
-  const NullTest test = test_against_noise(rival.space, evidence.regressors, evidence.structure,
-                                           noise.degrees_of_freedom, seed);
   const std::vector<Hypothesis> beside =
       find_hypotheses(rival.space, evidence.candidates, evidence.regressors);
-  return {rival.coefficient,
-          fit::chance_of_walk(rival, explanatory(evidence.space, hypotheses, evidence),
-                              explanatory(rival.space, beside, evidence)),
-          std::exp(std::min(test.library_log_p, test.structure_log_p))};
+  WalkFinding finding{rival.coefficient,
+                      fit::chance_of_walk(rival, explanatory(evidence.space, hypotheses, evidence),
+                                          explanatory(rival.space, beside, evidence)),
+                      1};
+  if (!finding.may_be_all()) return finding;
+  const NullTest test = test_against_noise(rival.space, evidence.regressors, evidence.structure,
+                                           noise.degrees_of_freedom, seed);
+  finding.noise_alone = std::exp(std::min(test.library_log_p, test.structure_log_p));
+  return finding;
 }
 
 }  // namespace fogcomp::diagnosis

@@ -12,15 +12,15 @@ namespace fogcomp::diagnosis {
 struct WalkFinding {
   double coefficient = 0;  ///< of the likeliest, deg/h/sqrt(h)
   double chance = 0;       ///< that nothing but noise and such a walk is there
-  double noise_alone = 1;  ///< chance that such noise looks like this
+  double noise_alone = 1;  ///< if may_be_all(): chance that such noise looks like this
 
   /// Whether slow effects must not be accepted because of it.
   bool may_be_all() const { return chance >= rules::kMaxChanceOfNamedWalk; }
 };
 
-/// Probability that everything slow is a random walk of the bias: no effect and no smooth structure
-/// exceeds noise that includes a walk, and none is more probable. {} without quiet parts: then the
-/// slow noise is unknown, and anything could be a walk.
+/// How probable it is that everything slow is a random walk of the bias, against effects and smooth
+/// structure, without a walk and beside it. {} without quiet parts: then the slow noise is unknown,
+/// and anything could be a walk.
 WalkFinding assess_walk(const EvidenceSpace& evidence, const std::vector<Hypothesis>& hypotheses,
                         const noise::NoiseModel& noise, std::uint64_t seed);
 

@@ -6,9 +6,7 @@
 #include <utility>
 
 #include "fit/decision_rules.hpp"
-#include "fit/noise_weighted_fit.hpp"
-#include "fit/walk_rival.hpp"
-#include "fit/whitened_problem.hpp"
+#include "fit/walk_instead.hpp"
 #include "model/shape_limits.hpp"
 #include "model/shape_parameter.hpp"
 #include "noise/autocorrelation.hpp"
@@ -186,50 +184,6 @@ std::vector<Addition::Part> judge_parts(const EffectChange& change, const Judge&
   return parts;
 }
 
-// What the change brings, about the new model: with the new coefficients of the old effects and, to
-// first order, their shapes free, as they are beside a random walk. Else a walk would be credited
-// with what the old effects alone can follow.
-AddedColumns columns_of_change(const model::Model& before, const Addition& after,
-                               const WhitenedProblem& problem, KnownRegressors& known,
-                               const noise::Whitening& whitening) {
-  const auto is_changed = [&](std::size_t term) {
-    return std::find(after.changed.begin(), after.changed.end(), term) != after.changed.end();
-  };
-  const std::vector<model::ShapeParameter> shapes = model::shape_parameters(problem.terms());
-  const Eigen::MatrixXd all = problem.jacobian(shapes);
-  std::vector<Eigen::MatrixXd> kept;
-  std::vector<Eigen::MatrixXd> added;
-  Eigen::Index at = 0;
-  for (std::size_t i = 0; i < problem.terms().size(); ++i) {
-    const Eigen::Index count = known(problem.terms()[i]).cols();
-    (is_changed(i) ? added : kept).emplace_back(all.middleCols(at, count));
-    at += count;
-  }
-  const auto derivatives = static_cast<Eigen::Index>(shapes.size());
-  const Eigen::Index nuisance = all.cols() - derivatives - at;
-  kept.emplace_back(all.middleCols(at, nuisance));
-  at += nuisance;
-  for (const model::ShapeParameter& shape : shapes) {
-    (is_changed(shape.term) ? added : kept).emplace_back(all.col(at++));
-  }
-  // of a changed effect: what it was
-  for (const model::EffectTerm& term : before.terms) kept.push_back(whitening.apply(known(term)));
-  return {side_by_side(kept, all.rows()), side_by_side(added, all.rows()), problem.measured()};
-}
-
-// Probability that a random walk explains what the change explains.
-double chance_of_walk_instead(const model::Model& before, const Addition& after,
-                              const series::SignalSeries& series, bool run_offsets) {
-  const series::Rows& rows = series.rows();
-  const Identification& identified = after.fit.identified;
-  const noise::Whitening whitening(identified.noise, rows, identified.row_weights);
-  KnownRegressors known(series);
-  const WhitenedProblem problem(known, whitening, after.model.terms,
-                                run_offset_columns(rows, run_offsets));
-  return chance_of_walk(rows, identified.noise, whitening,
-                        columns_of_change(before, after, problem, known, whitening));
-}
-
 // Judges the effects alone, on data that were not fitted.
 void judge_out_of_sample(const std::vector<model::EffectTerm>& given, const model::Model& before,
                          const EffectChange& change, const series::SignalSeries& series,
@@ -250,7 +204,8 @@ void judge_out_of_sample(const std::vector<model::EffectTerm>& given, const mode
         judge_halves(series, before.terms, result.model.terms, result.changed, judge.with);
   }
   if (result.out_of_sample->within_runs && identified.noise.from_quiet_parts) {
-    result.chance_of_walk = chance_of_walk_instead(before, result, series, settings.run_offsets);
+    result.chance_of_walk = chance_of_walk_instead(before.terms, result.model.terms, result.changed,
+                                                   series, judge.with);
   }
 }
 

@@ -8,11 +8,18 @@
 #include "support/least_squares.hpp"
 
 namespace fogcomp::fit {
+namespace {
+
+bool is_possible(const noise::NoiseModel::Walk& walk) {
+  return walk.log_odds >= rules::kWalkRuledOut;
+}
+
+}  // namespace
 
 Eigen::MatrixXd visible_walk_modes(const series::Rows& rows, const noise::NoiseModel& noise) {
   double max = 0;
   for (const noise::NoiseModel::Walk& walk : noise.walks) {
-    if (walk.log_odds >= rules::kWalkRuledOut) max = std::max(max, walk.coefficient);
+    if (is_possible(walk)) max = std::max(max, walk.coefficient);
   }
   return noise::random_walk_modes(rows, max / noise.white_dph());
 }
@@ -41,7 +48,7 @@ WalkRival find_walk(const ExplainedSpace& space, const WalkModes& modes,
   double max = 0;
   const double each = -std::log(std::max<double>(1, static_cast<double>(walks.size())));
   for (const noise::NoiseModel::Walk& walk : walks) {
-    if (walk.log_odds < rules::kWalkRuledOut) continue;
+    if (!is_possible(walk)) continue;
     const ExplainedSpace::WithNoise with =
         space.with_noise(modes.columns, std::pow(walk.coefficient, 2) * modes.square);
     all.push_back(each + walk.log_odds + with.log_likelihood);

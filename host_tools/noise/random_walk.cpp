@@ -8,7 +8,6 @@
 #include "support/units.hpp"
 
 namespace fogcomp::noise {
-
 namespace {
 
 struct Span {
@@ -34,9 +33,8 @@ double amplitude(Eigen::Index mode, double length_s) {
 // noise determines it. Too few, and what a walk leaves beyond them looks like an effect.
 Eigen::Index visible_modes(const Span& span, double row_s, double relative) {
   constexpr double kVisibleVariance = 0.1;
-  const double rows = span.length_s / row_s;
-  const double first = relative * amplitude(0, span.length_s) * std::sqrt(rows / 2);
-  return static_cast<Eigen::Index>(first * angle_of(0) / (kPi * std::sqrt(kVisibleVariance)));
+  const double square = span.length_s / kSecondsPerHour * span.length_s / row_s / kVisibleVariance;
+  return static_cast<Eigen::Index>(relative * std::sqrt(square) / kPi);
 }
 
 }  // namespace
@@ -44,10 +42,11 @@ Eigen::Index visible_modes(const Span& span, double row_s, double relative) {
 Eigen::MatrixXd random_walk_modes(const series::Rows& rows, double relative) {
   constexpr double kOfAllRuns = 96;
   constexpr Eigen::Index kMinCount = 8;
+  const std::vector<recording::RowRange> runs = rows.runs();
   double all_s = 0;
-  for (const recording::RowRange& run : rows.runs()) all_s += span_of(rows, run).length_s;
+  for (const recording::RowRange& run : runs) all_s += span_of(rows, run).length_s;
   std::vector<Eigen::Index> counts;
-  for (const recording::RowRange& run : rows.runs()) {
+  for (const recording::RowRange& run : runs) {
     const Span span = span_of(rows, run);
     const auto share = static_cast<Eigen::Index>(kOfAllRuns * span.length_s / all_s);
     counts.push_back(
@@ -56,8 +55,8 @@ Eigen::MatrixXd random_walk_modes(const series::Rows& rows, double relative) {
   Eigen::MatrixXd modes = Eigen::MatrixXd::Zero(
       rows.size(), std::accumulate(counts.begin(), counts.end(), Eigen::Index{0}));
   Eigen::Index column = 0;
-  for (std::size_t i = 0; i < counts.size(); ++i) {
-    const recording::RowRange run = rows.runs()[i];
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const recording::RowRange& run = runs[i];
     const Span span = span_of(rows, run);
     for (Eigen::Index k = 0; k < counts[i]; ++k, ++column) {
       const double size = amplitude(k, span.length_s);
