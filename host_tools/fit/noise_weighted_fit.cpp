@@ -17,13 +17,13 @@ namespace {
 
 constexpr int kRounds = 3;  // iterations of noise and solution
 
-Eigen::MatrixXd all_columns(const series::SignalSeries& series,
+Eigen::MatrixXd all_columns(KnownRegressors& regressors,
                             const std::vector<model::EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance) {
   std::vector<Eigen::MatrixXd> parts;
-  for (const model::EffectTerm& term : terms) parts.push_back(series.regressors(term));
+  for (const model::EffectTerm& term : terms) parts.push_back(regressors(term));
   parts.push_back(nuisance);
-  return side_by_side(parts, series.rows().size());
+  return side_by_side(parts, nuisance.rows());
 }
 
 // Relative to the quiet rows, for which the noise model is. Without quiet rows the scale is 1:
@@ -87,7 +87,7 @@ NoiseWeightedFit fit_rows(const series::SignalSeries& series,
   fit.row_weights = rows.weights.cwiseProduct(fit.robust);
   fit.terms = terms;
   fit.shapes = model::shape_parameters(terms);
-  fit.columns = all_columns(series, terms, nuisance);
+  fit.columns = all_columns(regressors, terms, nuisance);
   const LinearFit first =
       solve_linear(fit.robust.asDiagonal() * fit.columns, fit.robust.cwiseProduct(rows.drift_dph));
   fit.residual_dph = rows.drift_dph - fit.columns * first.coefficients;
@@ -108,7 +108,7 @@ NoiseWeightedFit fit_rows(const series::SignalSeries& series,
     fit.whitened_measured = problem.measured();
     fit.whitened_residual = solved.residual;
     if (round + 1 == kRounds) fit.covariance = problem.solve(fit.shapes).covariance;
-    if (!fit.shapes.empty()) fit.columns = all_columns(series, fit.terms, nuisance);
+    if (!fit.shapes.empty()) fit.columns = all_columns(regressors, fit.terms, nuisance);
     fit.residual_dph = rows.drift_dph - fit.columns * fit.coefficients;
   }
   return fit;

@@ -54,8 +54,8 @@ void add_periodogram(const NoiseSample& sample, Spectrum& spectrum) {
 }
 
 // Spectral density of a sampled Gauss-Markov process of variance 1.
-double density(double phi, double angle) {
-  return (1 - phi * phi) / (1 - 2 * phi * std::cos(angle) + phi * phi);
+double density(double phi, double cosine_of_angle) {
+  return (1 - phi * phi) / (1 - 2 * phi * cosine_of_angle + phi * phi);
 }
 
 // Expected power for unit variances: columns white, flicker, then one per Gauss-Markov component.
@@ -63,11 +63,12 @@ Eigen::ArrayXXd basis_of(const std::vector<double>& angles, double row_s,
                          const std::vector<double>& taus_s, std::size_t own) {
   const auto points = static_cast<Eigen::Index>(angles.size());
   Eigen::ArrayXXd basis = Eigen::ArrayXXd::Zero(points, 2 + static_cast<Eigen::Index>(own));
-  for (Eigen::Index i = 0; i < points; ++i) {
-    basis(i, 0) = 1;
-    for (std::size_t j = 0; j < taus_s.size(); ++j) {
-      const double power =
-          density(std::exp(-row_s / taus_s[j]), angles[static_cast<std::size_t>(i)]);
+  basis.col(0) = 1;
+  const Eigen::ArrayXd cosines = Eigen::Map<const Eigen::ArrayXd>(angles.data(), points).cos();
+  for (std::size_t j = 0; j < taus_s.size(); ++j) {
+    const double phi = std::exp(-row_s / taus_s[j]);
+    for (Eigen::Index i = 0; i < points; ++i) {
+      const double power = density(phi, cosines[i]);
       basis(i, 1) += power;
       if (j < own) basis(i, 2 + static_cast<Eigen::Index>(j)) = power;
     }
@@ -207,7 +208,7 @@ double NoiseModel::wander_dph() const {
 double NoiseModel::slow_density(double angle) const {
   double sum = 0;
   for (const Component& component : components) {
-    sum += component.variance * density(std::exp(-row_s / component.tau_s), angle);
+    sum += component.variance * density(std::exp(-row_s / component.tau_s), std::cos(angle));
   }
   return sum / white_variance;
 }

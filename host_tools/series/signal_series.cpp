@@ -137,14 +137,14 @@ fog::Signals<model::RealNumbers> at_rest(fog::Signals<model::RealNumbers> signal
 template <class Make>
 Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading,
                                         bool follows_rate) const {
-  Eigen::MatrixXd sums;
+  Eigen::MatrixXd sums;  // a column for each row
   Eigen::VectorXd samples = Eigen::VectorXd::Zero(rows_.size());
   Eigen::VectorXd values;
   for (const Run& run : runs_) {
     auto part = make(run.block_s);
     if (sums.size() == 0) {
       values.resize(static_cast<Eigen::Index>(part.size()));
-      sums.setZero(rows_.size(), values.size());
+      sums.setZero(values.size(), rows_.size());
     }
     for (std::size_t i = 0; i < run.blocks.size(); ++i) {
       const Block& block = run.blocks[i];
@@ -154,11 +154,11 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading,
       part.step(signals, values.data());
       if (block.row == kNoRow) continue;
       const double weight = block.samples;
-      sums.row(block.row) += weight * values.transpose();
+      sums.col(block.row) += weight * values;
       samples[block.row] += weight;
     }
   }
-  return samples.cwiseInverse().asDiagonal() * sums;
+  return samples.cwiseInverse().asDiagonal() * sums.transpose();
 }
 
 Eigen::VectorXd SignalSeries::drift_dph(const std::vector<model::EffectTerm>& terms) const {
