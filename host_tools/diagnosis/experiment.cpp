@@ -53,8 +53,9 @@ recording::Recording simulated(const std::string& profile, double row_s) {
   SimulationOptions options;
   options.rate_hz = 1 / row_s;
   options.earth.latitude_deg = kLatitude_deg;
-  options.grid.axial_cells =
-      1;  // the sensor's temperature, the only one used here, needs no finer grid
+  // The sensor's temperature, the only one used here, needs no finer grid.
+  options.grid.axial_cells = 1;
+  options.grid.step_s = 5;
   Simulation run(gyro, programme, options);
   recording::Recording recording = record(run, row_s).recording;
   recording.file = profile;

@@ -53,9 +53,8 @@ double input_rate_dph(const Conditions& conditions, double time_s, const EarthRa
 GyroModel::GyroModel(const GyroDescription& gyro, const Programme& programme,
                      const EarthRate& earth, const ThermalGrid& grid, std::uint64_t seed,
                      std::vector<double> scales)
-    : chamber_(programme, kThermalStep_s, seed),
-      thermal_(gyro.coil(), FibreMaterial{}, gyro.thermal_design(), grid, kThermalStep_s,
-               programme.start_degc),
+    : chamber_(programme, grid.step_s, seed),
+      thermal_(gyro.coil(), FibreMaterial{}, gyro.thermal_design(), grid, programme.start_degc),
       earth_(earth),
       profile_sets_axis_(programme.sets_axis),
       ambient_(seed),
@@ -65,6 +64,7 @@ GyroModel::GyroModel(const GyroDescription& gyro, const Programme& programme,
       scales_(std::move(scales)),
       contributions_dph_(effects_.size(), 0) {
   scales_.resize(effects_.size(), 1);
+  state_.step_s = grid.step_s;
   evaluate();
 }
 
@@ -79,11 +79,10 @@ void GyroModel::evaluate() {
   const ChamberState& chamber = chamber_.state();
   const Conditions& conditions = chamber.leg->conditions;
   state_.time_s = chamber.time_s;
-  state_.step_s = kThermalStep_s;
   state_.powered = conditions.powered;
   state_.chamber = &chamber;
   state_.thermal = &thermal_;
-  state_.ambient = ambient_.step(chamber, thermal_, kThermalStep_s);
+  state_.ambient = ambient_.step(chamber, thermal_, state_.step_s);
   state_.input_rate_dph = input_rate_dph(conditions, state_.time_s, earth_,
                                          profile_sets_axis_ ? conditions.axis : earth_.axis);
   state_.loop_rate_dph = state_.input_rate_dph;
@@ -91,9 +90,9 @@ void GyroModel::evaluate() {
     contributions_dph_[i] = scales_[i] * effects_[i]->step(state_);
     state_.loop_rate_dph += contributions_dph_[i];
   }
-  sensor_degc_ = sensor_.step(thermal_, chamber.air_degc, kThermalStep_s);
+  sensor_degc_ = sensor_.step(thermal_, chamber.air_degc, state_.step_s);
   state_.ambient[fog::Input::temperature2] =
-      sensor2_.step(thermal_, chamber.air_degc, kThermalStep_s);
+      sensor2_.step(thermal_, chamber.air_degc, state_.step_s);
 }
 
 namespace {
@@ -131,7 +130,7 @@ std::vector<double> peak_scales(const GyroDescription& gyro, const Programme& pr
   }
   GyroModel model(gyro, programme, earth, grid, seed);
   std::vector<double> largest(effects.size(), 0);
-  const auto steps = static_cast<std::size_t>(std::ceil(programme.duration_s() / kThermalStep_s));
+  const auto steps = static_cast<std::size_t>(std::ceil(programme.duration_s() / grid.step_s));
   for (std::size_t step = 0;; ++step) {
     for (std::size_t i = 0; i < effects.size(); ++i) {
       if (model.state().powered) {

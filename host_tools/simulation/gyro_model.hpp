@@ -11,9 +11,6 @@
 
 namespace fogcomp::simulation {
 
-/// Step of heat flow, effects and sensors; rows are interpolated or averaged.
-constexpr double kThermalStep_s = 1.0;
-
 /// Earth rate about the gyro's axis, beside the rate table. Without a latitude it is 0.
 struct EarthRate {
   std::optional<double> latitude_deg;
@@ -34,7 +31,7 @@ class GyroModel {
   GyroModel(const GyroModel&) = delete;  // the state contains pointers into the object
   GyroModel& operator=(const GyroModel&) = delete;
 
-  /// Advances by kThermalStep_s.
+  /// Advances by the grid's step.
   void step();
 
   const GyroState& state() const { return state_; }

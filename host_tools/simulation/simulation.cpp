@@ -32,7 +32,8 @@ Simulation::Simulation(const GyroDescription& gyro, const Programme& programme,
       model_(gyro, programme, options.earth, options.grid, options.seed, scales_),
       noises_(make_noise(gyro.part("noise"), period_s_, options.seed)),
       quantizer_(gyro.part("noise")["quantization"], period_s_),
-      means_(kThermalStep_s, period_s_, channel_kinds(gyro.effects().size()), channel_values()) {
+      means_(options.grid.step_s, period_s_, channel_kinds(gyro.effects().size()),
+             channel_values()) {
   for (const auto& effect : gyro.effects()) effect_names_.push_back(effect.description->name);
   for (const NamedNoise& noise : noises_) noise_names_.push_back(noise.name);
 }

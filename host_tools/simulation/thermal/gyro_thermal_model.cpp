@@ -17,11 +17,11 @@ double ring_area_m2(double inner_m, double outer_m) {
 
 GyroThermalModel::GyroThermalModel(const CoilGeometry& coil, const FibreMaterial& material,
                                    const GyroThermalDesign& design, const ThermalGrid& grid,
-                                   double step_s, double start_degc)
+                                   double start_degc)
     : axial_cells_(grid.axial_cells),
       cells_per_layer_(grid.cells_per_layer),
       self_heating_w_(design.self_heating_w),
-      integrator_(build_network(coil, material, design, grid), step_s, start_degc),
+      integrator_(build_network(coil, material, design, grid), grid.step_s, start_degc),
       volume_share_(coil.layers, grid.axial_cells),
       coil_degc_(coil.layers, grid.axial_cells),
       coil_rate_kps_(coil.layers, grid.axial_cells),

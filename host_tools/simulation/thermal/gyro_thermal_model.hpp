@@ -27,10 +27,11 @@ struct GyroThermalDesign {
   double slab_to_base_w_per_k = 0.1;
 };
 
-/// Resolution of the pack.
+/// Resolution of the pack and of time.
 struct ThermalGrid {
   int cells_per_layer = 1;
   int axial_cells = 5;  ///< odd, so that one is at mid-height
+  double step_s = 1;    ///< of heat flow, effects and sensors; rows are interpolated or averaged
 };
 
 /// Heat flow through coil, spool, hub, optics, housing and base: finite volumes over the pack
@@ -38,8 +39,7 @@ struct ThermalGrid {
 class GyroThermalModel {
  public:
   GyroThermalModel(const CoilGeometry& coil, const FibreMaterial& material,
-                   const GyroThermalDesign& design, const ThermalGrid& grid, double step_s,
-                   double start_degc);
+                   const GyroThermalDesign& design, const ThermalGrid& grid, double start_degc);
 
   /// `air_degc`: at the end of the step; self-heating only while `powered`.
   void step(double air_degc, double spool_heater_w, bool powered);

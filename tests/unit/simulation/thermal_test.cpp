@@ -55,7 +55,7 @@ TEST(Pack, ConductsAsTheReferenceCoil) {
 TEST(ThermalModel, HasTheSlowestDiffusionModeOfACylindricalShell) {
   const CoilGeometry coil;
   const double step_s = 0.25;
-  GyroThermalModel model(coil, {}, bare_coil(), {}, step_s, 0);
+  GyroThermalModel model(coil, {}, bare_coil(), {1, 5, step_s}, 0);
   const double expected_s = slowest_time_constant_s(
       coil.inner_radius_m, coil.outer_radius_m, diffusivity_m2_per_s(pack_properties(coil, {})));
   EXPECT_NEAR(expected_s, 45, 3);
@@ -67,36 +67,36 @@ TEST(ThermalModel, HasTheSlowestDiffusionModeOfACylindricalShell) {
 }
 
 // The Shupe error of the real coil, 60 s after the air begins to warm at 1 K/min.
-double shupe_dph(const GyroThermalDesign& design, const ThermalGrid& grid, double step_s) {
+double shupe_dph(const GyroThermalDesign& design, const ThermalGrid& grid) {
   const CoilGeometry coil;
   const FibreMaterial glass;
-  GyroThermalModel model(coil, glass, design, grid, step_s, 20);
+  GyroThermalModel model(coil, glass, design, grid, 20);
   const CoilError error(coil, glass, grid.axial_cells);
-  const auto steps = static_cast<int>(std::lround(60 / step_s));
-  for (int i = 1; i <= steps; ++i) model.step(20 + i * step_s / 60, 0, true);
+  const auto steps = static_cast<int>(std::lround(60 / grid.step_s));
+  for (int i = 1; i <= steps; ++i) model.step(20 + i * grid.step_s / 60, 0, true);
   return error.rate_dph(glass.thermal_phase_per_k() * model.coil_rate_kps());
 }
 
 TEST(ThermalModel, ConvergesWithTheGrid) {
-  const double coarse = shupe_dph(bare_coil(), {1, 5}, 0.5);
-  const double fine = shupe_dph(bare_coil(), {2, 5}, 0.5);
-  const double finest = shupe_dph(bare_coil(), {4, 5}, 0.5);
+  const double coarse = shupe_dph(bare_coil(), {1, 5, 0.5});
+  const double fine = shupe_dph(bare_coil(), {2, 5, 0.5});
+  const double finest = shupe_dph(bare_coil(), {4, 5, 0.5});
   EXPECT_NEAR(coarse, finest, 0.01 * std::abs(finest));
   // Second order: each halving leaves a quarter of the error.
   EXPECT_LT(std::abs(fine - finest), 0.3 * std::abs(coarse - finest));
-  EXPECT_NEAR(shupe_dph({}, {1, 5}, 0.5), shupe_dph({}, {1, 9}, 0.5), 0.02 * std::abs(finest));
+  EXPECT_NEAR(shupe_dph({}, {1, 5, 0.5}), shupe_dph({}, {1, 9, 0.5}), 0.02 * std::abs(finest));
 }
 
 TEST(ThermalModel, ConvergesWithTheTimeStep) {
-  const double exact = shupe_dph(bare_coil(), {}, 0.0625);
-  const double at_1s = std::abs(shupe_dph(bare_coil(), {}, 1) - exact);
-  const double at_2s = std::abs(shupe_dph(bare_coil(), {}, 2) - exact);
+  const double exact = shupe_dph(bare_coil(), {1, 5, 0.0625});
+  const double at_1s = std::abs(shupe_dph(bare_coil(), {1, 5, 1}) - exact);
+  const double at_2s = std::abs(shupe_dph(bare_coil(), {1, 5, 2}) - exact);
   EXPECT_LT(at_1s, 0.01 * std::abs(exact));
   EXPECT_LT(at_1s, 0.35 * at_2s);  // second order: a quarter
 }
 
 TEST(ThermalModel, FollowsALongRampAtItsRateEverywhere) {
-  GyroThermalModel model(CoilGeometry{}, {}, {}, {}, 1, 20);
+  GyroThermalModel model(CoilGeometry{}, {}, {}, {}, 20);
   const double rate_kps = 0.5 / 60;
   for (int i = 1; i <= 20000; ++i) model.step(20 + rate_kps * i, 0, true);
   EXPECT_NEAR(model.coil_rate_kps().minCoeff(), rate_kps, 1e-6 * rate_kps);
@@ -110,7 +110,7 @@ TEST(ThermalModel, FollowsALongRampAtItsRateEverywhere) {
 TEST(ThermalModel, EndsWhereTheHeatBalanceSays) {
   GyroThermalDesign design;
   design.self_heating_w = 1;
-  GyroThermalModel model(CoilGeometry{}, {}, design, {}, 10, 20);
+  GyroThermalModel model(CoilGeometry{}, {}, design, {1, 5, 10}, 20);
   for (int i = 0; i < 5000; ++i) model.step(20, 0, true);
   // The optics' one watt leaves through the housing: somewhat more than 1 W / (W/K) warm.
   EXPECT_NEAR(model.cover_degc(), 20 + 1 / design.housing_to_air_w_per_k, 0.2);
@@ -126,7 +126,7 @@ TEST(ThermalModel, HubFollowsWithTheTimeConstantAskedFor) {
   GyroThermalDesign design;
   design.hub_time_constant_s = 6000;  // far longer than all others, so that it alone is left
   design.hub_j_per_k = 1e-3;          // so light that the spool does not feel it
-  GyroThermalModel model(CoilGeometry{}, {}, design, {}, 10, 20);
+  GyroThermalModel model(CoilGeometry{}, {}, design, {1, 5, 10}, 20);
   const auto rate_after = [&](double seconds) {
     for (int i = 0; i < static_cast<int>(seconds / 10); ++i) model.step(60, 0, false);
     return model.hub_rate_kps();
