@@ -145,11 +145,7 @@ std::string blind_spot_of(const Diagnosis& diagnosis, const series::Rows& rows,
                           bool noise_is_known) {
   if (diagnosis.verdict != Verdict::none) return "";
   if (diagnosis.walk.may_be_all()) {
-    return format(
-        "slow changes of less than a fifth of a row's noise are left, which a random "
-        "walk of the bias of %.2g deg/h/sqrt(h) explains as well as any effect: the "
-        "programme once more, or a recording at rest with --static, would tell",
-        diagnosis.walk.coefficient);
+    return "slow changes of less than a fifth of a row's noise are left; " + diagnosis.walk.words();
   }
   if (noise_is_known || at_rest(rows)) return "";
   if (!diagnosis.noise.from_quiet_parts) {

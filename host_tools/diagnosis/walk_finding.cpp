@@ -5,6 +5,7 @@
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/null_test.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
@@ -24,6 +25,15 @@ std::vector<fit::Explanatory> explanatory(const fit::ExplainedSpace& space,
 }
 
 }  // namespace
+
+std::string WalkFinding::words() const {
+  constexpr double kAsWell = 0.1;
+  return format("a random walk of the bias of %.2g deg/h/sqrt(h) ", coefficient) +
+         (chance > kAsWell
+              ? "explains them as well as any effect"
+              : format("has a probability of %.2g, too much to name an effect", chance)) +
+         ": the programme once more, or a recording at rest with --static, would tell";
+}
 
 WalkFinding assess_walk(const EvidenceSpace& evidence, const std::vector<Hypothesis>& hypotheses,
                         const noise::NoiseModel& noise, std::uint64_t seed) {

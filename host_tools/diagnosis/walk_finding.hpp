@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "diagnosis/decision_rules.hpp"
@@ -16,6 +17,8 @@ struct WalkFinding {
 
   /// Whether slow effects must not be accepted because of it.
   bool may_be_all() const { return chance >= rules::kMaxChanceOfNamedWalk; }
+  /// If may_be_all(): what it means and what would tell, about changes that are "them".
+  std::string words() const;
 };
 
 /// How probable it is that everything slow is a random walk of the bias, against effects and smooth

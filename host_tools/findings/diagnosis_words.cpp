@@ -17,13 +17,6 @@
 namespace fogcomp::findings {
 namespace {
 
-std::string walk_words(const diagnosis::Diagnosis& diagnosis) {
-  return format(
-      "a random walk of the bias of %.2g deg/h/sqrt(h) explains as well as any effect: the "
-      "programme once more, or a recording at rest with --static, would tell",
-      diagnosis.walk.coefficient);
-}
-
 // A verdict and its certainty.
 using Headline = std::pair<std::string, std::string>;
 
@@ -44,8 +37,7 @@ Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
             ""};
   }
   if (diagnosis.walk.may_be_all()) {
-    return {"slow changes are left, which no effect explains better than noise",
-            "they are what " + walk_words(diagnosis)};
+    return {"slow changes are left, which may be noise", diagnosis.walk.words()};
   }
   const std::string surely = diagnosis::effect_to_add(diagnosis);
   if (!surely.empty() && main_part_holds) {

@@ -46,6 +46,7 @@ Text operator+(Text begin, const Text& end) {
 Text words(std::string_view sentence, const std::vector<std::string>& names) {
   Text text;
   text.plain_ = sentence;
+  bool quoted = false;
   while (!sentence.empty()) {
     const auto name = std::find_if(names.begin(), names.end(), [&](const std::string& one) {
       return begins_with(sentence, one);
@@ -61,6 +62,9 @@ Text words(std::string_view sentence, const std::vector<std::string>& names) {
     } else if (sign != std::end(kSigns)) {
       taken = sign->first.size();
       text.typeset_ += sign->second;
+    } else if (sentence[0] == '`') {
+      text.typeset_ += quoted ? "’" : "‘";
+      quoted = !quoted;
     } else {
       text.typeset_ += sentence[0];
     }

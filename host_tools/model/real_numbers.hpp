@@ -47,7 +47,8 @@ struct RealNumbers {
   };
   static SineCosine sine_cosine_of_turns(double turns) {
     constexpr double kRadiansPerTurn = 6.283185307179586;
-    return {std::sin(kRadiansPerTurn * turns), std::cos(kRadiansPerTurn * turns)};
+    const double angle = kRadiansPerTurn * (turns - std::nearbyint(turns));
+    return {std::sin(angle), std::cos(angle)};
   }
 
   // For board_constants, on the host only. 1 is replaced by the largest Number<31>.

@@ -154,7 +154,8 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading,
       part.step(signals, values.data());
       if (block.row == kNoRow) continue;
       const double weight = block.samples;
-      sums.col(block.row) += weight * values;
+      double* const sum = &sums(0, block.row);
+      for (Eigen::Index k = 0; k < values.size(); ++k) sum[k] += weight * values[k];
       samples[block.row] += weight;
     }
   }

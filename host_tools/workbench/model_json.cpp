@@ -84,7 +84,7 @@ Json terms_json(const model::Model& model) {
     one.set("words", effect_words(term)).set("is_expression", term.expression.has_value());
     one.set("parameters", parameters_json(term, info));
     one.set("coefficients", coefficients_json(term, info));
-    one.set("doubt", model::coefficient_doubt(term));
+    one.set("doubt", findings::words(model::coefficient_doubt(term)).sentence());
     return one;
   });
 }

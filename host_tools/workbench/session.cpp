@@ -1,6 +1,7 @@
 #include "workbench/session.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <new>
 
 #include "cli/add_command.hpp"
@@ -126,7 +127,7 @@ std::string Session::answer(const std::vector<std::string>& words) {
     if (command == kCommands.end())
       throw InputError("fogcomp", "no command '" + words[0] + "' in the workbench");
     Json found = (this->*command->second)(words);
-    return found.set("remarks", notes_).text();
+    return found.set("remarks", remarks(words)).text();
   } catch (const InputError& wrong) {
     return error(wrong.what());
   } catch (const std::bad_alloc&) {
@@ -134,6 +135,16 @@ std::string Session::answer(const std::vector<std::string>& words) {
   } catch (const std::exception& fault) {
     return error(std::string("internal error: ") + fault.what());
   }
+}
+
+// The notes as sentences; names of files stay as they are.
+Json Session::remarks(const Words& words) const {
+  Words files;
+  std::copy_if(words.begin(), words.end(), std::back_inserter(files),
+               [](const std::string& word) { return word.find_first_of("./") != word.npos; });
+  return json_array(notes_, [&](const std::string& note) {
+    return findings::words(note, files).sentence();
+  });
 }
 
 const std::vector<double>* Session::column(std::size_t run, const std::string& name) const {
@@ -222,6 +233,7 @@ Json Session::fit(const Words& words) {
             .first;
   }
   const workflow::FitOutcome found = workflow::fit(request, known->second.training, observer());
+  observer().say(found.result.identified.warnings);
   model::save_model(found.model, call.output.value());
   return model_json(found.model).set("fit", findings::fit_json(found, call.output.value()));
 }
@@ -232,6 +244,7 @@ Json Session::add(const Words& words) {
   const workflow::AddRequest request = call.request();
   const fit::Addition found =
       workflow::add(request, judging_runs(request, call.recording.given_words()), observer());
+  observer().say(found.fit.identified.warnings);
   const bool written = found.accepted || call.force.given();
   if (written) model::save_model(found.model, call.output.value());
   const std::string name = written ? call.output.value() : "";

@@ -34,6 +34,7 @@ class Session {
 
  private:
   using Words = std::vector<std::string>;
+  Json remarks(const Words& words) const;
   Json effects() const;
   Json info(const Words& words);
   Json columns(const Words& words);
@@ -52,7 +53,7 @@ class Session {
   workflow::Observer observer();
 
   workflow::Observer observer_;
-  Words notes_;  ///< remarks of the current command
+  Words notes_;  ///< of the current command, as `fogcomp` prints them
   /// Recordings that were read; key: their names and all that decides how they are read (key_of).
   std::map<std::string, diagnosis::JudgingRuns> judging_;
   std::map<std::string, std::vector<compare::RunInBlocks>> compared_;

@@ -435,6 +435,7 @@ const trouble = async (browser) => {
     `/engine stopped \\(unreachable\\)/.test(document.getElementById("trouble").textContent)`,
     "the reason",
   );
+  await bench.listen("hostile", { announced: ["alert", "status"] });
   check("hostile", await bench.tab.evaluate(`document.body.dataset.state === "0"`), "what was shown is lost");
   await bench.click("#effect_bias_temperature");
   await bench.state(1);

@@ -92,7 +92,7 @@ const about_term = (term, notes, change) => {
     ...(term.is_expression
       ? []
       : term.parameters.filter((one) => one.max > one.min).map((one) => shape_control(term, one, change))),
-    ...[term.doubt, ...notes.filter((note) => note.includes("`" + term.effect + "`"))]
+    ...[term.doubt, ...notes.filter((note) => note.includes(`‘${term.effect}’`))]
       .filter(Boolean)
       .map((text) => make("p", { textContent: text })),
   ];

@@ -176,7 +176,7 @@
         words,
         label,
         masks,
-        notes: [...fitted.fit.notes, ...fitted.remarks],
+        notes: fitted.remarks,
         view: await view_of(model, masks),
       });
     });
@@ -200,7 +200,7 @@
         label: `+ ${answer.add.effects.join(", ")}`,
         masks,
         judged: { good: answer.add.accepted, reason: answer.reason },
-        notes: [...answer.add.notes, ...answer.remarks],
+        notes: answer.remarks,
         view: await view_of(model, masks),
       });
     });

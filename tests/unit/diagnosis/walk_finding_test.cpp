@@ -93,6 +93,13 @@ TEST(WalkFinding, IsImprobableWhereAnEffectStandsOutOfIt) {
   EXPECT_FALSE(finding.may_be_all());
 }
 
+TEST(WalkFinding, SaysHowProbableTheWalkIs) {
+  const WalkFinding as_well{0.01, 0.6, 1};
+  EXPECT_NE(as_well.words().find("explains them as well as any effect"), std::string::npos);
+  const WalkFinding hardly{0.01, 0.0002, 1};
+  EXPECT_NE(hardly.words().find("has a probability of 0.0002"), std::string::npos);
+}
+
 TEST(WalkFinding, IsNoneInWhiteNoise) {
   EXPECT_EQ(WalkingRows().weigh(quiet_noise()).coefficient, 0);
 }

@@ -21,6 +21,12 @@ TEST(Text, NamesInASentenceComposedElsewhereStay) {
             "it sits in hold_degC (40 %): 2 °C");
 }
 
+TEST(Text, QuotesWhatOneTypes) {
+  EXPECT_EQ(Text("record `long_soak`, or `reversed`").typeset(),
+            "record ‘long_soak’, or ‘reversed’");
+  EXPECT_EQ(Text("record `long_soak`").plain(), "record `long_soak`");
+}
+
 TEST(Text, OnATerminalStaysInAscii) {
   EXPECT_EQ(Text("sqrt(std^2 - floor^2), 0.1 deg/h").plain(), "sqrt(std^2 - floor^2), 0.1 deg/h");
   EXPECT_EQ(Text("sqrt(std^2 - floor^2), 0.1 deg/h").typeset(), "√(std² − floor²), 0.1 °/h");
