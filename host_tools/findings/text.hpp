@@ -7,9 +7,9 @@
 namespace fogcomp::findings {
 
 /// Text for the reader, in UTF-8, for a terminal and typeset for a page (deg/h becomes °/h, degC
-/// °C, +- ±, `name` ‘name’). Only our own words are typeset; names from outside (files, serial numbers, segments,
-/// expressions) are not. So a std::string does not convert implicitly: the caller says which of the
-/// two it is.
+/// °C, +- ±, `name` ‘name’). Only our own words are typeset; names from outside (files, serial
+/// numbers, segments, expressions) are not. So a std::string does not convert implicitly: the
+/// caller says which of the two it is.
 class Text {
  public:
   Text() = default;

@@ -142,9 +142,8 @@ Json Session::remarks(const Words& words) const {
   Words files;
   std::copy_if(words.begin(), words.end(), std::back_inserter(files),
                [](const std::string& word) { return word.find_first_of("./") != word.npos; });
-  return json_array(notes_, [&](const std::string& note) {
-    return findings::words(note, files).sentence();
-  });
+  return json_array(
+      notes_, [&](const std::string& note) { return findings::words(note, files).sentence(); });
 }
 
 const std::vector<double>* Session::column(std::size_t run, const std::string& name) const {
