@@ -8,6 +8,8 @@
 namespace fogcomp {
 namespace {
 
+constexpr double kTie = 1e-4;  // relative preference of the first column to the last
+
 // Indices of the unit columns that contribute to a dependent column.
 std::vector<Eigen::Index> parts_of(const Eigen::MatrixXd& basis, const Eigen::VectorXd& column,
                                    const std::vector<Eigen::Index>& numbers) {
@@ -19,6 +21,19 @@ std::vector<Eigen::Index> parts_of(const Eigen::MatrixXd& basis, const Eigen::Ve
     if (std::abs(share[i]) > kPart) parts.push_back(numbers[static_cast<std::size_t>(i)]);
   }
   return parts;
+}
+
+// The decomposition's own solve() would use directions below its threshold as well.
+Eigen::VectorXd solve_within_rank(const Eigen::ColPivHouseholderQR<Eigen::MatrixXd>& qr,
+                                  Eigen::VectorXd values) {
+  const Eigen::Index rank = qr.rank();
+  values.applyOnTheLeft(qr.householderQ().setLength(rank).adjoint());
+  Eigen::VectorXd solution = Eigen::VectorXd::Zero(qr.cols());
+  solution.head(rank) = qr.matrixQR()
+                            .topLeftCorner(rank, rank)
+                            .triangularView<Eigen::Upper>()
+                            .solve(values.head(rank));
+  return qr.colsPermutation() * solution;
 }
 
 }  // namespace
@@ -43,7 +58,7 @@ LinearFit solve_linear(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& val
 
   LinearFit fit;
   fit.rank = qr.rank();
-  fit.coefficients = scale.cwiseProduct(qr.solve(values));
+  fit.coefficients = scale.cwiseProduct(solve_within_rank(qr, values));
   fit.residual = values - matrix * fit.coefficients;
   if (fit.rank == matrix.cols()) {
     const Eigen::MatrixXd r_inverse =
@@ -104,6 +119,8 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double rank_threshol
   if (columns.cols() == 0) return columns;  // Eigen's decomposition needs a column
   Eigen::VectorXd scale = columns.colwise().norm().transpose();
   scale = scale.unaryExpr([](double norm) { return norm > 0 ? 1 / norm : 1.0; });
+  // Of equal columns, such as sine and cosine, the first is taken first, whatever the rounding.
+  scale.array() *= 1 - kTie * Eigen::ArrayXd::LinSpaced(scale.size(), 0, 1);
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr;
   qr.setThreshold(rank_threshold);
   qr.compute(columns * scale.asDiagonal());

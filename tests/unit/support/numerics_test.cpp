@@ -75,6 +75,30 @@ TEST(LeastSquares, SaysWhichColumnsDependOnWhich) {
   EXPECT_EQ(nearest.size(), 1U);
 }
 
+// A direction of rounding errors takes no part: its coefficient would be huge, and so the rounding
+// of the sum.
+TEST(LeastSquares, LeavesOutADirectionBelowTheThreshold) {
+  MatrixXd columns = MatrixXd::Random(500, 3);
+  const VectorXd values = VectorXd::Random(500);
+  const double left = solve_linear(columns.leftCols(2), values).residual.norm();
+  columns.col(2) = columns.col(0) + columns.col(1) + 1e-12 * columns.col(2);
+  const LinearFit fit = solve_linear(columns, values);
+  EXPECT_EQ(fit.rank, 2);
+  EXPECT_LT(fit.coefficients.norm(), 1);
+  EXPECT_NEAR(fit.residual.norm(), left, 1e-9);
+}
+
+TEST(LeastSquares, TakesEqualColumnsInTheirOrderWhateverTheRounding) {
+  MatrixXd columns = MatrixXd::Random(50, 2);
+  columns.col(1) *= columns.col(0).norm() / columns.col(1).norm();
+  for (const double rounding : {1 - 1e-14, 1.0, 1 + 1e-14}) {
+    MatrixXd rounded = columns;
+    rounded(7, 1) *= rounding;
+    const VectorXd first = orthonormal(rounded).col(0);
+    EXPECT_NEAR(std::abs(first.dot(columns.col(0))) / columns.col(0).norm(), 1, 1e-9);
+  }
+}
+
 TEST(LeastSquares, LeavesOutAColumnThatIsASumOfOthers) {
   MatrixXd columns = MatrixXd::Random(50, 3);
   columns.col(2) = 1e6 * (columns.col(0) + columns.col(1));
