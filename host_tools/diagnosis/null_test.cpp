@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "support/decompositions.hpp"
+#include "support/random.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
@@ -106,15 +106,13 @@ NullTest test_against_noise(const fit::ExplainedSpace& space, const RegressorBas
   Eigen::MatrixXd covariance = space.gram();
   covariance.diagonal().array() += kCovarianceRidge * covariance.diagonal().maxCoeff();
   const Eigen::MatrixXd root = cholesky_factor(covariance);
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
-  std::gamma_distribution<double> variance(degrees_of_freedom / 2, 2 / degrees_of_freedom);
+  Random random(seed, "noise alone");
   std::vector<double> evidence;
   std::vector<double> smooth;
   Eigen::MatrixXd white(covariance.rows(), kDraws);
   for (auto draw : white.colwise()) {
-    for (double& value : draw) value = normal(random);
-    draw /= std::sqrt(variance(random));
+    for (double& value : draw) value = random.gaussian();
+    draw /= std::sqrt(random.gamma(degrees_of_freedom / 2) * 2 / degrees_of_freedom);
   }
   const Eigen::MatrixXd draws = root.triangularView<Eigen::Lower>() * white;
   SingleCandidateDrops drops(space, regressors);

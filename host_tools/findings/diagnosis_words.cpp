@@ -82,14 +82,19 @@ const diagnosis::Diagnosis::Explanation* find_explanation(const diagnosis::Diagn
   return set == diagnosis.explanations.end() ? nullptr : &*set;
 }
 
-// Effects that lower the error only together.
+// Effects that are missing together, and what each brings alone.
 std::string together_words(const diagnosis::Diagnosis& diagnosis,
                            const std::vector<std::string>& together) {
   const auto* set = find_explanation(diagnosis, together);
   if (set == nullptr) return "";
+  std::vector<std::string> alone;
+  for (const std::string& effect : together) {
+    const diagnosis::CandidateFinding* const finding = diagnosis.find(effect);
+    if (finding != nullptr) alone.push_back(percent(finding->explained_fraction));
+  }
   return join_list(together, "and") + " together explain " + percent(set->explained_fraction) +
-         format(" of what is above the noise (probability %.2f); each alone hardly helps",
-                set->probability);
+         format(" of what is above the noise (probability %.2f); alone ", set->probability) +
+         join_list(alone, "and");
 }
 
 void add_next(DiagnosisWords& words, const diagnosis::NextStep& next, const DiagnosedFiles& files) {

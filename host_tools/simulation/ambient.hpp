@@ -1,7 +1,7 @@
 #pragma once
 
 #include "simulation/effects/effect.hpp"
-#include "simulation/random.hpp"
+#include "support/random.hpp"
 
 namespace fogcomp::simulation {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "simulation/programme.hpp"
-#include "simulation/random.hpp"
+#include "support/random.hpp"
 
 namespace fogcomp::simulation {
 

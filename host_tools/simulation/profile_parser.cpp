@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "simulation/profile_line.hpp"
-#include "simulation/random.hpp"
+#include "support/random.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 

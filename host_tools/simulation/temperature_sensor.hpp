@@ -1,7 +1,7 @@
 #pragma once
 
 #include "simulation/gyro_description.hpp"
-#include "simulation/random.hpp"
+#include "support/random.hpp"
 
 namespace fogcomp::simulation {
 

@@ -1,8 +1,8 @@
-#include "simulation/random.hpp"
+#include "support/random.hpp"
 
 #include <cmath>
 
-namespace fogcomp::simulation {
+namespace fogcomp {
 namespace {
 
 constexpr std::size_t kLayers = 256;
@@ -102,4 +102,18 @@ double Random::gaussian_tail(bool negative) {
   return negative ? -(kTailStart + x) : kTailStart + x;
 }
 
-}  // namespace fogcomp::simulation
+double Random::gamma(double shape) {
+  const double size = shape - 1.0 / 3;
+  const double slope = 1 / std::sqrt(9 * size);
+  for (;;) {
+    const double x = gaussian();
+    const double root = 1 + slope * x;
+    if (root <= 0) continue;
+    const double cube = root * root * root;
+    if (std::log(1 - uniform()) < x * x / 2 + size * (1 - cube + std::log(cube))) {
+      return size * cube;
+    }
+  }
+}
+
+}  // namespace fogcomp

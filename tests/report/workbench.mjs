@@ -1,5 +1,5 @@
-// node workbench.mjs CHROMIUM SHOTS [PART]: what workbench.sh says, on its pages in this folder; leaves the commands of
-// a random session and the model that the page made of it.
+// node workbench.mjs CHROMIUM SHOTS [PART]: what workbench.sh says, on its pages in this folder; leaves the page's first
+// diagnosis, the commands of a random session and the model that the page made of it.
 import { writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -241,6 +241,8 @@ const loop = async (browser) => {
     (await bench.text("#diagnosis .verdict")).startsWith("Missing effect: thermal_lag"),
     await bench.text("#diagnosis"),
   );
+  const diagnosis = await bench.tab.evaluate("JSON.stringify(states.now.diagnosis.diagnosis, null, 1)");
+  writeFileSync("page_diagnosis.json", diagnosis);
   await bench.look("before");
   await bench.listen("loop", { announced: ["status"] });
   await bench.hover("#diagnosis tbody tr");

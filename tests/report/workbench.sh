@@ -45,6 +45,9 @@ grep -q "has 297750 samples; the workbench has their 59550 means over 1 s" note.
 
 node "$here/workbench.mjs" chromium "$shots"
 
+# The diagnosis in a shell, where the verdict hangs on simulated noise.
+"$fogcomp" diagnose cubic.model mems.csv --json |
+  node -p 'JSON.stringify(JSON.parse(fs.readFileSync(0)), null, 1)' >shell_diagnosis.json
 # The commands that the session's page shows, in a shell.
 mkdir shell
 cp run.csv other.csv shell
@@ -57,4 +60,4 @@ made=$(sed -n '$ s/.* -o \([^ ]*\).*/\1/p' ../commands.txt)
 "$fogcomp" history "$made" --report made.html >/dev/null 2>&1
 cd ..
 node "$here/compare_outputs.mjs" page.model "shell/$made" page.h shell/made.h page.csv shell/made.csv page.html \
-  shell/made.html
+  shell/made.html page_diagnosis.json shell_diagnosis.json

@@ -1,5 +1,5 @@
 #include "simulation/effects/effect_list.hpp"
-#include "simulation/random.hpp"
+#include "support/random.hpp"
 
 namespace fogcomp::simulation {
 namespace {

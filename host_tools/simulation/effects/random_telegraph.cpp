@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "simulation/effects/effect_list.hpp"
-#include "simulation/random.hpp"
+#include "support/random.hpp"
 
 namespace fogcomp::simulation {
 namespace {

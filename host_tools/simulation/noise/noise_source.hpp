@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "simulation/parameters.hpp"
-#include "simulation/random.hpp"
+#include "support/random.hpp"
 
 namespace fogcomp::simulation {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/random.hpp"
+#include "support/random.hpp"
 
 namespace fogcomp::bench {
 
@@ -33,7 +33,7 @@ class Draws {
   }
 
  private:
-  simulation::Random random_;
+  Random random_;
 };
 
 }  // namespace fogcomp::bench

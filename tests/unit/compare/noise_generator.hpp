@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "simulation/random.hpp"
+#include "support/random.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp::compare {
@@ -28,7 +28,7 @@ inline std::vector<double> make_noise(const NoiseTruth& truth, std::size_t sampl
                                       std::uint64_t seed) {
   constexpr double kCornerRatio = 2.5;
   constexpr std::size_t kCorners = 16;
-  simulation::Random random(seed, "noise of a known truth");
+  Random random(seed, "noise of a known truth");
   const auto normal = [&random] { return random.gaussian(); };
   const double period_h = period_s / 3600;
 
