@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "simulation/profile_line.hpp"
-#include "support/random.hpp"
 #include "support/input_error.hpp"
+#include "support/random.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::simulation {
