@@ -10,7 +10,11 @@ std::string without_value(const model::CatalogueEntry& entry,
   if (entry.description.event) return "searched for";
   const std::string start = format("%g", parameter.default_milli / 1000.0);
   if (parameter.scale == fog::Scale::whole) return start;
-  if (parameter.not_given == fog::NotGiven::identified) return "identified, from " + start;
+  if (parameter.not_given == fog::NotGiven::identified) {
+    const bool place = parameter.scale == fog::Scale::place;
+    return (place ? "identified within the recorded temperatures, from " : "identified, from ") +
+           start;
+  }
   if (parameter.not_given == fog::NotGiven::mean_temperature) {
     return "the mean temperature of the rows of the fit, each as important as the square of its "
            "input rate";

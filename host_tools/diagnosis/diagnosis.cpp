@@ -11,6 +11,7 @@
 #include "diagnosis/null_test.hpp"
 #include "diagnosis/residual_place.hpp"
 #include "model/catalogue.hpp"
+#include "model/shape_limits.hpp"
 #include "support/decompositions.hpp"
 #include "support/text.hpp"
 
@@ -71,6 +72,7 @@ Experiment experiment_for_rivals(const model::Model& model, const Diagnosis& dia
 // Several effects may be missing at once; the one that explains most is named.
 void name_effects(const model::Model& model, Diagnosis& diagnosis) {
   const CandidateFinding& first = diagnosis.candidates.front();
+  if (model::only_tail_is_seen(first.term())) return;
   if (first.probability >= rules::kNamed) {
     diagnosis.verdict = Verdict::missing_effect;
     diagnosis.effect = first.effect;

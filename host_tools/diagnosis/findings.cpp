@@ -3,6 +3,7 @@
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/diagnosis.hpp"
+#include "model/shape_limits.hpp"
 
 namespace fogcomp::diagnosis {
 
@@ -79,7 +80,7 @@ std::string effect_to_add(const Diagnosis& diagnosis) {
                          [](const auto& a, const auto& b) { return a.evidence < b.evidence; });
     const bool main = max->probability >= rules::kNamed &&
                       max->explained_fraction >= rules::kMainPart &&
-                      lowers_the_error(diagnosis, *max);
+                      lowers_the_error(diagnosis, *max) && !model::only_tail_is_seen(max->term());
     if (main) return max->effect;
   }
   return "";

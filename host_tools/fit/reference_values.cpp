@@ -29,12 +29,33 @@ double largest_input_rate_dps(const series::SignalSeries& series) {
   return std::max(std::abs(range.min), std::abs(range.max)) / kDphPerDegreePerSecond;
 }
 
+// Beyond the recorded temperatures only a tail of the effect is seen, which could be of many
+// others. A place that was found beyond them, on other recordings, is left alone.
+void bound_places(model::EffectTerm& term, const model::CatalogueEntry& entry,
+                  const series::SignalSeries& series) {
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    if (entry.parameters[i].scale != fog::Scale::place || !term.identified[i]) continue;
+    const model::SignalRange degc =
+        series.signal_ranges()[static_cast<std::size_t>(fog::Input::temperature)];
+    const model::ShapeBounds whole = model::catalogue_bounds(entry, i);
+    const model::ShapeBounds seen{std::max(whole.min, degc.min), std::min(whole.max, degc.max)};
+    const bool is_new = term.coefficients_dph.empty();
+    const double value = term.parameters[i];
+    if (!(seen.max > seen.min) || !(is_new || (value >= seen.min && value <= seen.max))) continue;
+    term.bounds.resize(entry.parameters.size());
+    if (term.bounds[i].max > term.bounds[i].min) continue;  // the user's
+    term.bounds[i] = seen;
+    term.parameters[i] = std::clamp(value, seen.min, seen.max);
+  }
+}
+
 }  // namespace
 
 void set_references(std::vector<model::EffectTerm>& terms, const series::SignalSeries& series) {
   for (model::EffectTerm& term : terms) {
     if (term.expression) continue;
     const model::CatalogueEntry& entry = model::find_effect(term.name);
+    bound_places(term, entry, series);
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
       if (!model::is_reference(entry.parameters[i]) || !term.identified[i]) continue;
       const bool degc = entry.parameters[i].not_given == fog::NotGiven::mean_temperature;

@@ -1,5 +1,6 @@
 #include "model/shape_limits.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/catalogue.hpp"
@@ -24,6 +25,11 @@ std::string bound_words(const TermInfo::Parameter& parameter, bool upper, double
                                    (upper ? "larger" : "smaller") + " still");
 }
 
+bool is_at_bound(const ShapeParameter& shape, double value) {
+  const double unit = shape.to_unit(value);
+  return unit <= kAtBound || unit >= 1 - kAtBound;
+}
+
 }  // namespace
 
 std::vector<ShapeDoubt> shape_doubts(const EffectTerm& term) {
@@ -33,10 +39,9 @@ std::vector<ShapeDoubt> shape_doubts(const EffectTerm& term) {
     const TermInfo::Parameter& parameter = info.parameters[shape.index];
     const double value = term.parameters[shape.index];
     const double sigma = term.parameter_sigma[shape.index];
-    const double unit = shape.to_unit(value);
     std::string words;
-    if (unit <= kAtBound || unit >= 1 - kAtBound) {
-      words = bound_words(parameter, unit > 0.5, value);
+    if (is_at_bound(shape, value)) {
+      words = bound_words(parameter, shape.to_unit(value) > 0.5, value);
     } else if (sigma >= std::abs(shape.slope(value))) {
       words = format("%s is not determined: %.5g +- %.2g", parameter.name.c_str(), value, sigma) +
               with_unit(", anywhere from %.5g", shape.min, "") +
@@ -45,6 +50,13 @@ std::vector<ShapeDoubt> shape_doubts(const EffectTerm& term) {
     if (!words.empty()) doubts.push_back({shape.index, "`" + term.name + "`: " + words});
   }
   return doubts;
+}
+
+bool only_tail_is_seen(const EffectTerm& term) {
+  const std::vector<ShapeParameter> shapes = shape_parameters({term});
+  return std::any_of(shapes.begin(), shapes.end(), [&](const ShapeParameter& shape) {
+    return shape.scale == fog::Scale::place && is_at_bound(shape, term.parameters[shape.index]);
+  });
 }
 
 std::string coefficient_doubt(const EffectTerm& term) {

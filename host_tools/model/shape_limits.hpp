@@ -17,6 +17,10 @@ struct ShapeDoubt {
 /// better and a simpler effect may apply; and those whose standard deviation spans their bounds.
 std::vector<ShapeDoubt> shape_doubts(const EffectTerm& term);
 
+/// Whether a place of the effect (fog::Scale::place) ended at a bound: the recordings do not pass
+/// it, and what they see of the effect could be the tail of many others.
+bool only_tail_is_seen(const EffectTerm& term);
+
 /// Warning about a term without a coefficient above its standard deviation; "" if it has one.
 std::string coefficient_doubt(const EffectTerm& term);
 

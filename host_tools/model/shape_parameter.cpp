@@ -14,6 +14,7 @@ double ShapeParameter::to_unit(double value) const {
     case fog::Scale::frequency:
       return (1 / min - 1 / value) / (1 / min - 1 / max);
     case fog::Scale::linear:
+    case fog::Scale::place:
     case fog::Scale::whole:
       break;
   }
@@ -28,6 +29,7 @@ double ShapeParameter::from_unit(double unit) const {
     case fog::Scale::frequency:
       return 1 / (1 / min - u * (1 / min - 1 / max));
     case fog::Scale::linear:
+    case fog::Scale::place:
     case fog::Scale::whole:
       break;
   }
@@ -41,6 +43,7 @@ double ShapeParameter::slope(double value) const {
     case fog::Scale::frequency:
       return value * value * (1 / min - 1 / max);
     case fog::Scale::linear:
+    case fog::Scale::place:
     case fog::Scale::whole:
       break;
   }

@@ -76,6 +76,7 @@ constexpr bool follows_input_rate(InputMask needs) {
 /// Scale on which a fit searches the range of a shape parameter.
 enum class Scale : std::uint8_t {
   linear,
+  place,        ///< linear: a temperature that the recordings have to pass
   logarithmic,  ///< both bounds are positive
   frequency,    ///< linear in 1 / value: for a period, turns within the data
   whole,        ///< whole numbers: given, never searched for

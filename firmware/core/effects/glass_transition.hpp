@@ -22,7 +22,7 @@ class GlassTransition {
       "step of the bias at one temperature in both directions; another ratio of bias to rate below",
       "US5546482 Cordova & Surabian (1996); Acta Armamentarii 42(6) 1223 (2021)"};
   static constexpr std::array<ParameterDescription, 2> parameters{
-      {{"tg", "degC", -60000, 80000, -20000, Scale::linear, "a polynomial in temperature",
+      {{"tg", "degC", -60000, 80000, -20000, Scale::place, "a polynomial in temperature",
         "a polynomial in temperature"},
        {"width", "degC", 500, 8000, 4000, Scale::linear}}};
   static constexpr std::array<CoefficientDescription, 2> coefficients{

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fit/identify.hpp"
@@ -76,6 +77,31 @@ TEST(ReferenceValues, MakeTheSlopeTheSameWithTheConstantAndWithout) {
   EXPECT_NEAR(model::natural_coefficient(both.terms[2], 0), -40, 0.5);
   const double reference = both.terms[2].parameters[1];
   EXPECT_NEAR(model::natural_coefficient(both.terms[1], 0), 200 - 40 * (reference - 20), 5);
+}
+
+// Of a transition that the recordings do not pass they show a tail only.
+TEST(ReferenceValues, BoundAPlaceToTheRecordedTemperatures) {
+  const recording::Recording recording = on_a_rate_table();
+  const auto [cold, warm] =
+      std::minmax_element(recording.temperature_degc.begin(), recording.temperature_degc.end());
+  model::Model model =
+      fog::test::model_of(model::parse_effects("glass_transition,thermal_hysteresis"));
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(recording));
+  set_references(model.terms, series);
+  ASSERT_FALSE(model.terms[0].bounds.empty());
+  EXPECT_NEAR(model.terms[0].bounds[0].min, *cold, 1);
+  EXPECT_NEAR(model.terms[0].bounds[0].max, *warm, 1);
+  EXPECT_TRUE(model.terms[1].bounds.empty());
+
+  std::vector<model::EffectTerm> given = model::parse_effects("glass_transition:tg=?[-55,-50]");
+  set_references(given, series);
+  EXPECT_EQ(given[0].bounds[0].min, -55);
+  std::vector<model::EffectTerm> found = model::parse_effects("glass_transition");
+  found[0].coefficients_dph = {0.1, 0.1};
+  found[0].parameters[0] = *cold - 20;
+  set_references(found, series);
+  EXPECT_EQ(found[0].parameters[0], *cold - 20);
 }
 
 }  // namespace

@@ -36,6 +36,12 @@ TEST(ShapeLimits, NameTheBoundAndWhatDoesAsWell) {
             "`x`: k is at its upper bound 1e-11: these data would have it larger still");
 }
 
+TEST(ShapeLimits, KnowWhereOnlyATailOfAnEffectIsSeen) {
+  EXPECT_TRUE(only_tail_is_seen(fitted("glass_transition:tg=?[-35,65]", -35, 1)));
+  EXPECT_FALSE(only_tail_is_seen(fitted("glass_transition:tg=?[-35,65]", -20, 1)));
+  EXPECT_FALSE(only_tail_is_seen(fitted("aging", 2e6, 1e5)));
+}
+
 TEST(ShapeLimits, NameAParameterThatMayBeAnywhere) {
   EXPECT_EQ(doubt(fitted("warm_up", 9000, 1e6)),
             "`warm_up`: tau is not determined: 9000 +- 1e+06, anywhere from 10 to 18000 s");
