@@ -9,7 +9,7 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-constexpr int kDraws = 400;
+constexpr int kDraws = 1000;
 constexpr double kTailShare = 0.15;  // share of the draws to which an exponential tail is fitted
 constexpr double kCovarianceRidge = 1e-7;
 

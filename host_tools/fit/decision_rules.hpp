@@ -36,6 +36,10 @@ constexpr double kFalseTurnOn = 0.01;
 constexpr double kLateStart = 10;
 constexpr double kStillDegc = 1;
 
+/// degC: recorded temperatures that can hold an effect's place span at least this, twice the widest
+/// glass transition. reference_values_test, tests/integration/bad_input.sh.
+constexpr double kMinSpanOfPlaceDegc = 16;
+
 // ---- Steps of the bias ------------------------------------------------------------------------
 /// Smallest accepted chi^2 of a step. In flicker noise alone the best step has 10 to 30; 0 of 100
 /// clean runs exceeded this, and 20 of 20 steps of 5 sigma of a row did. step_search_test,

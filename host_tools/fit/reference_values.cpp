@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/decision_rules.hpp"
 #include "model/catalogue.hpp"
 #include "support/units.hpp"
 
@@ -41,7 +42,8 @@ void bound_places(model::EffectTerm& term, const model::CatalogueEntry& entry,
     const model::ShapeBounds seen{std::max(whole.min, degc.min), std::min(whole.max, degc.max)};
     const bool is_new = term.coefficients_dph.empty();
     const double value = term.parameters[i];
-    if (!(seen.max > seen.min) || !(is_new || (value >= seen.min && value <= seen.max))) continue;
+    const bool varies = seen.max - seen.min >= rules::kMinSpanOfPlaceDegc;
+    if (!varies || !(is_new || (value >= seen.min && value <= seen.max))) continue;
     term.bounds.resize(entry.parameters.size());
     if (term.bounds[i].max > term.bounds[i].min) continue;  // the user's
     term.bounds[i] = seen;
