@@ -319,6 +319,10 @@ bool Candidate::has_own_input() const {
   return (model::info_of(shapes[0].term).needs & ~bit_of(fog::Input::elapsed)) != 0;
 }
 
+bool Candidate::is_of_time() const {
+  return is_event() || model::info_of(shapes[0].term).needs == bit_of(fog::Input::elapsed);
+}
+
 CandidateList find_candidates(const series::SignalSeries& series,
                               const std::vector<model::EffectTerm>& terms,
                               const std::vector<model::EffectTerm>& offered, fog::InputMask inputs,

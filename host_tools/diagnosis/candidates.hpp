@@ -28,6 +28,8 @@ struct Candidate {
   bool has_free_shape() const;
   /// Whether an input other than the coil temperature drives it.
   bool has_own_input() const;
+  /// Whether time alone drives it: ageing, warm-up, an event.
+  bool is_of_time() const;
 };
 
 /// An effect that these recordings cannot test.

@@ -24,6 +24,17 @@ std::vector<fit::Explanatory> explanatory(const fit::ExplainedSpace& space,
   return all;
 }
 
+bool is_of_time(const std::vector<Hypothesis>& hypotheses, const EvidenceSpace& evidence) {
+  const auto likeliest = std::max_element(
+      hypotheses.begin(), hypotheses.end(),
+      [](const Hypothesis& a, const Hypothesis& b) { return a.probability < b.probability; });
+  return likeliest != hypotheses.end() &&
+         std::any_of(likeliest->parts.begin(), likeliest->parts.end(),
+                     [&](const Hypothesis::Part& part) {
+                       return evidence.candidates[part.candidate].is_of_time();
+                     });
+}
+
 }  // namespace
 
 std::string WalkFinding::words() const {
@@ -45,7 +56,7 @@ WalkFinding assess_walk(const EvidenceSpace& evidence, const std::vector<Hypothe
   WalkFinding finding{rival.coefficient,
                       fit::chance_of_walk(rival, explanatory(evidence.space, hypotheses, evidence),
                                           explanatory(rival.space, beside, evidence)),
-                      1};
+                      1, is_of_time(hypotheses, evidence)};
   if (!finding.may_be_all()) return finding;
   const NullTest test = test_against_noise(rival.space, evidence.regressors, evidence.structure,
                                            noise.degrees_of_freedom, seed);

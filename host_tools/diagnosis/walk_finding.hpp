@@ -15,8 +15,13 @@ struct WalkFinding {
   double chance = 0;       ///< that nothing but noise and such a walk is there
   double noise_alone = 1;  ///< if may_be_all(): chance that such noise looks like this
 
+  bool instead_of_time = false;  ///< the likeliest effects are, in part, of time alone
+
   /// Whether slow effects must not be accepted because of it.
-  bool may_be_all() const { return chance >= rules::kMaxChanceOfNamedWalk; }
+  bool may_be_all() const {
+    return chance >=
+           (instead_of_time ? rules::kMaxChanceOfWalkForTime : rules::kMaxChanceOfNamedWalk);
+  }
   /// If may_be_all(): what it means and what would tell, about changes that are "them".
   std::string words() const;
 };

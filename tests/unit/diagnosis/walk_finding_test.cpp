@@ -94,9 +94,11 @@ TEST(WalkFinding, IsImprobableWhereAnEffectStandsOutOfIt) {
 }
 
 TEST(WalkFinding, SaysHowProbableTheWalkIs) {
-  const WalkFinding as_well{0.01, 0.6, 1};
+  const WalkFinding as_well{0.01, 0.6, 1, true};
   EXPECT_NE(as_well.words().find("explains them as well as any effect"), std::string::npos);
-  const WalkFinding hardly{0.01, 0.0002, 1};
+  const WalkFinding hardly{0.01, 0.0002, 1, true};
+  EXPECT_TRUE(hardly.may_be_all());
+  EXPECT_FALSE((WalkFinding{0.01, 0.0002, 1, false}.may_be_all()));
   EXPECT_NE(hardly.words().find("has a probability of 0.0002"), std::string::npos);
 }
 
