@@ -24,12 +24,8 @@ std::vector<fit::Explanatory> explanatory(const fit::ExplainedSpace& space,
   return all;
 }
 
-bool is_of_time(const std::vector<Hypothesis>& hypotheses, const EvidenceSpace& evidence) {
-  const auto likeliest = std::max_element(
-      hypotheses.begin(), hypotheses.end(),
-      [](const Hypothesis& a, const Hypothesis& b) { return a.probability < b.probability; });
-  return likeliest != hypotheses.end() &&
-         std::any_of(likeliest->parts.begin(), likeliest->parts.end(),
+bool is_of_time(const Hypothesis& hypothesis, const EvidenceSpace& evidence) {
+  return std::any_of(hypothesis.parts.begin(), hypothesis.parts.end(),
                      [&](const Hypothesis::Part& part) {
                        return evidence.candidates[part.candidate].is_of_time();
                      });
@@ -56,7 +52,7 @@ WalkFinding assess_walk(const EvidenceSpace& evidence, const std::vector<Hypothe
   WalkFinding finding{rival.coefficient,
                       fit::chance_of_walk(rival, explanatory(evidence.space, hypotheses, evidence),
                                           explanatory(rival.space, beside, evidence)),
-                      1, is_of_time(hypotheses, evidence)};
+                      1, !hypotheses.empty() && is_of_time(hypotheses.front(), evidence)};
   if (!finding.may_be_all()) return finding;
   const NullTest test = test_against_noise(rival.space, evidence.regressors, evidence.structure,
                                            noise.degrees_of_freedom, seed);

@@ -8,6 +8,7 @@
 #include "compare/model_on_runs.hpp"
 #include "diagnosis/next_step.hpp"
 #include "support/json.hpp"
+#include "workbench/run_view.hpp"
 #include "workflow/observer.hpp"
 
 namespace fogcomp::workbench {
@@ -49,7 +50,6 @@ class Session {
   /// The runs and holdouts of a command that refits a model; read at its first call.
   template <class Request>
   const diagnosis::JudgingRuns& judging_runs(const Request& request, const Words& reading);
-  void keep_columns(const compare::ModelOnRuns& model);
   workflow::Observer observer();
 
   workflow::Observer observer_;
@@ -57,7 +57,7 @@ class Session {
   /// Recordings that were read; key: their names and all that decides how they are read (key_of).
   std::map<std::string, diagnosis::JudgingRuns> judging_;
   std::map<std::string, std::vector<compare::RunInBlocks>> compared_;
-  std::vector<std::map<std::string, std::vector<double>>> columns_;  ///< of each run
+  std::vector<Columns> columns_;  ///< of each run
 };
 
 }  // namespace fogcomp::workbench
