@@ -3,14 +3,18 @@
 # simulated gyro in a chamber, fits a drift model, builds the flash image with it, and plays the
 # recording through that image in QEMU and through the same code on this computer.
 # Run again, it does only what has changed since.
+#
+# quickstart.sh [RATE [BUILD]]: samples per second of the recording (200), folder of what is built (build).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source cmake/bootstrap/packages.sh
 
-here=build/quickstart
-fogcomp=build/host/fogcomp
-image=build/stm32f405/fogcomp
-run=$here/run.bin
+rate=${1:-200}
+build=${2:-build}
+here=$build/quickstart
+fogcomp=$build/host/fogcomp
+image=$build/stm32f405/fogcomp
+run=$here/run_${rate}_hz.bin
 model=$here/gyro.model
 header=$here/fog_model.h
 uart_frames=2000
@@ -40,33 +44,34 @@ echo "all there"
 mkdir -p "$here"
 
 step "host tool"
-[[ -f build/host/build.ninja ]] || quietly "$here/configure.log" cmake --preset host -DFOG_TESTS=OFF
-quietly "$here/build.log" cmake --build build/host --target fogcomp
+[[ -f $build/host/build.ninja ]] || quietly "$here/configure.log" cmake --preset host -B "$build/host" -DFOG_TESTS=OFF
+quietly "$here/build.log" cmake --build "$build/host" --target fogcomp
 echo "$fogcomp"
 
-step "recording: the reference paper's chamber programme, sampled at 200 Hz as the board sees it"
+step "recording: the reference paper's chamber programme, sampled at $rate Hz as the board sees it"
 if [[ ! $run -nt $fogcomp ]]; then
-  "$fogcomp" simulate -o "$run" --profile paper --preset paper --rate 200 --format stream --seed 1
+  "$fogcomp" simulate -o "$run" --profile paper --preset paper --rate "$rate" --format stream --seed 1
 fi
 ls -l "$run" | awk '{printf "%s: %d samples\n", $NF, $5 / 16}'
 
 step "model: physical effects, then a network on what they leave"
-"$fogcomp" fit "$run" -o "$model" --effects bias,bias_temperature:order=2,temperature_rate --network 6
+"$fogcomp" fit "$run" --rate "$rate" -o "$model" --effects bias,bias_temperature:order=2,temperature_rate --network 6
 
 step "before and after, 10 s means"
-"$fogcomp" compare "$model" "$run"
+"$fogcomp" compare "$model" "$run" --rate "$rate"
 
 step "flash image with these weights"
-"$fogcomp" export "$model" -o "$header" --sample-rate 200
-quietly "$here/configure_firmware.log" cmake --preset stm32f405 -DFOG_MODEL_HEADER="$PWD/$header"
-quietly "$here/build_firmware.log" cmake --build build/stm32f405
-tests/budget/check_budgets.sh <(grep stm32f405/fogcomp.elf tests/budget/budgets.txt) build
+"$fogcomp" export "$model" -o "$header" --sample-rate "$rate"
+quietly "$here/configure_firmware.log" cmake --preset stm32f405 -B "$build/stm32f405" \
+  -DFOG_MODEL_HEADER="$(realpath "$header")"
+quietly "$here/build_firmware.log" cmake --build "$build/stm32f405"
+tests/budget/check_budgets.sh tests/budget/budgets.txt "$build" stm32f405/fogcomp.elf
 ls "$image".elf "$image".bin "$image".hex
 
 step "the same recording through the image and through this computer"
 bench=$here/bench
 result=$bench/result.txt
-inputs=$(cat "$header" "$image.elf" build/stm32f405/fogcomp_bulk.elf "$fogcomp" | cksum)
+inputs=$(cat "$header" "$image.elf" "$image"_bulk.elf "$fogcomp" | cksum)
 if [[ -f $result && $result -nt $run && $(head -n 1 "$result") == "$inputs" ]]; then
   echo "(nothing has changed since these figures were made)"
 else
@@ -74,9 +79,9 @@ else
   {
     echo "$inputs"
     "$fogcomp" replay "$header" "$run" -o "$bench/expected.bin" >&2
-    ln -sf ../run.bin "$bench/in.bin"
+    ln -sf "$(realpath "$run")" "$bench/in.bin"
     FOG_QEMU_TIMEOUT_S=1200 tests/target/run_bulk.sh netduinoplus2 \
-      build/stm32f405/fogcomp_bulk.elf "$bench" >&2
+      "$image"_bulk.elf "$bench" >&2
     frames=$(($(stat -Lc %s "$run") / 16))
     echo "whole recording, image in bulk:  $frames frames compared," \
       "$(bytes_that_differ "$bench/expected.bin" "$bench/out.bin") bytes differ"

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
-# check_budgets.sh BUDGETS.txt BUILD_DIR: prints what each image of BUDGETS.txt takes, and exits 1 if
-# one takes more than it may or is missing.
+# check_budgets.sh BUDGETS.txt BUILD_DIR [IMAGE]: prints what each image of BUDGETS.txt takes (or the one), and exits 1
+# if one takes more than it may or is missing.
 set -euo pipefail
-(($# == 2)) || { echo "usage: check_budgets.sh BUDGETS.txt BUILD_DIR" >&2; exit 2; }
+(($# == 2 || $# == 3)) || { echo "usage: check_budgets.sh BUDGETS.txt BUILD_DIR [IMAGE]" >&2; exit 2; }
 budgets=$1
 build=$2
+only=${3:-}
 
 # section_bytes SIZES SECTION...: the sum of the sections named, absent ones counting nothing.
 section_bytes() {
@@ -26,7 +27,7 @@ refuse() {
 
 printf '%-28s %7s %7s  %7s %7s %7s %7s\n' image flash of static stack RAM of
 while read -r image flash_budget ram_budget _; do
-  [[ -z $image || $image == \#* ]] && continue
+  [[ -z $image || $image == \#* || ( -n $only && $image != "$only" ) ]] && continue
   [[ -f $build/$image ]] || { echo "$image: not built" >&2; exit 1; }
   sizes=$(arm-none-eabi-size -A "$build/$image")
   flash=$(section_bytes "$sizes" .text .data .seal)
