@@ -52,11 +52,13 @@ void set_noise(const series::Rows& rows, const std::vector<recording::RowRange>&
       rows.weights.cwiseProduct(fit.robust).cwiseQuotient(fit.noise_scale.cwiseAbs2());
 }
 
-// A shape search is not repeated for a slightly better noise estimate if it changed nothing; for a
-// term that no fit has found before it is repeated once.
+// A range is not searched again for a slightly better noise estimate if nothing was found in it. Of
+// several shapes each was searched while others had not been found yet: those of a term that no fit
+// has found before are searched once more.
 std::vector<bool> shapes_to_search_again(const std::vector<model::EffectTerm>& terms,
                                          const std::vector<model::ShapeParameter>& shapes,
                                          std::vector<bool> elsewhere, int round) {
+  if (shapes.size() == 1) return {false};
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const bool is_new = terms[shapes[i].term].coefficients_dph.empty();
     elsewhere[i] = elsewhere[i] || (is_new && round == 0);
