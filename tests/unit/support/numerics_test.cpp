@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 
 #include "support/decompositions.hpp"
 #include "support/least_squares.hpp"
@@ -110,7 +111,8 @@ TEST(LeastSquares, LeavesOutAColumnThatIsASumOfOthers) {
 }
 
 TEST(Periodogram, OfACosineIsOneLineAndOfAllTheMeanSquare) {
-  for (const std::size_t size : {96U, 97U, 131U}) {
+  // The last is a prime: hours of a gyro at rest.
+  for (const std::size_t size : {96U, 97U, 131U, 59051U}) {
     std::vector<double> values(size);
     const double step = 2 * std::acos(-1.0) * 5 / static_cast<double>(size);
     for (std::size_t i = 0; i < size; ++i) values[i] = 2 * std::cos(step * static_cast<double>(i));
@@ -118,6 +120,20 @@ TEST(Periodogram, OfACosineIsOneLineAndOfAllTheMeanSquare) {
     EXPECT_EQ(powers.size(), (size + 1) / 2);
     for (std::size_t k = 0; k < powers.size(); ++k) {
       EXPECT_NEAR(powers[k], k == 5 ? static_cast<double>(size) : 0, 1e-9) << size << " " << k;
+    }
+  }
+}
+
+TEST(Periodogram, IsThatOfTheDefinition) {
+  for (const int size : {2, 3, 46, 53, 59, 106, 127}) {
+    const VectorXd values = VectorXd::Random(size);
+    const std::vector<double> powers = periodogram({values.begin(), values.end()});
+    for (std::size_t k = 0; k < powers.size(); ++k) {
+      std::complex<double> sum = 0;
+      for (int i = 0; i < size; ++i) {
+        sum += values[i] * std::polar(1.0, 2 * std::acos(-1.0) * i * static_cast<double>(k) / size);
+      }
+      EXPECT_NEAR(powers[k], std::norm(sum) / size, 1e-12) << size << " " << k;
     }
   }
 }
