@@ -13,7 +13,7 @@ while (($#)); do
     --wide) wide=wide-; shift; continue ;;
     --seeds | --cases | --case | --jobs | --stages | --build | -o) (($# >= 2)) ||
       { echo "$1 needs a value" >&2; exit 2; } ;;
-    *) sed -n '2,3s/^# //p' "$0" >&2; exit 2 ;;
+    *) sed -n '2,5s/^# //p' "$0" >&2; exit 2 ;;
   esac
   case $1 in
     --seeds) seeds=$2 ;;
@@ -27,6 +27,8 @@ while (($#)); do
   shift 2
 done
 [[ $seeds =~ ^(dev|final|second|third)$ ]] || { echo "--seeds $seeds: dev, final, second or third" >&2; exit 2; }
+[[ $stages =~ ^(make|answer|propose|told|score)(,(make|answer|propose|told|score))*$ ]] ||
+  { echo "--stages $stages: some of make,answer,propose,told,score" >&2; exit 2; }
 seeds=$wide$seeds cases=${cases:-$([[ $wide ]] && echo 280 || echo 1508)}
 out=$(realpath -m "${out:-$build/hidden_effects${wide:+_wide}}")
 fogcomp=$build/fogcomp programmes=$build/tests/bench/hidden_effects
