@@ -12,24 +12,21 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Sets the candidate's probability among the hypotheses. Returns its shape in the most probable
-// hypothesis that contains it, or else `alone`.
-std::size_t set_probability(std::size_t candidate, std::size_t alone, const EvidenceSpace& evidence,
-                            const std::vector<Hypothesis>& hypotheses, CandidateFinding& finding) {
-  std::size_t shape = alone;
-  bool seen = false;
+// Sets the candidate's probability among the hypotheses. Returns the most probable hypothesis that
+// contains it, if one does.
+const Hypothesis* set_probability(std::size_t candidate, const EvidenceSpace& evidence,
+                                  const std::vector<Hypothesis>& hypotheses,
+                                  CandidateFinding& finding) {
+  const Hypothesis* likeliest = nullptr;
   for (const Hypothesis& hypothesis : hypotheses) {
     if (!hypothesis.has(candidate)) continue;
     finding.probability += hypothesis.probability;
     if (leading_candidate(evidence.space, evidence.regressors, hypothesis) == candidate) {
       finding.lead += hypothesis.probability;
     }
-    for (const Hypothesis::Part& part : hypothesis.parts) {
-      if (!seen && part.candidate == candidate) shape = part.shape;
-    }
-    seen = true;
+    if (likeliest == nullptr) likeliest = &hypothesis;
   }
-  return shape;
+  return likeliest;
 }
 
 CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
@@ -40,7 +37,8 @@ CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
   const BestShape best = best_shape(evidence.space, ranges, {}, evidence.space.projection());
   CandidateFinding finding;
   finding.effect = own.effect;
-  const std::size_t shape = set_probability(candidate, best.shape, evidence, hypotheses, finding);
+  const Hypothesis* const likeliest = set_probability(candidate, evidence, hypotheses, finding);
+  const std::size_t shape = likeliest == nullptr ? best.shape : likeliest->shape_of(candidate);
   finding.evidence = best.log_evidence;
   if (excess > 0) {
     const auto columns = static_cast<double>(ranges[shape].count);
@@ -53,7 +51,8 @@ CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
     finding.possible.push_back(own.shapes[s].term);
   }
   std::vector<model::EffectTerm> terms = fit.terms;
-  put(terms, own.shapes[shape].term);
+  put(terms, likeliest == nullptr ? own.shapes[shape].term
+                                  : term_in(*likeliest, candidate, evidence.candidates));
   Refit completed = refit(std::move(terms), series, fit);
   finding.rms_after_dph = rms_of_rows(series.rows(), fit, completed.residual_dph);
   finding.completed = std::move(completed.terms);

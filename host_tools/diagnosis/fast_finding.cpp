@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "diagnosis/decision_rules.hpp"
@@ -14,16 +15,32 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Residual of a hypothesis, scaled to equal noise; NaN for rows that do not count.
-Eigen::VectorXd quiet_values(const EvidenceSpace& evidence, const Hypothesis& hypothesis,
-                             const series::SignalSeries& series, const fit::NoiseWeightedFit& fit) {
-  std::vector<model::EffectTerm> terms = fit.terms;
+std::vector<model::EffectTerm> completed_by(const EvidenceSpace& evidence,
+                                            const Hypothesis& hypothesis,
+                                            std::vector<model::EffectTerm> terms) {
   for (const Hypothesis::Part& part : hypothesis.parts) {
-    put(terms, evidence.candidates[part.candidate].shapes[part.shape].term);
+    put(terms, term_in(hypothesis, part.candidate, evidence.candidates));
   }
-  const Refit completed = refit(std::move(terms), series, fit);
+  return terms;
+}
+
+// Residual of the completed model, scaled to equal noise; NaN for rows that do not count.
+Eigen::VectorXd quiet_values(const std::vector<model::EffectTerm>& terms,
+                             const series::SignalSeries& series, const fit::NoiseWeightedFit& fit) {
+  const Refit completed = refit(terms, series, fit);
   const Eigen::ArrayXd scaled = completed.residual_dph.array() / fit.noise_scale.array();
   return (fit.robust.array() > 0).select(scaled, std::nan(""));
+}
+
+// Whether an octave stands out of the completed model's own noise, too. Where the soaks show what
+// was missing, it has coloured the noise of the model without it.
+bool band_remains(const std::vector<model::EffectTerm>& terms, const series::SignalSeries& series,
+                  const fit::NoiseWeightedFit& fit) {
+  constexpr bool kShapesFound = true;
+  const fit::NoiseWeightedFit own =
+      fit::fit_rows(series, terms, fit::run_offset_columns(series.rows()),
+                    {fit.robust, std::nullopt, kShapesFound});
+  return find_fast_structure(series.rows(), own.whitened_residual).band_log_p < rules::kFastLogP;
 }
 
 // Removes what the input rate has as well: on a rate table such a line is the programme's own.
@@ -50,8 +67,9 @@ double excess_of(const FastFinding& finding, Eigen::Index rows) {
     case FastKind::none:
       return 0;
     case FastKind::line:
+      return finding.spectrum.line_share * static_cast<double>(rows);
     case FastKind::band:
-      return finding.spectrum.share * static_cast<double>(rows);
+      return finding.spectrum.band_share * static_cast<double>(rows);
     case FastKind::two_levels:
       break;
   }
@@ -66,9 +84,13 @@ FastFinding find_fast(const EvidenceSpace& evidence, const Hypothesis& best,
   FastFinding finding;
   finding.spectrum = find_fast_structure(
       rows, without_input_rate(evidence, rows, without(evidence, best, rows.size())));
-  finding.jumps =
-      find_two_levels(noise::quiet_stretches(rows, quiet_values(evidence, best, series, fit)),
-                      fit.noise.white_dph(), rows.row_s);
+  const std::vector<model::EffectTerm> terms = completed_by(evidence, best, fit.terms);
+  if (!best.parts.empty() && finding.spectrum.band_log_p < rules::kFastLogP &&
+      !band_remains(terms, series, fit)) {
+    finding.spectrum.band_log_p = 0;
+  }
+  finding.jumps = find_two_levels(noise::quiet_stretches(rows, quiet_values(terms, series, fit)),
+                                  fit.noise.white_dph(), rows.row_s);
   const std::array<std::pair<double, FastKind>, 3> kinds{
       {{finding.spectrum.line_log_p, FastKind::line},
        {finding.spectrum.band_log_p, FastKind::band},

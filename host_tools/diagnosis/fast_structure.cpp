@@ -73,7 +73,7 @@ void find_band(const std::vector<Octave>& octaves, double level, double lines,
     fast.band_log_p = log_p;
     fast.band_excess = mean - 1;
     fast.band_period_s = octave.period_s / octave.count;
-    fast.share = (mean - 1) * octave.count / lines;
+    fast.band_share = (mean - 1) * octave.count / lines;
   }
 }
 
@@ -106,8 +106,8 @@ FastStructure find_fast_structure(const series::Rows& rows,
   if (level == 0) return fast;
   const auto lines = static_cast<double>(all.size());
   fast.line_log_p = std::min(0.0, std::log(lines) - kLevelUncertainty * fast.line_power);
+  fast.line_share = fast.line_power / lines;
   find_band(octaves, level, lines, fast);
-  if (fast.line_log_p < fast.band_log_p) fast.share = fast.line_power / lines;
   return fast;
 }
 

@@ -14,8 +14,9 @@ struct FastStructure {
   double band_period_s = 0;  ///< middle of the octave
   double band_excess = 0;    ///< of the octave's power above white noise, relative
   double band_log_p = 0;     ///< the same for any octave
-  /// Fraction of the residual's sum of squares in the line, or in the excess of the octave.
-  double share = 0;
+  // Fractions of the residual's sum of squares: in the line, in the excess of the octave.
+  double line_share = 0;
+  double band_share = 0;
 };
 
 /// Analyses a whitened residual, run by run, for periods from two rows to a third of the run

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <tuple>
 
 #include "diagnosis/decision_rules.hpp"
 #include "fit/decision_rules.hpp"
@@ -192,6 +194,12 @@ bool Hypothesis::has(std::size_t candidate) const {
                      [&](const Part& part) { return part.candidate == candidate; });
 }
 
+std::size_t Hypothesis::shape_of(std::size_t candidate) const {
+  return std::find_if(parts.begin(), parts.end(),
+                      [&](const Part& part) { return part.candidate == candidate; })
+      ->shape;
+}
+
 std::size_t Hypothesis::effects() const {
   std::size_t count = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -201,6 +209,36 @@ std::size_t Hypothesis::effects() const {
     count += first ? 1 : 0;
   }
   return count;
+}
+
+namespace {
+
+// Gives a term the first part of `other` as its optional second part, if it has none yet.
+void add_part(model::EffectTerm& term, const model::EffectTerm& other) {
+  const auto& parameters = model::find_effect(term.name).parameters;
+  for (std::size_t i = 1; i < parameters.size(); ++i) {
+    if (!model::is_optional_part(parameters[i]) || term.parameters[i] != 0) continue;
+    std::tie(term.parameters[i - 1], term.parameters[i]) =
+        std::minmax({term.parameters[i - 1], other.parameters[i - 1]});
+    return;
+  }
+}
+
+}  // namespace
+
+model::EffectTerm term_in(const Hypothesis& hypothesis, std::size_t candidate,
+                          const std::vector<Candidate>& candidates) {
+  std::optional<model::EffectTerm> term;
+  for (const Hypothesis::Part& part : hypothesis.parts) {
+    if (part.candidate != candidate) continue;
+    const model::EffectTerm& one = candidates[candidate].shapes[part.shape].term;
+    if (term) {
+      add_part(*term, one);
+    } else {
+      term = one;
+    }
+  }
+  return *term;
 }
 
 BestShape best_shape(const fit::ExplainedSpace& space,

@@ -27,9 +27,16 @@ struct Hypothesis {
   bool free_shape = false;  ///< of temperature and time alone, led by an effect whose shape is free
 
   bool has(std::size_t candidate) const;
+  /// Shape of a candidate that it has: of the first part, if there are two.
+  std::size_t shape_of(std::size_t candidate) const;
   /// Number of different effects.
   std::size_t effects() const;
 };
+
+/// One of its effects, by its candidate: with the shape of its part, or, where the effect occurs
+/// twice, with both shapes, the smaller first.
+model::EffectTerm term_in(const Hypothesis& hypothesis, std::size_t candidate,
+                          const std::vector<Candidate>& candidates);
 
 /// Column ranges of the parts of a hypothesis, in their order, optionally without one part.
 constexpr std::size_t kEveryPart = static_cast<std::size_t>(-1);

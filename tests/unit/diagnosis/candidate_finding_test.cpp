@@ -60,6 +60,26 @@ TEST_F(CandidateFindingTest, ProbabilitiesAreSumsOverTheSetsThatHaveIt) {
   EXPECT_DOUBLE_EQ(findings[0].lead, 0.2);
 }
 
+// Two parts of one effect, the larger shape first in the set.
+TEST(CandidateFinding, OfAnEffectThatStandsTwiceHasBothParts) {
+  model::Model gyro = fog::test::truth();
+  gyro.terms.push_back(model::parse_effects("thermal_hysteresis:radius=5,radius2=15")[0]);
+  gyro.terms.back().coefficients_dph = {0.5, 0.25};
+  const fog::test::MadeEvidence made(
+      fog::test::thinned(fog::test::recording_of(gyro, fog::test::kQuietNoise, 1), 4));
+  const EvidenceSpace evidence =
+      made.evidence({{"thermal_hysteresis:radius=5", "thermal_hysteresis:radius=15"}});
+  const auto find = [&](std::vector<Hypothesis::Part> parts) {
+    return find_of_candidates(evidence, {hypothesis(std::move(parts), 1)}, 1, made.series(),
+                              made.fit())[0];
+  };
+  const CandidateFinding both = find({{0, 1}, {0, 0}});
+  EXPECT_EQ(both.term().parameters[0], 5);
+  EXPECT_EQ(both.term().parameters[1], 15);
+  EXPECT_LT(both.rms_after_dph, 0.5 * find({{0, 0}}).rms_after_dph);
+  EXPECT_LT(both.rms_after_dph, 0.5 * find({{0, 1}}).rms_after_dph);
+}
+
 TEST_F(CandidateFindingTest, ExplainsItsGainLessWhatItsColumnsWouldByChance) {
   const double own = chi2_drop() - 1;
   EXPECT_NEAR(find({}, own)[1].explained_fraction, 1, 1e-9);

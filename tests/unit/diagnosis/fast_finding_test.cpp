@@ -42,7 +42,7 @@ TEST(FastFinding, IsALineWhereARateSwings) {
   ASSERT_EQ(finding.kind, FastKind::line);
   EXPECT_EQ(finding.log_p, finding.spectrum.line_log_p);
   EXPECT_NEAR(finding.spectrum.line_period_s, 10 * kRows / 1000, 0.01);
-  EXPECT_DOUBLE_EQ(finding.excess, finding.spectrum.share * kRows);
+  EXPECT_DOUBLE_EQ(finding.excess, finding.spectrum.line_share * kRows);
   EXPECT_NEAR(finding.excess, kRows / 8, 0.5 * kRows / 8);
 }
 

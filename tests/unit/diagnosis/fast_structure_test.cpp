@@ -34,7 +34,7 @@ TEST(FastStructure, OfALineHasItsPeriodAndShare) {
   const FastStructure fast = find_fast_structure(rows, residual);
   EXPECT_NEAR(fast.line_period_s, 430, 430 * 430 / (10.0 * kRestRows));  // one line of the spectrum
   EXPECT_LT(fast.line_log_p, std::log(1e-9));
-  EXPECT_NEAR(fast.share, 0.245 / 1.245, 0.1);
+  EXPECT_NEAR(fast.line_share, 0.245 / 1.245, 0.1);
 }
 
 TEST(FastStructure, OfABandIsTheOctaveInWhichItLies) {
@@ -92,7 +92,8 @@ TEST(FastStructure, OfNothingAndOfTooLittleIsNone) {
     const FastStructure fast = find_fast_structure(rows, Eigen::VectorXd::Zero(rows.size()));
     EXPECT_EQ(fast.line_log_p, 0) << count;
     EXPECT_EQ(fast.band_log_p, 0) << count;
-    EXPECT_EQ(fast.share, 0) << count;
+    EXPECT_EQ(fast.line_share, 0) << count;
+    EXPECT_EQ(fast.band_share, 0) << count;
     EXPECT_TRUE(std::isfinite(fast.line_power)) << count;
   }
 }
