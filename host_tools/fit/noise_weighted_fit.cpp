@@ -52,18 +52,19 @@ void set_noise(const series::Rows& rows, const std::vector<recording::RowRange>&
       rows.weights.cwiseProduct(fit.robust).cwiseQuotient(fit.noise_scale.cwiseAbs2());
 }
 
-// A range is not searched again for a slightly better noise estimate if nothing was found in it. Of
-// several shapes each was searched while others had not been found yet: those of a term that no fit
-// has found before are searched once more.
-std::vector<bool> shapes_to_search_again(const std::vector<model::EffectTerm>& terms,
+// Shapes that no fit has found before were searched in the first round while others had not been
+// found yet: they are searched again, of two only the first, and once more if one has moved. Never
+// for a slightly better noise estimate alone.
+std::vector<bool> ranges_to_search_again(const std::vector<model::EffectTerm>& terms,
                                          const std::vector<model::ShapeParameter>& shapes,
-                                         std::vector<bool> elsewhere, int round) {
-  if (shapes.size() == 1) return {false};
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    const bool is_new = terms[shapes[i].term].coefficients_dph.empty();
-    elsewhere[i] = elsewhere[i] || (is_new && round == 0);
+                                         int round, bool moved) {
+  std::vector<bool> again;
+  for (const model::ShapeParameter& shape : shapes) {
+    const bool is_new = terms[shape.term].coefficients_dph.empty();
+    const bool alone_or_second = shapes.size() <= 2 && again.size() + 1 == shapes.size();
+    again.push_back(is_new && (round == 0 ? !alone_or_second : moved));
   }
-  return elsewhere;
+  return again;
 }
 
 }  // namespace
@@ -101,15 +102,16 @@ NoiseWeightedFit fit_rows(const series::SignalSeries& series,
     const auto progress = [&](double done) {
       if (settings.progress) settings.progress((round + done) / kRounds);
     };
-    ranges = shapes_to_search_again(terms, fit.shapes,
-                                    search_shapes(problem, fit.shapes, ranges, progress), round);
+    const bool last = round + 1 == kRounds;
+    const bool moved = search_shapes(problem, fit.shapes, ranges, last, progress);
+    ranges = ranges_to_search_again(terms, fit.shapes, round, moved);
     fit.terms = problem.terms();
     const LinearFit solved = problem.solve();
     fit.coefficients = solved.coefficients;
     fit.whitened = problem.jacobian(fit.shapes);
     fit.whitened_measured = problem.measured();
     fit.whitened_residual = solved.residual;
-    if (round + 1 == kRounds) fit.covariance = problem.solve(fit.shapes).covariance;
+    if (last) fit.covariance = problem.solve(fit.shapes).covariance;
     if (!fit.shapes.empty()) fit.columns = all_columns(regressors, fit.terms, nuisance);
     fit.residual_dph = rows.drift_dph - fit.columns * fit.coefficients;
   }

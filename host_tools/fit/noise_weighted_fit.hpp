@@ -40,7 +40,7 @@ struct RowSettings {
   /// 1 per row, 0 for excluded rows; empty: all are used.
   Eigen::VectorXd kept;
   std::optional<noise::NoiseModel> noise;  ///< used instead of an estimate
-  bool shapes_found = false;  ///< the shapes were found on the same rows; only the noise is new
+  bool shapes_found = false;  ///< the shapes are near their minimum: no range is searched
   std::function<void(double)> progress{};  ///< called with the fraction done, 0..1; may be empty
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "fit/decision_rules.hpp"
 #include "fit/noise_weighted_fit.hpp"
@@ -39,8 +40,10 @@ std::vector<PhysicalLag> physical_lags(const model::Model& model,
   sharper.derivative_tau_s /= rules::kSharperDerivative;
   series::SignalSeries series(sharper, series::Phase::zero);
   for (const compare::RunInBlocks& run : runs) series.add(run.blocks);
+  constexpr bool kShapesFound = true;  // the same minimum, not a better one elsewhere
   const NoiseWeightedFit fit =
-      fit_rows(series, terms, run_offset_columns(series.rows(), run_offsets));
+      fit_rows(series, terms, run_offset_columns(series.rows(), run_offsets),
+               {{}, std::nullopt, kShapesFound});
   if (!is_determined(fit)) return lags;
   const double widening = std::max(1.0, fit.birge_ratio());
   for (std::size_t i = 0; i < fit.shapes.size(); ++i) {

@@ -129,19 +129,18 @@ void order_parts(WhitenedProblem& problem, const std::vector<model::ShapeParamet
 
 }  // namespace
 
-std::vector<bool> search_shapes(WhitenedProblem& problem,
-                                const std::vector<model::ShapeParameter>& parameters,
-                                const std::vector<bool>& ranges,
-                                const std::function<void(double)>& progress) {
-  std::vector<bool> elsewhere(parameters.size(), false);
-  if (parameters.empty()) return elsewhere;
+bool search_shapes(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
+                   const std::vector<bool>& ranges, bool exact,
+                   const std::function<void(double)>& progress) {
+  if (parameters.empty()) return false;
+  bool moved = false;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (ranges[i]) elsewhere[i] = search_range(problem, parameters, i);
+    moved = (ranges[i] && search_range(problem, parameters, i)) || moved;
     if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(parameters.size()));
   }
-  descend(problem, parameters, kConverged);
+  descend(problem, parameters, exact ? kConverged : kRoughly);
   order_parts(problem, parameters);
-  return elsewhere;
+  return moved;
 }
 
 }  // namespace fogcomp::fit
