@@ -7,6 +7,7 @@
 #include "findings/history_findings.hpp"
 #include "findings/network_words.hpp"
 #include "findings/run_section.hpp"
+#include "fit/decision_rules.hpp"
 #include "noise/outlier_rows.hpp"
 #include "support/text.hpp"
 
@@ -61,9 +62,7 @@ void add_steps(Document& document, const FitOutcome& fit) {
   if (identified.masked > 0) {
     document.sentence(words(counted(identified.masked, "row") + " left out, in which a step lies"));
   }
-  if (fit.searched_steps && identified.steps.empty()) {
-    document.sentence("no bias step stands out of the noise (chi^2 above 60)");
-  }
+  if (const std::string none = no_step_words(fit); !none.empty()) document.sentence(words(none));
 }
 
 // Change from one power-on to the next, which a model of a board cannot predict.
@@ -111,6 +110,12 @@ void add_ladder(Document& document, const FitOutcome& fit) {
 }
 
 }  // namespace
+
+std::string no_step_words(const FitOutcome& fit) {
+  if (!fit.searched_steps || !fit.result.identified.steps.empty()) return "";
+  return format("no bias step stands out of the noise (chi^2 above %.0f)",
+                fit::rules::kMinStepChiSquare);
+}
 
 Document fit_findings(const FitOutcome& fit, const compare::ModelOnRuns& model) {
   Document document("fogcomp fit " + join(run_files(model), " ") + " -o " + model.file, found(fit));

@@ -11,6 +11,7 @@
 #include "cli/effects_text.hpp"
 #include "cli/fit_command.hpp"
 #include "findings/diagnosis_words.hpp"
+#include "findings/fit_findings.hpp"
 #include "findings/json.hpp"
 #include "findings/text.hpp"
 #include "model/model_file.hpp"
@@ -176,7 +177,9 @@ Json Session::fit(const Words& words) {
   const workflow::FitOutcome found = workflow::fit(request, known->second.training, observer());
   observer().say(found.result.identified.warnings);
   model::save_model(found.model, call.output.value());
-  return model_json(found.model).set("fit", findings::fit_json(found, call.output.value()));
+  Json answer = model_json(found.model);
+  answer.set("no_step", sentence_of(findings::no_step_words(found)));
+  return std::move(answer.set("fit", findings::fit_json(found, call.output.value())));
 }
 
 Json Session::add(const Words& words) {

@@ -445,6 +445,22 @@ const trouble = async (browser) => {
   bench.silent();
 };
 
+// A bias step that is looked for and not found leaves the model as it is, and says so.
+const steady = async (browser) => {
+  const bench = await Bench.open(browser, "steady.html");
+  await bench.state(0);
+  await bench.click("#effect_bias_step");
+  await bench.until(
+    `/^No bias step stands out/.test(document.getElementById("trouble").textContent)`,
+    "that there is no step",
+  );
+  check("steady", await bench.tab.evaluate(`document.body.dataset.state === "0"`), "a state without a change");
+  await bench.click("#effect_warm_up");
+  await bench.state(1);
+  check("steady", await bench.tab.evaluate(`document.getElementById("trouble").hidden`), "the page does not go on");
+  bench.silent();
+};
+
 // A recording too large for the memory is refused, and the next one is read.
 const memory = async (browser) => {
   const bench = await Bench.open(
@@ -694,8 +710,8 @@ const files = async (browser) => {
 const browser = new Browser(program);
 try {
   for (const part of only
-    ? [{ loop, keyboard, session, trouble, memory, escape, rate_table, report, long, files }[only]]
-    : [loop, keyboard, session, trouble, memory, escape, rate_table, report, long, files]) {
+    ? [{ loop, keyboard, session, trouble, steady, memory, escape, rate_table, report, long, files }[only]]
+    : [loop, keyboard, session, trouble, steady, memory, escape, rate_table, report, long, files]) {
     const begin = Date.now();
     await part(browser);
     console.log(`${part.name}: done in ${((Date.now() - begin) / 1000).toFixed(1)} s`);

@@ -25,6 +25,9 @@ cp "$example" mems.csv
 "$fogcomp" simulate -o run.csv >/dev/null
 "$fogcomp" simulate -o other.csv --profile reversed --seed 2 >/dev/null
 "$fogcomp" workbench run.csv --holdout other.csv -o session.html >/dev/null
+effects=bias,bias_temperature:order=2,temperature_rate,temperature_rate_product
+"$fogcomp" fit run.csv -o steady.model --effects $effects >/dev/null
+"$fogcomp" workbench steady.model run.csv -o steady.html >/dev/null
 hostile='<img src=x onerror=document.title="gone">.csv'
 awk -F, -v OFS=, '/^time_s/ { print "time_s", "temperature_degc", "<b>rate</b> [deg/h]"; next } 1' mems.csv >"$hostile"
 "$fogcomp" workbench "$hostile" -o hostile.html --columns 'rate=<b>rate</b> [deg/h]' >/dev/null

@@ -110,6 +110,7 @@ const diagnose_words = (model, masks) => [
   ...mask_words(masks),
 ];
 
+const words_of_terms = (view) => view.terms.map((term) => term.words);
 const effects_of = (view) =>
   view.terms
     .filter((term) => !term.is_expression)

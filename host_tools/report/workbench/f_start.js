@@ -55,11 +55,14 @@
     return view_of(model, masks);
   };
 
-  // Waits for a pause of the user; a change that is being fitted comes first.
+  // Waits for a pause of the user; a change that is being fitted comes first. Of several calls in this
+  // time the last one counts.
+  let asked = 0;
   const diagnose = async (state) => {
+    const turn = ++asked;
     diagnosing.cancel();
     await new Promise((done) => setTimeout(done, 300));
-    if (states.now !== state || changing > 0) return;
+    if (turn !== asked || states.now !== state || changing > 0) return;
     try {
       state.diagnosis = checked(await diagnosing.call(diagnose_words(state.model, state.masks)));
     } catch (fault) {
@@ -170,13 +173,18 @@
       const { effects, expressions, masks } = { ...before, ...change(before) };
       const words = fit_words(effects, expressions, model, masks, states.now ? rows_of(states.now.view) : []);
       const fitted = checked(await fitting.call(words));
+      const same =
+        states.now &&
+        masks === before.masks &&
+        String(words_of_terms(fitted)) === String(words_of_terms(states.now.view));
+      if (fitted.no_step && same) throw new Error(fitted.no_step);
       keep_model(model, fitted.text);
       enter({
         model,
         words,
         label,
         masks,
-        notes: fitted.remarks,
+        notes: [...fitted.remarks, fitted.no_step].filter(Boolean),
         view: await view_of(model, masks),
       });
     });
@@ -425,6 +433,10 @@
       await begin_with_states();
     });
     if (!states.now) await fit("bias", () => ({}));
+    if (!states.now) return;
+    // The engine reads the recordings for the first fit now, not when it is asked for.
+    const first = fit_words(["bias"], [], "first.model", states.now.masks, rows_of(states.now.view));
+    fitting.call(first).catch(() => {});
   };
 
   // Asks for recordings, where the page has none.

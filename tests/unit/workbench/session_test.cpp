@@ -140,6 +140,18 @@ TEST_F(Workbench, NamesTheTermsAsFitTakesThem) {
   }
 }
 
+// Such a fit has no term of that name: its line would stay unticked without a word. Without the
+// beginning of the run, where the rate of the temperature jumps.
+TEST_F(Workbench, SaysThatNoBiasStepIsFound) {
+  const auto fit = [&](const std::string& list) {
+    return ask(
+        {"fit", path("run.csv"), "--effects", list, "--mask", "0..300", "-o", path("step.model")});
+  };
+  EXPECT_TRUE(holds(fit("bias,temperature_rate,bias_step"),
+                    "\"no_step\":\"No bias step stands out of the noise (χ² above 60).\""));
+  EXPECT_TRUE(holds(fit("bias,temperature_rate"), "\"no_step\":\"\""));
+}
+
 TEST_F(Workbench, AppliesAndExportsAsTheCommandsDo) {
   run("fit", {path("run.csv"), "--effects", "bias", "-o", path("out.model")});
   run("apply", {path("out.model"), path("run.csv"), "-o", path("shell.csv")});
