@@ -33,6 +33,13 @@ echo "== a tick of the workbench's page, 5955 rows, in Node"
 if [[ -f build/host/host_tools/engine/engine.js ]]; then
   build/host/fogcomp simulate -o build/host/workbench_speed.csv >/dev/null
   node tests/bench/workbench_speed.mjs build/host/host_tools/engine/engine.js build/host/workbench_speed.csv
+  echo
+  echo "== the same in Chromium, from the click to the painted frame, ms"
+  build/host/fogcomp fit build/host/workbench_speed.csv -o build/host/workbench_speed.model \
+    --effects bias,bias_temperature:order=2,temperature_rate,temperature_rate_product >/dev/null
+  build/host/fogcomp workbench build/host/workbench_speed.model build/host/workbench_speed.csv \
+    -o build/host/workbench_speed.html >/dev/null
+  node tests/bench/workbench_ticks.mjs chromium build/host/workbench_speed.html
 else
   echo "skipped: built without emscripten"
 fi
