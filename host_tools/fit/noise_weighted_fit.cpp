@@ -52,19 +52,18 @@ void set_noise(const series::Rows& rows, const std::vector<recording::RowRange>&
       rows.weights.cwiseProduct(fit.robust).cwiseQuotient(fit.noise_scale.cwiseAbs2());
 }
 
+// A range is not searched again for a slightly better noise estimate if nothing was found in it.
 // Shapes that no fit has found before were searched in the first round while others had not been
-// found yet: they are searched again, of two only the first, and once more if one has moved. Never
-// for a slightly better noise estimate alone.
+// found yet: once more, of two only the first.
 std::vector<bool> ranges_to_search_again(const std::vector<model::EffectTerm>& terms,
                                          const std::vector<model::ShapeParameter>& shapes,
-                                         int round, bool moved) {
-  std::vector<bool> again;
-  for (const model::ShapeParameter& shape : shapes) {
-    const bool is_new = terms[shape.term].coefficients_dph.empty();
-    const bool alone_or_second = shapes.size() <= 2 && again.size() + 1 == shapes.size();
-    again.push_back(is_new && (round == 0 ? !alone_or_second : moved));
+                                         std::vector<bool> elsewhere, int round) {
+  if (shapes.size() == 1) return {false};
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const bool is_new = terms[shapes[i].term].coefficients_dph.empty();
+    if (is_new && round == 0) elsewhere[i] = shapes.size() > 2 || i == 0;
   }
-  return again;
+  return elsewhere;
 }
 
 }  // namespace
@@ -103,8 +102,8 @@ NoiseWeightedFit fit_rows(const series::SignalSeries& series,
       if (settings.progress) settings.progress((round + done) / kRounds);
     };
     const bool last = round + 1 == kRounds;
-    const bool moved = search_shapes(problem, fit.shapes, ranges, last, progress);
-    ranges = ranges_to_search_again(terms, fit.shapes, round, moved);
+    ranges = ranges_to_search_again(
+        terms, fit.shapes, search_shapes(problem, fit.shapes, ranges, last, progress), round);
     fit.terms = problem.terms();
     const LinearFit solved = problem.solve();
     fit.coefficients = solved.coefficients;

@@ -129,18 +129,19 @@ void order_parts(WhitenedProblem& problem, const std::vector<model::ShapeParamet
 
 }  // namespace
 
-bool search_shapes(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
-                   const std::vector<bool>& ranges, bool exact,
-                   const std::function<void(double)>& progress) {
-  if (parameters.empty()) return false;
-  bool moved = false;
+std::vector<bool> search_shapes(WhitenedProblem& problem,
+                                const std::vector<model::ShapeParameter>& parameters,
+                                const std::vector<bool>& ranges, bool exact,
+                                const std::function<void(double)>& progress) {
+  std::vector<bool> elsewhere(parameters.size(), false);
+  if (parameters.empty()) return elsewhere;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    moved = (ranges[i] && search_range(problem, parameters, i)) || moved;
+    if (ranges[i]) elsewhere[i] = search_range(problem, parameters, i);
     if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(parameters.size()));
   }
   descend(problem, parameters, exact ? kConverged : kRoughly);
   order_parts(problem, parameters);
-  return moved;
+  return elsewhere;
 }
 
 }  // namespace fogcomp::fit

@@ -13,9 +13,10 @@ namespace fogcomp::fit {
 /// then Gauss-Newton on all with the coefficients, from the present values and from the deepest
 /// minima of that grid. `exact`: to a minimum within rounding, otherwise within a small part of the
 /// parameters' standard deviations. `progress` is called with the fraction done, 0..1. Returns
-/// whether one moved to another minimum.
-bool search_shapes(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
-                   const std::vector<bool>& ranges, bool exact = true,
-                   const std::function<void(double)>& progress = {});
+/// which parameters moved to another minimum.
+std::vector<bool> search_shapes(WhitenedProblem& problem,
+                                const std::vector<model::ShapeParameter>& parameters,
+                                const std::vector<bool>& ranges, bool exact = true,
+                                const std::function<void(double)>& progress = {});
 
 }  // namespace fogcomp::fit
