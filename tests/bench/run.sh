@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# All benchmarks of the denoisers, of training and of two inner loops: speed on this computer (Google Benchmark),
-# instructions on the board (QEMU), and the effect of streaming on noise and rotation.
+# All benchmarks of the denoisers, of training, of two inner loops and of a tick of the workbench's page: speed on this
+# computer (Google Benchmark, Chromium), instructions on the board (QEMU), and the effect of streaming on noise and
+# rotation.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source cmake/bootstrap/packages.sh
