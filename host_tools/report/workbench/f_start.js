@@ -416,7 +416,11 @@
         judged: judgement ? { good: accepted, reason: judgement } : undefined,
       });
     }
-    if (setup.states.length > 0) go(states.list.length - 1);
+    if (setup.states.length === 0) return;
+    go(states.list.length - 1);
+    // Without a fit so far: the engine reads the recordings for one now, not when the user asks for it.
+    const first = fit_words(["bias"], [], "first.model", masks, rows_of(states.now.view));
+    fitting.call(first).catch(() => {});
   };
 
   const begin = async (module, files) => {
@@ -433,10 +437,6 @@
       await begin_with_states();
     });
     if (!states.now) await fit("bias", () => ({}));
-    if (!states.now) return;
-    // The engine reads the recordings for the first fit now, not when it is asked for.
-    const first = fit_words(["bias"], [], "first.model", states.now.masks, rows_of(states.now.view));
-    fitting.call(first).catch(() => {});
   };
 
   // Asks for recordings, where the page has none.
