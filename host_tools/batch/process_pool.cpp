@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "support/input_error.hpp"
+#include "support/parallel.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::batch {
@@ -84,7 +85,8 @@ std::string death_of(const Running& running, int status, double time_limit_s) {
 // The running processes.
 class Children {
  public:
-  explicit Children(double time_limit_s) : time_limit_s_(time_limit_s) {}
+  explicit Children(const PoolSettings& settings)
+      : time_limit_s_(settings.time_limit_s), has_others_(settings.processes > 1) {}
 
   std::size_t count() const { return running_.size(); }
 
@@ -98,6 +100,7 @@ class Children {
     }
     if (process == 0) {
       signals.restore();
+      if (has_others_) set_max_threads(1);  // the other cores are theirs
       run_and_exit(work, job);
     }
     running_.push_back({process, job, Clock::now()});
@@ -132,6 +135,7 @@ class Children {
   }
 
   double time_limit_s_;
+  bool has_others_;
   std::vector<Running> running_;
 };
 
@@ -140,7 +144,7 @@ class Children {
 int run_in_processes(std::size_t jobs, const PoolSettings& settings,
                      const std::function<void(std::size_t)>& work, const PoolEvents& events) {
   const WatchedSignals signals;
-  Children children(settings.time_limit_s);
+  Children children(settings);
   std::size_t next = 0;
   while (next < jobs || children.count() > 0) {
     while (next < jobs && children.count() < settings.processes) {

@@ -44,6 +44,55 @@ struct ClassMeans {
   Eigen::MatrixXd covariance;  // (deg/h)^2
 };
 
+// Correlation of rows with all earlier rows of each class, through one component of the noise.
+// Successive rows of one class are added together, because beside that class's own sum all earlier
+// ones only decay.
+class CorrelationBefore {
+ public:
+  explicit CorrelationBefore(Eigen::Index classes)
+      : sums_(Eigen::MatrixXd::Zero(classes, classes)), earlier_(Eigen::VectorXd::Zero(classes)) {}
+
+  void decay(double factor) {
+    decayed_ *= factor;
+    own_ *= factor;
+  }
+  void add_row(Eigen::Index place) {
+    if (place != place_) begin(place);
+    decayed_sum_ += decayed_;
+    own_sum_ += own_;
+    ++own_;
+  }
+  /// classes x classes: a row's own class by column.
+  const Eigen::MatrixXd& finish() {
+    begin(-1);
+    return sums_;
+  }
+
+ private:
+  void begin(Eigen::Index place) {
+    if (place_ >= 0) {
+      earlier_[place_] = 0;
+      sums_.col(place_) += decayed_sum_ * earlier_;
+      sums_(place_, place_) += own_sum_;
+    }
+    earlier_ *= decayed_;
+    if (place_ >= 0) earlier_[place_] = own_;
+    place_ = place;
+    own_ = place >= 0 ? earlier_[place] : 0;
+    decayed_ = 1;
+    decayed_sum_ = 0;
+    own_sum_ = 0;
+  }
+
+  Eigen::MatrixXd sums_;
+  Eigen::VectorXd earlier_;  // sum of the decays of each class's rows, at the first of these rows
+  Eigen::Index place_ = -1;  // class of these rows
+  double own_ = 0;           // sum of the decays of its own rows, now
+  double decayed_ = 1;       // of the earlier ones since
+  double decayed_sum_ = 0;   // over these rows
+  double own_sum_ = 0;
+};
+
 // Covariance of the sums over classes, from the noise model: each component correlates a row with
 // earlier rows by its decay. Rows without a class contribute nothing.
 Eigen::MatrixXd covariance_of_sums(const ResidualRows& rows,
@@ -56,16 +105,18 @@ Eigen::MatrixXd covariance_of_sums(const ResidualRows& rows,
         std::pow(rows.noise.white_dph(), 2) + std::pow(rows.noise.wander_dph(), 2);
   }
   for (const noise::NoiseModel::Component& component : rows.noise.components) {
-    Eigen::MatrixXd before = Eigen::MatrixXd::Zero(size, size);
-    Eigen::VectorXd weight = Eigen::VectorXd::Zero(size);
+    CorrelationBefore before(size);
+    double factor = 1;
+    double factor_s = 0;  // the time for which it was computed
     for (std::size_t i = 0; i < place_of_row.size(); ++i) {
-      if (i > 0) weight *= std::exp((rows.time_s[i - 1] - rows.time_s[i]) / component.tau_s);
-      if (place_of_row[i] == kNoClass) continue;
-      const auto place = static_cast<Eigen::Index>(place_of_row[i]);
-      before.col(place) += component.variance * weight;
-      ++weight[place];
+      const double passed_s = i > 0 ? rows.time_s[i] - rows.time_s[i - 1] : 0;
+      if (passed_s != factor_s) factor = std::exp(-passed_s / component.tau_s);
+      factor_s = passed_s;
+      before.decay(factor);
+      if (place_of_row[i] != kNoClass) before.add_row(static_cast<Eigen::Index>(place_of_row[i]));
     }
-    covariance += before + before.transpose();
+    const Eigen::MatrixXd& sums = before.finish();
+    covariance += component.variance * (sums + sums.transpose());
   }
   return covariance;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <optional>
 
 #include "diagnosis/decision_rules.hpp"
@@ -14,6 +15,7 @@
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "support/least_squares.hpp"
+#include "support/parallel.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
@@ -231,24 +233,36 @@ void remove_equivalents_of_simpler(std::vector<Candidate>& candidates) {
                    candidates.end());
 }
 
-// Adds the offered expressions that the model does not have.
-void add_expressions(const series::SignalSeries& series,
-                     const std::vector<model::EffectTerm>& terms,
-                     std::vector<model::EffectTerm> offered,
-                     const ProjectOutModel& project_out_model, CandidateList& list) {
-  fit::set_expression_ranges(offered, series);
-  for (const model::EffectTerm& expression : offered) {
-    const bool own = std::any_of(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
-      return term.name == expression.name;
-    });
-    if (own) continue;
-    Candidate candidate{expression.name, all_shapes({series, project_out_model, 0}, expression)};
-    if (!candidate.shapes.empty()) {
-      list.testable.push_back(std::move(candidate));
-    } else {
-      list.untestable.push_back({expression.name, "to differ from what the model's terms can do"});
-    }
+// What is searched of an effect or an expression: its shapes or, without any, what is missing.
+struct Searched {
+  Candidate candidate;
+  std::string needs;  // "" if nothing does: the model has the effect, and nothing of it can grow
+};
+
+Searched search_effect(const model::CatalogueEntry& entry, const series::SignalSeries& series,
+                       const std::vector<model::EffectTerm>& terms, fog::InputMask inputs,
+                       const ProjectOutModel& project_out_model) {
+  const std::string name = entry.description.name;
+  Searched searched{{name, {}}, missing_input(entry, inputs)};
+  if (!searched.needs.empty()) return searched;
+  if (fit::has_constant_input_rate(entry.description.needs, series.rows())) {
+    searched.needs = remedy_for_invisible(entry);
+    return searched;
   }
+  std::vector<Candidate::Shape>& shapes = searched.candidate.shapes;
+  const auto own = std::find_if(terms.begin(), terms.end(),
+                                [&](const model::EffectTerm& term) { return term.name == name; });
+  if (entry.description.event) {
+    shapes = step_shapes(series.rows(), project_out_model, model::parse_effects(name)[0]);
+  } else if (own == terms.end()) {
+    std::vector<model::EffectTerm> added = model::parse_effects(name);
+    fit::set_references(added, series);
+    shapes = all_shapes({series, project_out_model, 0}, added[0]);
+  } else {
+    shapes = grown_shapes(series, project_out_model, *own);
+  }
+  if (own == terms.end()) searched.needs = remedy_for_invisible(entry);
+  return searched;
 }
 
 // Moves one shape to the optimum, at most half way to its neighbours.
@@ -328,40 +342,39 @@ CandidateList find_candidates(const series::SignalSeries& series,
                               const std::vector<model::EffectTerm>& offered, fog::InputMask inputs,
                               const ProjectOutModel& project_out_model,
                               const std::function<void(double)>& progress) {
-  CandidateList list;
+  const std::vector<model::CatalogueEntry>& catalogue = model::catalogue();
+  std::vector<model::EffectTerm> expressions;  // those that the model does not have
+  for (const model::EffectTerm& expression : offered) {
+    const bool own = std::any_of(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
+      return term.name == expression.name;
+    });
+    if (!own) expressions.push_back(expression);
+  }
+  fit::set_expression_ranges(expressions, series);
+
+  std::vector<Searched> searched(catalogue.size() + expressions.size());
+  std::mutex telling;  // guards done
   double done = 0;
-  for (const model::CatalogueEntry& entry : model::catalogue()) {
-    progress(done++ / static_cast<double>(model::catalogue().size()));
-    const std::string name = entry.description.name;
-    const std::string missing = missing_input(entry, inputs);
-    if (!missing.empty()) {
-      list.untestable.push_back({name, missing});
-      continue;
-    }
-    if (fit::has_constant_input_rate(entry.description.needs, series.rows())) {
-      list.untestable.push_back({name, remedy_for_invisible(entry)});
-      continue;
-    }
-    const auto own = std::find_if(terms.begin(), terms.end(),
-                                  [&](const model::EffectTerm& term) { return term.name == name; });
-    Candidate candidate{name, {}};
-    if (entry.description.event) {
-      candidate.shapes =
-          step_shapes(series.rows(), project_out_model, model::parse_effects(name)[0]);
-    } else if (own == terms.end()) {
-      std::vector<model::EffectTerm> added = model::parse_effects(name);
-      fit::set_references(added, series);
-      candidate.shapes = all_shapes({series, project_out_model, 0}, added[0]);
+  for_each_index(searched.size(), [&](std::size_t i) {
+    if (i < catalogue.size()) {
+      searched[i] = search_effect(catalogue[i], series, terms, inputs, project_out_model);
     } else {
-      candidate.shapes = grown_shapes(series, project_out_model, *own);
+      const model::EffectTerm& expression = expressions[i - catalogue.size()];
+      searched[i] = {{expression.name, all_shapes({series, project_out_model, 0}, expression)},
+                     "to differ from what the model's terms can do"};
     }
-    if (!candidate.shapes.empty()) {
-      list.testable.push_back(std::move(candidate));
-    } else if (own == terms.end()) {
-      list.untestable.push_back({name, remedy_for_invisible(entry)});
+    const std::lock_guard<std::mutex> lock(telling);
+    progress(++done / static_cast<double>(searched.size()));
+  });
+
+  CandidateList list;
+  for (Searched& one : searched) {
+    if (!one.candidate.shapes.empty()) {
+      list.testable.push_back(std::move(one.candidate));
+    } else if (!one.needs.empty()) {
+      list.untestable.push_back({one.candidate.effect, one.needs});
     }
   }
-  add_expressions(series, terms, offered, project_out_model, list);
   remove_equivalents_of_simpler(list.testable);
   return list;
 }

@@ -14,6 +14,7 @@
 #include "simulation/profile_parser.hpp"
 #include "simulation/simulated_recording.hpp"
 #include "support/least_squares.hpp"
+#include "support/parallel.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::diagnosis {
@@ -145,16 +146,19 @@ Experiment propose_experiment(const model::Model& model, const std::vector<Rival
   model::Model thermal = model;
   thermal.terms.clear();
   thermal.average_s = noise.row_s;
-  Experiment best;
-  const char* what = "";
-  for (const Choice& choice : kMenu) {
-    if (choice.for_inputs != 0 && (needs & choice.for_inputs) == 0) continue;
+  std::array<Experiment, kMenu.size()> proposals;
+  for_each_index(kMenu.size(), [&](std::size_t i) {
+    const Choice& choice = kMenu[i];
+    if (choice.for_inputs != 0 && (needs & choice.for_inputs) == 0) return;
     const Trial trial(thermal, simulated(choice.profile, noise.row_s), noise);
-    const double here = separation(trial, rivals);
-    if (here <= best.separation) continue;
-    best = {choice.profile, trial.hours(), here, ""};
-    what = choice.what;
-  }
+    proposals[i] = {choice.profile, trial.hours(), separation(trial, rivals), ""};
+  });
+  const auto more = [](const Experiment& a, const Experiment& b) {
+    return a.separation < b.separation;
+  };
+  const auto found = std::max_element(proposals.begin(), proposals.end(), more);
+  Experiment best = *found;
+  const char* const what = kMenu[static_cast<std::size_t>(found - proposals.begin())].what;
   if (best.separation < kWorthwhile) best.profile.clear();
   best.sentence = sentence_of(best, what, rivals);
   return best;

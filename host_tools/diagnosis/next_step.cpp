@@ -8,6 +8,7 @@
 #include "diagnosis/forms.hpp"
 #include "model/catalogue.hpp"
 #include "support/input_error.hpp"
+#include "support/parallel.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::diagnosis {
@@ -141,11 +142,16 @@ class Judge {
   TriedAddition of_description(AdditionRequest request) {
     TriedAddition trial = (*this)(std::move(request));
     const std::size_t count = runs_.holdouts.empty() ? runs_.training.runs.size() : 0;
-    for (std::size_t run = 0; count > 1 && run < count && trial.accepted; ++run) {
-      const std::string objection = objection_of_run(trial.request, run);
-      if (objection.empty()) continue;
+    if (count < 2 || !trial.accepted) return trial;
+    std::vector<std::string> objections(count);
+    for_each_index(count, [&](std::size_t run) {
+      objections[run] = objection_of_run(trial.request, run);
+    });
+    const auto objects = [](const std::string& objection) { return !objection.empty(); };
+    const auto first = std::find_if(objections.begin(), objections.end(), objects);
+    if (first != objections.end()) {
       trial.accepted = false;
-      trial.reason = objection;
+      trial.reason = *first;
     }
     return trial;
   }

@@ -4,12 +4,14 @@
 #include <cmath>
 
 #include "support/decompositions.hpp"
+#include "support/parallel.hpp"
 #include "support/random.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
 
-constexpr int kDraws = 1000;
+constexpr std::size_t kDraws = 1000;
+constexpr std::size_t kTogether = 125;  // draws of one task
 constexpr double kTailShare = 0.15;  // share of the draws to which an exponential tail is fitted
 constexpr double kCovarianceRidge = 1e-7;
 
@@ -107,20 +109,27 @@ NullTest test_against_noise(const fit::ExplainedSpace& space, const RegressorBas
   covariance.diagonal().array() += kCovarianceRidge * covariance.diagonal().maxCoeff();
   const Eigen::MatrixXd root = cholesky_factor(covariance);
   Random random(seed, "noise alone");
-  std::vector<double> evidence;
-  std::vector<double> smooth;
   Eigen::MatrixXd white(covariance.rows(), kDraws);
   for (auto draw : white.colwise()) {
     for (double& value : draw) value = random.gaussian();
     draw /= std::sqrt(random.gamma(degrees_of_freedom / 2) * 2 / degrees_of_freedom);
   }
-  const Eigen::MatrixXd draws = root.triangularView<Eigen::Lower>() * white;
   SingleCandidateDrops drops(space, regressors);
-  for (Eigen::Index draw = 0; draw < kDraws; ++draw) {
-    const Eigen::VectorXd projection = draws.col(draw);
-    evidence.push_back(best_evidence(space, drops, structure, degrees_of_freedom, projection));
-    smooth.push_back(projection.segment(structure.first, structure.count).squaredNorm());
-  }
+  std::vector<double> evidence(kDraws);
+  std::vector<double> smooth(kDraws);
+  for_each_index(kDraws / kTogether, [&](std::size_t group) {
+    const std::size_t first = group * kTogether;
+    const Eigen::MatrixXd draws =
+        root.triangularView<Eigen::Lower>() *
+        white.middleCols(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(kTogether));
+    SingleCandidateDrops own_drops = drops;
+    for (std::size_t i = 0; i < kTogether; ++i) {
+      const Eigen::VectorXd projection = draws.col(static_cast<Eigen::Index>(i));
+      evidence[first + i] =
+          best_evidence(space, own_drops, structure, degrees_of_freedom, projection);
+      smooth[first + i] = projection.segment(structure.first, structure.count).squaredNorm();
+    }
+  });
   NullTest test;
   test.library_log_p = beyond_log_p(
       evidence, best_evidence(space, drops, structure, degrees_of_freedom, space.projection()));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "support/parallel.hpp"
+
 namespace fogcomp::diagnosis {
 namespace {
 
@@ -164,6 +166,20 @@ bool goes_to_and_fro(const std::vector<Eigen::VectorXd>& stretches, const Shape&
   return changes.whole_visits >= kMinVisits || (changes.up > 0 && changes.down > 0);
 }
 
+// Logarithms of the likelihood of both processes of one shape.
+struct Tried {
+  Shape shape;
+  double dwell_rows = 0;
+  double two_levels = 0;
+  double wander = 0;
+};
+
+const Tried& max_of(const std::vector<Tried>& grid, double Tried::*value) {
+  return *std::max_element(grid.begin(), grid.end(), [&](const Tried& a, const Tried& b) {
+    return a.*value < b.*value;
+  });
+}
+
 }  // namespace
 
 TwoLevels find_two_levels(const std::vector<Eigen::VectorXd>& stretches, double white_dph,
@@ -175,29 +191,29 @@ TwoLevels find_two_levels(const std::vector<Eigen::VectorXd>& stretches, double 
     scaled.push_back(values.array() - mean_of(values));
     longest = std::max(longest, stretch.size());
   }
-  TwoLevels found;
-  Shape best;
-  double two_levels = -HUGE_VAL;
-  double wander = -HUGE_VAL;
+  std::vector<Tried> grid;
   const double longest_dwell = kLongestDwell * static_cast<double>(longest);
   for (double dwell = kMinDwell_rows; dwell <= longest_dwell; dwell *= kDwellStep) {
     for (double height = kMinHeight; height <= kMaxHeight; height *= kHeightStep) {
-      const Shape shape{height, std::exp(-2 / dwell)};
-      wander = std::max(wander, over_all(scaled, shape, log_wander));
-      const double here = over_all(scaled, shape, log_two_levels);
-      if (here <= two_levels) continue;
-      two_levels = here;
-      best = shape;
-      found.height_dph = height * white_dph;
-      found.dwell_s = dwell * row_s;
+      grid.push_back({{height, std::exp(-2 / dwell)}, dwell});
     }
   }
-  if (two_levels == -HUGE_VAL) return found;
+  for_each_index(grid.size(), [&](std::size_t i) {
+    grid[i].two_levels = over_all(scaled, grid[i].shape, log_two_levels);
+    grid[i].wander = over_all(scaled, grid[i].shape, log_wander);
+  });
+  TwoLevels found;
+  if (grid.empty()) return found;
+  const Tried& best = max_of(grid, &Tried::two_levels);
+  found.height_dph = best.shape.height * white_dph;
+  found.dwell_s = best.dwell_rows * row_s;
   for (const Eigen::VectorXd& values : scaled) {
     for (const double value : values) found.chi2_drop += std::isnan(value) ? 0 : value * value;
   }
-  found.chi2_drop += 2 * two_levels;
-  if (goes_to_and_fro(scaled, best)) found.log_odds = two_levels - wander;
+  found.chi2_drop += 2 * best.two_levels;
+  if (goes_to_and_fro(scaled, best.shape)) {
+    found.log_odds = best.two_levels - max_of(grid, &Tried::wander).wander;
+  }
   return found;
 }
 

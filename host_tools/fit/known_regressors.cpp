@@ -7,19 +7,27 @@ constexpr Eigen::Index kMaxValues = 3'000'000;  // 24 MB: the shapes of two grid
 
 }  // namespace
 
-const Eigen::MatrixXd& KnownRegressors::operator()(const model::EffectTerm& term,
-                                                   series::Reading reading) {
+KnownRegressors::Columns KnownRegressors::operator()(const model::EffectTerm& term,
+                                                     series::Reading reading) {
   const Key key{term.name, term.parameters, reading};
-  const auto found = known_.find(key);
-  if (found != known_.end()) return found->second;
-  const auto place = known_.emplace(key, series_.regressors(term, reading)).first;
-  values_ += place->second.size();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = known_.find(key);
+    if (found != known_.end()) return found->second;
+  }
+  // Unlocked: this takes long. If two threads compute the same, the first is kept.
+  const Columns columns =
+      std::make_shared<const Eigen::MatrixXd>(series_.regressors(term, reading));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto [place, is_new] = known_.emplace(key, columns);
+  if (!is_new) return place->second;
+  values_ += columns->size();
   for (; values_ > kMaxValues && !oldest_first_.empty(); oldest_first_.pop()) {
-    values_ -= oldest_first_.front()->second.size();
+    values_ -= oldest_first_.front()->second->size();
     known_.erase(oldest_first_.front());
   }
   oldest_first_.push(place);
-  return place->second;
+  return columns;
 }
 
 }  // namespace fogcomp::fit

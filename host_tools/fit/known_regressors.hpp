@@ -1,6 +1,8 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <mutex>
 #include <queue>
 #include <string>
 #include <tuple>
@@ -11,22 +13,24 @@
 namespace fogcomp::fit {
 
 /// Regressors of the terms of one fit, kept as long as there is room: rounds, starts and folds of a
-/// search come back to the same shapes.
+/// search come back to the same shapes. Several threads may ask at once.
 class KnownRegressors {
  public:
+  using Columns = std::shared_ptr<const Eigen::MatrixXd>;
+
   explicit KnownRegressors(const series::SignalSeries& series) : series_(series) {}
 
   const series::SignalSeries& series() const { return series_; }
-  /// As SignalSeries::regressors(). A name means the same effect or expression in every call. Valid
-  /// until the next call.
-  const Eigen::MatrixXd& operator()(const model::EffectTerm& term,
-                                    series::Reading reading = series::Reading::of_sensor);
+  /// As SignalSeries::regressors(). A name means the same effect or expression in every call.
+  Columns operator()(const model::EffectTerm& term,
+                     series::Reading reading = series::Reading::of_sensor);
 
  private:
   using Key = std::tuple<std::string, std::vector<double>, series::Reading>;
-  using Known = std::map<Key, Eigen::MatrixXd>;
+  using Known = std::map<Key, Columns>;
 
   const series::SignalSeries& series_;
+  std::mutex mutex_;  // guards all below
   Known known_;
   std::queue<Known::iterator> oldest_first_;
   Eigen::Index values_ = 0;  // in all of them

@@ -21,7 +21,7 @@ Eigen::MatrixXd all_columns(KnownRegressors& regressors,
                             const std::vector<model::EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance) {
   std::vector<Eigen::MatrixXd> parts;
-  for (const model::EffectTerm& term : terms) parts.push_back(regressors(term));
+  for (const model::EffectTerm& term : terms) parts.push_back(*regressors(term));
   parts.push_back(nuisance);
   return side_by_side(parts, nuisance.rows());
 }

@@ -13,6 +13,7 @@
 #include "noise/whitening.hpp"
 #include "support/least_squares.hpp"
 #include "support/median.hpp"
+#include "support/parallel.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 
@@ -123,9 +124,9 @@ Fold leave_out(KnownRegressors& known, const std::vector<model::EffectTerm>& ter
   fold.residual_dph = rows.drift_dph;
   Eigen::Index column = 0;
   for (const model::EffectTerm& term : problem.terms()) {
-    const Eigen::MatrixXd& regressors = known(term);
-    fold.residual_dph -= regressors * fit.coefficients.segment(column, regressors.cols());
-    column += regressors.cols();
+    const KnownRegressors::Columns regressors = known(term);
+    fold.residual_dph -= *regressors * fit.coefficients.segment(column, regressors->cols());
+    column += regressors->cols();
   }
   fold.residual_dph -= offsets * fit.coefficients.tail(offsets.cols());
   return fold;
@@ -165,18 +166,18 @@ Residuals leave_each_out(KnownRegressors& known, const std::vector<model::Effect
                          const std::vector<model::EffectTerm>& after,
                          const std::vector<Part>& parts, const JudgedWith& with) {
   Residuals residuals{Eigen::VectorXd(known.series().rows().size()),
-                      Eigen::VectorXd(known.series().rows().size()),
-                      {},
-                      {}};
-  for (const Part& part : parts) {
-    Fold without = leave_out(known, before, part, with);
-    Fold added = leave_out(known, after, part, with);
-    for (const recording::RowRange& range : part) {
-      segment(residuals.before, range) = segment(without.residual_dph, range);
-      segment(residuals.after, range) = segment(added.residual_dph, range);
+                      Eigen::VectorXd(known.series().rows().size()), std::vector<Fold>(parts.size()),
+                      std::vector<Fold>(parts.size())};
+  for_each_index(2 * parts.size(), [&](std::size_t i) {
+    const std::size_t part = i / 2;
+    Fold& fold = i % 2 == 0 ? residuals.given[part] : residuals.added[part];
+    fold = leave_out(known, i % 2 == 0 ? before : after, parts[part], with);
+  });
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (const recording::RowRange& range : parts[i]) {
+      segment(residuals.before, range) = segment(residuals.given[i].residual_dph, range);
+      segment(residuals.after, range) = segment(residuals.added[i].residual_dph, range);
     }
-    residuals.given.push_back(std::move(without));
-    residuals.added.push_back(std::move(added));
   }
   return residuals;
 }
@@ -188,7 +189,7 @@ bool determine_terms(const std::vector<Fold>& folds, KnownRegressors& known,
   const Fold all = leave_out(known, terms, {}, with);
   Eigen::Index first = 0;
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    const Eigen::Index count = known(terms[i]).cols();
+    const Eigen::Index count = known(terms[i])->cols();
     const bool determined = std::all_of(folds.begin(), folds.end(), [&](const Fold& fold) {
       return determines(fold, all, first, count, rules::kMuchWorse);
     });

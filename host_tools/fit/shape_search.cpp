@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "model/catalogue.hpp"
+#include "support/parallel.hpp"
 
 namespace fogcomp::fit {
 namespace {
@@ -51,10 +53,10 @@ std::vector<double> starts_of(const WhitenedProblem& problem,
   return starts;
 }
 
-// Makes the largest fraction of a step that lowers the cost; returns the new cost, unchanged if
-// none does.
-double go(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
-          const Eigen::VectorXd& change, double cost) {
+// Makes the largest fraction of a step that lowers the cost; `here`, the solution, stays if none
+// does.
+void go(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
+        const Eigen::VectorXd& change, WhitenedProblem::Solution& here) {
   std::vector<double> start;
   for (const model::ShapeParameter& parameter : parameters)
     start.push_back(problem.value(parameter));
@@ -65,45 +67,43 @@ double go(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& pa
                                           length * change[static_cast<Eigen::Index>(i)]);
     }
     problem.set(parameters, values);
-    const double now = problem.cost();
-    if (now < cost) return now;
+    WhitenedProblem::Solution now = problem.solution();
+    if (!(now.cost < here.cost)) continue;
+    here = std::move(now);
+    return;
   }
   problem.set(parameters, start);
-  return cost;
 }
 
 // Iterates until the expected or the actual relative decrease is below the limit.
 double descend(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
                double worth_a_step) {
-  double cost = problem.cost();
+  WhitenedProblem::Solution here = problem.solution();
   for (int i = 0; i < kGaussNewtonSteps; ++i) {
-    const WhitenedProblem::Step step = problem.step(parameters);
-    const double enough = cost * (1 - worth_a_step);
+    const WhitenedProblem::Step step = problem.step(parameters, here);
+    const double enough = here.cost * (1 - worth_a_step);
     if (!step.change.allFinite() || !(step.cost < enough)) break;
-    cost = go(problem, parameters, step.change, cost);
-    if (cost >= enough) break;
+    go(problem, parameters, step.change, here);
+    if (here.cost >= enough) break;
   }
-  return cost;
+  return here.cost;
 }
 
 // Searches one parameter over its whole range and optimises all parameters from each promising
 // value. Returns whether it moved to another local minimum.
 bool search_range(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
                   std::size_t which) {
-  const WhitenedProblem before = problem;
-  const double cost_here = descend(problem, parameters, kRoughly);
-  double min_cost = cost_here;
-  WhitenedProblem best = problem;
-  for (const double start : starts_of(before, parameters, which)) {
-    problem = before;
-    problem.set({parameters[which]}, {start});
-    const double cost = descend(problem, parameters, kRoughly);
-    if (cost >= min_cost) continue;
-    min_cost = cost;
-    best = problem;
-  }
-  problem = best;
-  return min_cost < cost_here * (1 - kRoughly);
+  const std::vector<double> elsewhere = starts_of(problem, parameters, which);
+  // first from here, then from elsewhere
+  std::vector<WhitenedProblem> minima(1 + elsewhere.size(), problem);
+  std::vector<double> costs(minima.size());
+  for_each_index(minima.size(), [&](std::size_t i) {
+    if (i > 0) minima[i].set({parameters[which]}, {elsewhere[i - 1]});
+    costs[i] = descend(minima[i], parameters, kRoughly);
+  });
+  const auto best = std::min_element(costs.begin(), costs.end());
+  problem = std::move(minima[static_cast<std::size_t>(best - costs.begin())]);
+  return *best < costs[0] * (1 - kRoughly);
 }
 
 // The two parts of an effect with an optional second part (radii, periods) are interchangeable: the

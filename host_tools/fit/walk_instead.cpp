@@ -26,7 +26,7 @@ AddedColumns columns_of_change(const std::vector<model::EffectTerm>& before,
   std::vector<Eigen::MatrixXd> added;
   Eigen::Index at = 0;
   for (std::size_t i = 0; i < problem.terms().size(); ++i) {
-    const Eigen::Index count = known(problem.terms()[i]).cols();
+    const Eigen::Index count = known(problem.terms()[i])->cols();
     (is_changed(i) ? added : kept).emplace_back(all.middleCols(at, count));
     at += count;
   }
@@ -38,7 +38,7 @@ AddedColumns columns_of_change(const std::vector<model::EffectTerm>& before,
     (is_changed(shape.term) ? added : kept).emplace_back(all.col(at++));
   }
   // of a changed effect: what it was
-  for (const model::EffectTerm& term : before) kept.push_back(whitening.apply(known(term)));
+  for (const model::EffectTerm& term : before) kept.push_back(whitening.apply(*known(term)));
   return {side_by_side(kept, all.rows()), side_by_side(added, all.rows()), problem.measured()};
 }
 

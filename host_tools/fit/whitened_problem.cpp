@@ -6,6 +6,7 @@
 
 #include "support/decompositions.hpp"
 #include "support/least_squares.hpp"
+#include "support/parallel.hpp"
 
 namespace fogcomp::fit {
 namespace {
@@ -28,9 +29,6 @@ Eigen::MatrixXd without(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& col
   return left;
 }
 
-double cost_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& measured) {
-  return finite_or_worst(solve_linear(columns, measured).residual.squaredNorm());
-}
 
 // The same from the normal equations: less exact where columns are nearly dependent.
 double rough_cost_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& measured) {
@@ -76,7 +74,7 @@ void WhitenedProblem::project_out_fixed() {
 
 Eigen::MatrixXd WhitenedProblem::whitened(const model::EffectTerm& term,
                                           series::Reading reading) const {
-  return whitening_->apply((*regressors_)(term, reading));
+  return whitening_->apply(*(*regressors_)(term, reading));
 }
 
 double WhitenedProblem::value(const model::ShapeParameter& parameter) const {
@@ -118,8 +116,8 @@ LinearFit WhitenedProblem::solve(const std::vector<model::ShapeParameter>& param
   return solve_with_instruments(columns, instruments, measured_);
 }
 
-// Derivative of the whitened sum of regressors, with these coefficients, by the parameter's
-// position in its range, 0 to 1.
+// Derivative of the sum of regressors, with these coefficients, by the parameter's position in its
+// range, 0 to 1; not whitened.
 Eigen::VectorXd WhitenedProblem::derivative(const model::ShapeParameter& parameter,
                                             const Eigen::VectorXd& coefficients) const {
   model::EffectTerm moved = terms_[parameter.term];
@@ -127,67 +125,72 @@ Eigen::VectorXd WhitenedProblem::derivative(const model::ShapeParameter& paramet
   const double up = std::min(unit + kDifferenceStep, 1.0);
   const double down = std::max(unit - kDifferenceStep, 0.0);
   moved.parameters[parameter.index] = parameter.from_unit(up);
-  const Eigen::VectorXd above = (*regressors_)(moved)*coefficients;
+  const Eigen::VectorXd above = *(*regressors_)(moved)*coefficients;
   moved.parameters[parameter.index] = parameter.from_unit(down);
-  return whitening_->apply(above - (*regressors_)(moved)*coefficients) / (up - down);
+  return (above - *(*regressors_)(moved)*coefficients) / (up - down);
 }
 
 Eigen::MatrixXd WhitenedProblem::derivatives(const std::vector<model::ShapeParameter>& parameters,
                                              const std::vector<Eigen::MatrixXd>& columns,
-                                             const Eigen::VectorXd& measured) const {
-  Eigen::MatrixXd all(measured.size(), static_cast<Eigen::Index>(parameters.size()));
-  if (parameters.empty()) return all;
-  const Eigen::VectorXd coefficients =
-      solve_linear(side_by_side(columns, measured.size()), measured).coefficients;
+                                             const Eigen::VectorXd& coefficients) const {
+  Eigen::MatrixXd all(measured_.size(), static_cast<Eigen::Index>(parameters.size()));
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::size_t term = parameters[i].term;
     all.col(static_cast<Eigen::Index>(i)) = derivative(
         parameters[i], coefficients.segment(first_column(columns, term), columns[term].cols()));
   }
-  return all;
+  return whitening_->apply(all);
 }
 
 Eigen::MatrixXd WhitenedProblem::jacobian(
     const std::vector<model::ShapeParameter>& parameters) const {
-  return side_by_side({matrix(), derivatives(parameters, columns_, measured_)}, measured_.size());
+  const Eigen::MatrixXd columns = matrix();
+  if (parameters.empty()) return columns;
+  const Eigen::VectorXd coefficients = solve_linear(columns, measured_).coefficients;
+  return side_by_side({columns, derivatives(parameters, columns_, coefficients)}, measured_.size());
 }
 
-double WhitenedProblem::cost() const {
-  if (left_.empty()) return cost_of(matrix(), measured_);
-  return cost_of(side_by_side(left_, measured_.size()), measured_left_);
+WhitenedProblem::Solution WhitenedProblem::solution() const {
+  const LinearFit fit = solve_linear(side_by_side(left_, measured_.size()), measured_left_);
+  return {fit.coefficients, finite_or_worst(fit.residual.squaredNorm())};
 }
 
 std::vector<double> WhitenedProblem::costs(const model::ShapeParameter& parameter,
                                            const std::vector<double>& values,
                                            const std::vector<model::ShapeParameter>& others) const {
   std::vector<Eigen::MatrixXd> beside = left_;
-  if (!beside.empty()) beside[parameter.term].resize(measured_.size(), 0);
-  beside.push_back(without(fixed_, derivatives(others, left_, measured_left_)));
+  beside[parameter.term].resize(measured_.size(), 0);
+  if (!others.empty()) {
+    beside.push_back(without(fixed_, derivatives(others, left_, solution().coefficients)));
+  }
   const Eigen::Index rows = measured_.size();
   const Eigen::MatrixXd basis =
       side_by_side({fixed_, orthonormal(side_by_side(beside, rows), kDependent)}, rows);
   const Eigen::VectorXd left = without(basis, measured_left_);
-  model::EffectTerm moved = terms_[parameter.term];
-  std::vector<double> costs;
-  while (costs.size() < values.size()) {
+  std::vector<double> costs(values.size());
+  for_each_index((values.size() + kTogether - 1) / kTogether, [&](std::size_t group) {
+    const std::size_t first = group * kTogether;
+    model::EffectTerm moved = terms_[parameter.term];
     std::vector<Eigen::MatrixXd> tried;
-    for (std::size_t i = costs.size(); i < values.size() && tried.size() < kTogether; ++i) {
+    for (std::size_t i = first; i < values.size() && tried.size() < kTogether; ++i) {
       moved.parameters[parameter.index] = values[i];
-      tried.push_back((*regressors_)(moved));
+      tried.push_back(*(*regressors_)(moved));
     }
     const Eigen::MatrixXd columns = without(basis, whitening_->apply(side_by_side(tried, rows)));
     Eigen::Index at = 0;
-    for (const Eigen::MatrixXd& one : tried) {
-      costs.push_back(rough_cost_of(columns.middleCols(at, one.cols()), left));
-      at += one.cols();
+    for (std::size_t i = 0; i < tried.size(); ++i) {
+      const Eigen::Index count = tried[i].cols();
+      costs[first + i] = rough_cost_of(columns.middleCols(at, count), left);
+      at += count;
     }
-  }
+  });
   return costs;
 }
 
-WhitenedProblem::Step WhitenedProblem::step(
-    const std::vector<model::ShapeParameter>& parameters) const {
-  const Eigen::MatrixXd change = without(fixed_, derivatives(parameters, left_, measured_left_));
+WhitenedProblem::Step WhitenedProblem::step(const std::vector<model::ShapeParameter>& parameters,
+                                            const Solution& here) const {
+  const Eigen::MatrixXd change =
+      without(fixed_, derivatives(parameters, left_, here.coefficients));
   std::vector<Eigen::MatrixXd> columns = left_;
   columns.push_back(change);
   const LinearFit fit = solve_linear(side_by_side(columns, measured_.size()), measured_left_);

@@ -35,9 +35,15 @@ class WhitenedProblem {
   /// best coefficients.
   Eigen::MatrixXd jacobian(const std::vector<model::ShapeParameter>& parameters) const;
 
-  /// Residual sum of squares with the best coefficients.
-  double cost() const;
-  /// cost() for several values of one parameter, to compare them: with the best coefficients, the
+  /// Of the columns that a shape moves, the others projected out: the best coefficients and the
+  /// residual sum of squares with them (infinite if an expression overflows). There must be a shape
+  /// parameter.
+  struct Solution {
+    Eigen::VectorXd coefficients;
+    double cost = 0;
+  };
+  Solution solution() const;
+  /// The cost for several values of one parameter, to compare them: with the best coefficients, the
   /// other parameters following to first order. So a period that is slightly wrong elsewhere is not
   /// taken for a second one here.
   std::vector<double> costs(const model::ShapeParameter& parameter,
@@ -49,7 +55,8 @@ class WhitenedProblem {
     Eigen::VectorXd change;
     double cost = 0;
   };
-  Step step(const std::vector<model::ShapeParameter>& parameters) const;
+  /// `here`: solution() with the present values.
+  Step step(const std::vector<model::ShapeParameter>& parameters, const Solution& here) const;
 
  private:
   Eigen::MatrixXd whitened(const model::EffectTerm& term,
@@ -57,10 +64,11 @@ class WhitenedProblem {
   void project_out_fixed();
   Eigen::VectorXd derivative(const model::ShapeParameter& parameter,
                              const Eigen::VectorXd& coefficients) const;
-  /// One per parameter; `columns` are those of each term, as solved for.
+  /// Whitened, one per parameter; `coefficients` are those of `columns`, which are those of each
+  /// term.
   Eigen::MatrixXd derivatives(const std::vector<model::ShapeParameter>& parameters,
                               const std::vector<Eigen::MatrixXd>& columns,
-                              const Eigen::VectorXd& measured) const;
+                              const Eigen::VectorXd& coefficients) const;
   static Eigen::Index first_column(const std::vector<Eigen::MatrixXd>& columns, std::size_t term);
 
   KnownRegressors* regressors_;

@@ -1,5 +1,6 @@
 #include "noise/autocorrelation.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 
 #include "noise/decision_rules.hpp"
@@ -27,10 +28,12 @@ double correlation(const std::vector<double>& centred_values, double variance,
   double sum = 0;
   double pairs = 0;
   for (const recording::RowRange& stretch : stretches) {
-    for (std::size_t i = stretch.first; i + lag < stretch.end; ++i) {
-      sum += centred_values[i] * centred_values[i + lag];
-      ++pairs;
-    }
+    if (stretch.size() <= lag) continue;
+    const auto count = static_cast<Eigen::Index>(stretch.size() - lag);
+    const double* const first = centred_values.data() + stretch.first;
+    using Values = Eigen::Map<const Eigen::VectorXd>;
+    sum += Values(first, count).dot(Values(first + lag, count));
+    pairs += static_cast<double>(count);
   }
   return pairs > 0 && variance > 0 ? sum / pairs / variance : 0;
 }

@@ -1,11 +1,10 @@
 #include "research/gyros.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
 #include <mutex>
 #include <optional>
-#include <thread>
+
+#include "support/parallel.hpp"
 
 namespace fogcomp::research {
 namespace {
@@ -24,33 +23,16 @@ double median_of(const std::vector<Study>& studies, Value value) {
 std::vector<Study> study_gyros(const StudySettings& settings, std::size_t gyros,
                                const std::function<void(double)>& progress) {
   std::vector<std::optional<Study>> results(gyros);
-  std::atomic<std::size_t> next{0};
+  std::mutex telling;  // guards done
   std::size_t done = 0;
-  std::mutex mutex;  // guards done, failure and progress
-  std::exception_ptr failure;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < gyros; i = next++) {
-      try {
-        StudySettings own = settings;
-        own.seed += i;
-        results[i].emplace(run_study(own));
-        const std::lock_guard<std::mutex> lock(mutex);
-        ++done;
-        if (progress) progress(static_cast<double>(done) / static_cast<double>(gyros));
-      } catch (...) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        failure = std::current_exception();
-        next = gyros;
-      }
-    }
-  };
-  std::vector<std::thread> threads;
-  const std::size_t wanted =
-      std::min<std::size_t>(gyros, std::max<std::size_t>(1, std::thread::hardware_concurrency()));
-  for (std::size_t i = 1; i < wanted; ++i) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
-  if (failure) std::rethrow_exception(failure);
+  for_each_index(gyros, [&](std::size_t i) {
+    StudySettings own = settings;
+    own.seed += i;
+    results[i].emplace(run_study(own));
+    const std::lock_guard<std::mutex> lock(telling);
+    ++done;
+    if (progress) progress(static_cast<double>(done) / static_cast<double>(gyros));
+  });
   std::vector<Study> studies;
   for (std::optional<Study>& study : results) studies.push_back(std::move(*study));
   return studies;

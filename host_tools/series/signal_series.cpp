@@ -41,20 +41,23 @@ void SignalSeries::Run::keep(const Signals& signals, bool restart) {
   if ((inputs & fog::kAllExtensionInputs) != 0) extension.push_back(means.extension);
 }
 
-double SignalSeries::Run::input_rate_dph(std::size_t block) const {
-  return input_rate.empty() ? 0 : input_rate[block].dph;
-}
-
-// The unclamped temperature of the signals is that of their block.
-SignalSeries::Signals SignalSeries::Run::signals(std::size_t block, Reading reading) const {
+// The unclamped temperature of the signals is that of their block. `signals`: of an earlier block
+// of the run or new.
+void SignalSeries::Run::read(std::size_t block, Reading reading, Signals& signals) const {
   const Block& kept = blocks[block];
   const bool smooth = reading == Reading::smoothed && !smoothed.empty();
   const Seen& seen = smooth ? smoothed[block] : kept.seen;
-  Signals signals{seen.temperature, seen.temperature_rate, {}};
+  signals.temperature = seen.temperature;
+  signals.temperature_rate = seen.temperature_rate;
   signals.block.temperature = seen.temperature;
   if (!input_rate.empty()) signals.block.input_rate = input_rate[block].before_dph;
   signals.block.elapsed = kept.elapsed;
   if (!extension.empty()) signals.block.extension = extension[block];
+}
+
+SignalSeries::Signals SignalSeries::Run::signals(std::size_t block, Reading reading) const {
+  Signals signals{};
+  read(block, reading, signals);
   return signals;
 }
 
@@ -137,29 +140,42 @@ fog::Signals<model::RealNumbers> at_rest(fog::Signals<model::RealNumbers> signal
 template <class Make>
 Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading,
                                         bool follows_rate) const {
-  Eigen::MatrixXd sums;  // a column for each row
+  // A few blocks at a time, and column by column: adding each block's values as soon as they are
+  // stored would wait for the store.
+  constexpr std::size_t kTogether = 64;
+  Eigen::MatrixXd means;
   Eigen::VectorXd samples = Eigen::VectorXd::Zero(rows_.size());
-  Eigen::VectorXd values;
+  std::vector<double> values;
   for (const Run& run : runs_) {
     auto part = make(run.block_s);
-    if (sums.size() == 0) {
-      values.resize(static_cast<Eigen::Index>(part.size()));
-      sums.setZero(values.size(), rows_.size());
-    }
-    for (std::size_t i = 0; i < run.blocks.size(); ++i) {
-      const Block& block = run.blocks[i];
-      Signals signals = run.signals(i, reading);
-      if (follows_rate) signals.block.input_rate = run.input_rate_dph(i);
-      if (run.restarts[i]) part.reset(at_rest(signals));
-      part.step(signals, values.data());
-      if (block.row == kNoRow) continue;
-      const double weight = block.samples;
-      double* const sum = &sums(0, block.row);
-      for (Eigen::Index k = 0; k < values.size(); ++k) sum[k] += weight * values[k];
-      samples[block.row] += weight;
+    const std::size_t size = part.size();
+    if (means.size() == 0) means.setZero(rows_.size(), static_cast<Eigen::Index>(size));
+    values.resize(size * kTogether);
+    Signals signals{};
+    for (std::size_t first = 0; first < run.blocks.size(); first += kTogether) {
+      const std::size_t end = std::min(first + kTogether, run.blocks.size());
+      for (std::size_t i = first; i < end; ++i) {
+        run.read(i, reading, signals);
+        if (follows_rate && !run.input_rate.empty()) {
+          signals.block.input_rate = run.input_rate[i].dph;
+        }
+        if (run.restarts[i]) part.reset(at_rest(signals));
+        part.step(signals, &values[size * (i - first)]);
+      }
+      for (std::size_t k = 0; k < size; ++k) {
+        double* const sum = means.col(static_cast<Eigen::Index>(k)).data();
+        for (std::size_t i = first; i < end; ++i) {
+          const Block& block = run.blocks[i];
+          if (block.row != kNoRow) sum[block.row] += block.samples * values[size * (i - first) + k];
+        }
+      }
+      for (std::size_t i = first; i < end; ++i) {
+        if (run.blocks[i].row != kNoRow) samples[run.blocks[i].row] += run.blocks[i].samples;
+      }
     }
   }
-  return samples.cwiseInverse().asDiagonal() * sums.transpose();
+  means.array().colwise() *= samples.array().inverse();
+  return means;
 }
 
 Eigen::VectorXd SignalSeries::drift_dph(const std::vector<model::EffectTerm>& terms) const {

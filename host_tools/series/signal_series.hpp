@@ -83,8 +83,8 @@ class SignalSeries {
     std::vector<Seen> smoothed;         ///< per block; empty in Phase::zero
 
     void keep(const Signals& signals, bool restart);
+    void read(std::size_t block, Reading reading, Signals& signals) const;
     Signals signals(std::size_t block, Reading reading) const;
-    double input_rate_dph(std::size_t block) const;
   };
   template <class Keep>
   class Recorder;

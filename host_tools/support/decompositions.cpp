@@ -2,7 +2,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+
+#include "support/parallel.hpp"
 
 namespace fogcomp {
 
@@ -10,8 +13,17 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 MatrixXd gram(const MatrixXd& a) {
+  // Panels of the lower triangle, the same for any number of threads and so of the same rounding.
+  constexpr Eigen::Index kPanel = 48;
   MatrixXd lower = MatrixXd::Zero(a.cols(), a.cols());
-  lower.selfadjointView<Eigen::Lower>().rankUpdate(a.transpose());
+  const Eigen::Index panels = (a.cols() + kPanel - 1) / kPanel;
+  for_each_index(static_cast<std::size_t>(panels), [&](std::size_t panel) {
+    const Eigen::Index first = static_cast<Eigen::Index>(panel) * kPanel;
+    const Eigen::Index count = std::min(kPanel, a.cols() - first);
+    const Eigen::Index below = a.cols() - first;
+    lower.block(first, first, below, count).noalias() =
+        a.rightCols(below).transpose() * a.middleCols(first, count);
+  });
   return lower.selfadjointView<Eigen::Lower>();
 }
 

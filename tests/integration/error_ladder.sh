@@ -67,7 +67,8 @@ awk -v removed="$(value history.json steps 1 excess_removed)" 'BEGIN { exit !(re
 "$fogcomp" history forced.model >history.txt
 grep -qE '####.*1 fit bias' history.txt && grep -q 'forced: did not help' history.txt || fail "$(cat history.txt)"
 
-# The loop's model is what the commands that it prints make, to the byte.
+# The loop's model is what the commands that it prints make, to the byte, on any number of cores.
+one_core=$(taskset -cp $$ | sed 's/.*: *//; s/[,-].*//')
 for start in "static.model" "static.model --holdout run2.csv" "network.model"; do
   read -r model judge <<<"$start"
   # shellcheck disable=SC2086
@@ -75,7 +76,7 @@ for start in "static.model" "static.model --holdout run2.csv" "network.model"; d
   mv loop.model at_once.model
   sed -n 's/^ *fogcomp add /add /p' loop.txt | grep -v NEW >steps.txt
   [[ $(wc -l <steps.txt) == 2 ]] || fail "two steps expected: $(cat loop.txt)"
-  while read -ra step; do "$fogcomp" "${step[@]}" >step.txt || fail "$(cat step.txt)"; done <steps.txt
+  while read -ra step; do taskset -c "$one_core" "$fogcomp" "${step[@]}" >step.txt || fail "$(cat step.txt)"; done <steps.txt
   cmp loop.model at_once.model || fail "$start: another model than that of $(cat steps.txt)"
 done
 # With nothing to add there is no model to write.

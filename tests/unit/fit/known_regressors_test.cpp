@@ -18,12 +18,12 @@ TEST(KnownRegressors, AreThoseOfTheSeriesHoweverMany) {
   Eigen::Index values = 0;
   for (double tau_s = 900; values < kMoreThanAreKept; tau_s += 1) {
     lag.parameters[0] = tau_s;
-    values += known(lag).size();
+    values += known(lag)->size();
   }
   for (const double tau_s : {900.0, 901.0, 900.0}) {
     lag.parameters[0] = tau_s;
     for (const auto reading : {series::Reading::of_sensor, series::Reading::smoothed}) {
-      EXPECT_EQ(known(lag, reading), series.regressors(lag, reading)) << tau_s;
+      EXPECT_EQ(*known(lag, reading), series.regressors(lag, reading)) << tau_s;
     }
   }
 }

@@ -49,8 +49,8 @@ class ShapeSearch : public testing::Test {
 
 TEST_F(ShapeSearch, CostIsThatOfAllColumnsTogether) {
   const WhitenedProblem at = problem(2000);
-  EXPECT_NEAR(at.cost(), solve_linear(at.matrix(), at.measured()).residual.squaredNorm(),
-              1e-9 * at.cost());
+  EXPECT_NEAR(at.solution().cost, solve_linear(at.matrix(), at.measured()).residual.squaredNorm(),
+              1e-9 * at.solution().cost);
 }
 
 // An expression beside it that has no shape, and overflows.
@@ -59,8 +59,8 @@ TEST_F(ShapeSearch, EndsWhereWhatDoesNotMoveIsNoNumber) {
   terms.push_back(model::expression_term("x = exp(exp(T))"));
   WhitenedProblem broken = problem(terms);
   const std::vector<model::ShapeParameter> moving = shapes(broken);
-  EXPECT_TRUE(std::isinf(broken.cost()));
-  EXPECT_FALSE(broken.step(moving).change.allFinite());
+  EXPECT_TRUE(std::isinf(broken.solution().cost));
+  EXPECT_FALSE(broken.step(moving, broken.solution()).change.allFinite());
   EXPECT_FALSE(search_shapes(broken, moving, {true})[0]);
   EXPECT_EQ(broken.value(moving[0]), 800);
 }

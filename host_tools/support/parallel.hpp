@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace fogcomp {
+
+/// Calls body(0) ... body(count - 1), each once, on the processor's cores in any order, and returns
+/// when all have returned. What the bodies write must be apart; then the result is the same
+/// whatever the number of threads. A call from within a body runs in that body's thread. If bodies
+/// throw, the exception of the smallest index is thrown again.
+void for_each_index(std::size_t count, const std::function<void(std::size_t)>& body);
+
+/// Largest number of threads of later calls, at least 1; the number of cores if never called. For a
+/// process that shares the cores with others of its kind.
+void set_max_threads(std::size_t threads);
+
+}  // namespace fogcomp
