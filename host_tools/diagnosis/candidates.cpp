@@ -312,11 +312,7 @@ void refine_shape_parameters(std::vector<Candidate>& candidates, const series::S
     const bool grown = std::any_of(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
       return term.name == candidates[i].effect;
     });
-    if (chi2_drop[i] < needed || grown) continue;
-    if (candidates[i].is_event()) {
-      move_steps(series.rows(), project_out_model, candidates[i].shapes, residual);
-      continue;
-    }
+    if (chi2_drop[i] < needed || grown || candidates[i].is_event()) continue;
     optimise_shape({series, project_out_model, 0}, candidates[i].shapes, best[i], residual);
   }
 }

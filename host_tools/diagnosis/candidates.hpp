@@ -68,8 +68,8 @@ CandidateList find_candidates(const series::SignalSeries& series,
 /// Moves the best shape of each leading candidate to where it explains most of the whitened
 /// `residual`, within its grid cell. Otherwise, of two equivalent effects, the one with a grid
 /// point nearer to the truth would win. Only for strong effects (chi^2 of 100), which need no test
-/// against noise: that test tries the grid only. Of bias steps the best few are moved, to the row.
-/// Extensions of effects in `terms` are not moved.
+/// against noise: that test tries the grid only. Extensions of effects in `terms` and bias steps
+/// (place_steps()) are not moved.
 void refine_shape_parameters(std::vector<Candidate>& candidates, const series::SignalSeries& series,
                              const std::vector<model::EffectTerm>& terms,
                              const ProjectOutModel& project_out_model,

@@ -97,7 +97,11 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
   const Explanation explanation =
       explain(evidence.space, evidence.regressors, evidence.structure, hypotheses);
   diagnosis.unexplained_fraction = explanation.unexplained;
-  const FastFinding fast = find_fast(evidence, *explanation.best, series, fit);
+  // What an effect beside the sufficient ones makes is no cycle of its own.
+  const Hypothesis& fullest = hypotheses.front().chi2_drop > explanation.best->chi2_drop
+                                  ? hypotheses.front()
+                                  : *explanation.best;
+  const FastFinding fast = find_fast(evidence, fullest, series, fit);
   diagnosis.fast = fast.spectrum;
   diagnosis.jumps = fast.jumps;
   diagnosis.tests = {test.library_log_p, test.structure_log_p, fast.log_p};
@@ -119,7 +123,10 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
 
   const bool fast_left =
       fast.excess > rules::kMaxUnexplained[0] * (fast.excess + explanation.excess);
-  if (fast_left) diagnosis.fast_kind = fast.kind;
+  if (fast_left) {
+    diagnosis.fast_kind = fast.kind;
+    diagnosis.fast_share = fast.excess / (fast.excess + std::max(0.0, explanation.excess));
+  }
   if (fast_left && fast.excess > explanation.excess) diagnosis.variable = "time_s";
   diagnosis.verdict = Verdict::unknown;
   if (explanation.enough && !fast_left && !diagnosis.walk.may_be_all() &&

@@ -51,6 +51,7 @@ struct Diagnosis {
   FastStructure fast;
   TwoLevels jumps;
   FastKind fast_kind = FastKind::none;  ///< the surest of these, where it is sure and counts
+  double fast_share = 0;                ///< its fraction of the excess; 0 if it does not count
 
   double residual_rms_dph = 0;  ///< of a row, the model refitted to these runs
   /// Error of the given model on these runs, network included: what `compare` prints.
@@ -86,7 +87,8 @@ std::string effect_to_add(const Diagnosis& diagnosis);
 struct DiagnosisSettings {
   std::optional<noise::NoiseModel>
       noise;               ///< from a static record; otherwise from the runs' quiet parts
-  std::uint64_t seed = 1;  ///< of the draws that calibrate the test
+  std::uint64_t seed = 1;    ///< of the draws that calibrate the test
+  bool run_offsets = false;  ///< additions are judged with a bias of its own for each run
   /// Called with the fraction done, 0..1 (for a stepwise selection: of its maximum length); may be
   /// empty.
   std::function<void(double)> progress{};

@@ -1,5 +1,7 @@
 #include "diagnosis/evidence_space.hpp"
 
+#include "diagnosis/step_candidates.hpp"
+
 namespace fogcomp::diagnosis {
 
 EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
@@ -14,6 +16,11 @@ EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWei
   refine_shape_parameters(list.testable, series, fit.terms, project_out_model,
                           residualizer.residual());
   VisibleStructure smooth = visible_structure(series.rows(), residualizer);
+  for (Candidate& candidate : list.testable) {
+    if (candidate.is_event()) {
+      place_steps(candidate.shapes, series.rows(), residualizer, smooth.all);
+    }
+  }
 
   fit::ExplainedSpace space(residualizer.residual());
   RegressorBasis regressors;

@@ -9,8 +9,8 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Bounds of a lag: from barely visible in a block to still visible in a programme of hours.
-const std::string kLagBounds = "?tau[60,6000]";
+// Bounds of a lag: from barely visible in a row to still visible in a programme of hours.
+const std::string kLagBounds = "?tau[20,6000]";
 // Distance of a kink from the ends of the range.
 constexpr double kKinkMargin = 0.1;
 // Period of a sine, in units of the range: shorter ones are lost in noise, longer ones look like a
@@ -61,16 +61,19 @@ std::string lag_text(const std::string& text) {
 }
 
 // Forms of one signal. Not for what the catalogue has: powers of the temperature
-// (bias_temperature), periods in it (polarization_ripple), its rate with a lag (thermal_lag).
+// (bias_temperature), periods in it (polarization_ripple), its rate with a lag (thermal_lag). A
+// polynomial of a part that is warmed late is bias_temperature, thermal_lag and powers of the late
+// temperature.
 void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
   const std::string& x = signal.symbol;
   const model::SignalRange& range = signal.range;
   const double span = signal.span();
+  formulas.add(x + "_late_squared", lag_text(x) + "^2");
+  if (x == "T") formulas.add("T_late_cubed", lag_text(x) + "^3");
   if (x != "T") {
     formulas.add(x + "_squared", x + "^2");
     formulas.add(x + "_cubed", x + "^3");
     formulas.add(x + "_squared_late", lag_text(x + "^2"));
-    formulas.add(x + "_late_squared", lag_text(x) + "^2");
     if (range.min < 0 && range.max > 0) {
       formulas.add(x + "_size", "abs(" + x + ")");
       formulas.add(x + "_size_late", lag_text("abs(" + x + ")"));

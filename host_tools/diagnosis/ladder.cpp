@@ -11,22 +11,16 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-Ladder::Step step_of(const NextStep& next, const Diagnosis& before) {
-  Ladder::Step step{*next.addition, next.describes, {}, before.residual_rms_dph, 0};
+Ladder::Step step_of(const NextStep& next, const Diagnosis& before, const model::Model& grown) {
+  const model::HistoryEntry& entry = grown.history.back();
+  Ladder::Step step{
+      *next.addition, next.describes, {}, entry.rms_before_dph, entry.rms_after_dph};
   if (before.verdict != Verdict::ambiguous) return step;
   const std::vector<std::string> names = step.addition.request.names();
   for (const std::string& rival : before.confusable) {
     if (!holds(names, rival)) step.alternatives.push_back(rival);
   }
   return step;
-}
-
-// A diagnosis excludes the network.
-void set_errors(const model::Model& grown, const Diagnosis& after, Ladder::Step& step) {
-  step.rms_after_dph = after.residual_rms_dph;
-  if (!step.addition.request.is_network()) return;
-  step.rms_before_dph = grown.history.back().rms_before_dph;
-  step.rms_after_dph = grown.history.back().rms_after_dph;
 }
 
 // A trial excludes the network.
@@ -67,17 +61,15 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
   ladder.last_next = ladder.next;
   while (done < max_steps && ladder.last_next.addition) {
     ++done;
-    Ladder::Step step = step_of(ladder.last_next, ladder.last);
+    model::Model grown = with_network(ladder.model, *ladder.last_next.addition, runs);
+    Ladder::Step step = step_of(ladder.last_next, ladder.last, grown);
     const bool is_network = step.addition.request.is_network();
-    model::Model grown = with_network(ladder.model, step.addition, runs);
-    Diagnosis after = diagnose(grown, data, each);
-    set_errors(grown, after, step);
     if (step.rms_after_dph >= step.rms_before_dph) {
       ladder.left_alone = join(step.addition.request.names(), " and ");
       break;
     }
     ladder.model = std::move(grown);
-    ladder.last = std::move(after);
+    ladder.last = diagnose(ladder.model, data, each);
     ladder.steps.push_back(std::move(step));
     const std::vector<TriedAddition> refused = std::move(ladder.last_next.refused);
     ladder.last_next = {};

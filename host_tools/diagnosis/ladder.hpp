@@ -15,7 +15,7 @@ struct Ladder {
     bool describes = false;  ///< as NextStep has it
     /// Effects that these recordings cannot distinguish from the added one.
     std::vector<std::string> alternatives;
-    double rms_before_dph = 0;  ///< as the diagnoses before and after the step have it
+    double rms_before_dph = 0;  ///< of the whole model, as `add` and `history` print it
     double rms_after_dph = 0;
   };
   Diagnosis first;     ///< of the model as it came
@@ -23,8 +23,8 @@ struct Ladder {
   Diagnosis last;      ///< of the model at the end of the loop
   NextStep last_next;  ///< after it; empty where the loop may add no more
   std::vector<Step> steps;
-  /// Addition that helped out of sample but raised the error of the diagnosed rows, which ended the
-  /// loop; else "".
+  /// Addition that helped out of sample but, with the network trained anew, raised the error of the
+  /// rows, which ended the loop; else "".
   std::string left_alone;
   model::Model model;  ///< at the end, as the commands `add` of the steps make it
 

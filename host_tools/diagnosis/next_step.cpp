@@ -18,6 +18,7 @@ namespace {
 // residual: on one programme three of them can imitate nearly everything.
 constexpr std::size_t kMaxWithoutOwnInput = 2;
 constexpr std::size_t kMaxTried = 6;  // descriptions; each needs a fit and a cross-validation
+constexpr std::size_t kMaxSingles = 3;
 
 // The argument for `fogcomp add`, including the changed parameter if the effect is already in the
 // model.
@@ -113,14 +114,31 @@ bool may_be_worth_adding(const model::Model& model, const Diagnosis& diagnosis) 
 // Judges additions as `add` does, without the network.
 class Judge {
  public:
-  Judge(const model::Model& model, const JudgingRuns& runs) : model_(model), runs_(runs) {
+  Judge(const model::Model& model, const JudgingRuns& runs, bool run_offsets)
+      : model_(model), runs_(runs), run_offsets_(run_offsets) {
     model_.network = {};
   }
+  // Refits the model without a change, which all trials need; before trials in several threads.
+  void prepare() {
+    if (refitted_ || !failure_.empty()) return;
+    try {
+      fit::AddSettings settings;
+      settings.run_offsets = run_offsets_;
+      refitted_ = fit::refitted(model_, runs_.training, settings);
+    } catch (const InputError& error) {
+      failure_ = error.what();
+    }
+  }
+
   TriedAddition operator()(AdditionRequest request) {
+    prepare();
     TriedAddition trial;
     trial.request = std::move(request);
+    trial.request.run_offsets = run_offsets_;
+    trial.reason = failure_;
+    if (!refitted_) return trial;
     try {
-      fit::Addition addition = try_to_add(model_, trial.request, runs_, &refitted_);
+      fit::Addition addition = try_to_add(model_, trial.request, runs_, &*refitted_);
       const std::string objection =
           addition.accepted ? objection_to(addition.model, !runs_.holdouts.empty()) : "";
       trial.accepted = addition.accepted && objection.empty();
@@ -174,7 +192,9 @@ class Judge {
 
   model::Model model_;
   const JudgingRuns& runs_;
-  fit::RefittedModel refitted_;
+  bool run_offsets_;
+  std::optional<fit::RefittedModel> refitted_;
+  std::string failure_;  // why there is none
 };
 
 // Whether the addition is accepted; stores it in `next` in either case.
@@ -234,6 +254,37 @@ void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
   }
 }
 
+// Fraction of the mean square above the noise floor that an effect alone takes out.
+double removed_alone(const Diagnosis& diagnosis, const CandidateFinding& finding) {
+  const double now = square(diagnosis.residual_rms_dph);
+  const double above = now - square(diagnosis.noise_floor_dph);
+  return above > 0 ? std::min(1.0, (now - square(finding.rms_after_dph)) / above) : 0;
+}
+
+// Effects that alone lower the error clearly, whatever their share of what is missing.
+void add_singles(const Diagnosis& diagnosis, const std::vector<std::string>& named,
+                 std::vector<Description>& descriptions) {
+  std::vector<const CandidateFinding*> singles;
+  for (const CandidateFinding& finding : diagnosis.candidates) {
+    const bool helps =
+        finding.rms_after_dph <= (1 - rules::kHardlyHelps) * diagnosis.residual_rms_dph;
+    if (helps && !finding.is_expression() && !model::is_event(finding.term()) &&
+        !model::only_tail_is_seen(finding.term()) &&
+        named != std::vector<std::string>{finding.effect}) {
+      singles.push_back(&finding);
+    }
+  }
+  const auto less = [](const CandidateFinding* a, const CandidateFinding* b) {
+    return a->rms_after_dph < b->rms_after_dph;
+  };
+  std::stable_sort(singles.begin(), singles.end(), less);
+  if (singles.size() > kMaxSingles) singles.resize(kMaxSingles);
+  for (const CandidateFinding* const single : singles) {
+    descriptions.push_back(
+        {*request_of(diagnosis, {single->effect}), removed_alone(diagnosis, *single)});
+  }
+}
+
 // Coil temperature, its rate, and the one other input on which the residual depends, if any. Each
 // further input would double the number of formulas, and inputs that hardly vary look alike.
 fog::InputMask signals_of_formulas(const Diagnosis& diagnosis) {
@@ -271,16 +322,46 @@ void add_formulas(const model::Model& model, const Diagnosis& diagnosis, const D
   }
 }
 
-// Tries the first few descriptions until one is accepted. `is_named`: as physics.
-bool describe(std::vector<Description> descriptions, bool is_named, Judge& judge, NextStep& next) {
-  if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
-  for (Description& description : descriptions) {
-    next.describes = !description.is_part && !is_named;
-    if (!try_out(std::move(description.request), judge, next)) continue;
-    if (description.effects.size() > 1) next.together = std::move(description.effects);
+// Tries the first few sets of effects that explain the residual as physics, until one is accepted.
+bool try_sets(std::vector<Description> sets, Judge& judge, NextStep& next) {
+  if (sets.size() > kMaxTried) sets.resize(kMaxTried);
+  for (Description& set : sets) {
+    if (!try_out(std::move(set.request), judge, next)) continue;
+    if (set.effects.size() > 1) next.together = std::move(set.effects);
     return true;
   }
   return false;
+}
+
+// Tries the first few descriptions; of those accepted the one that leaves least out of sample is
+// taken, an earlier one if that is nearly as good.
+bool describe(std::vector<Description> descriptions, Judge& judge, NextStep& next) {
+  if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
+  std::vector<TriedAddition> tried(descriptions.size());
+  const auto judge_one = [&](std::size_t i) {
+    AdditionRequest& request = descriptions[i].request;
+    tried[i] = descriptions[i].is_part ? judge(std::move(request))
+                                       : judge.of_description(std::move(request));
+  };
+  judge.prepare();
+  for_each_index(tried.size(), judge_one);
+  std::size_t best = tried.size();
+  for (std::size_t i = 0; i < tried.size(); ++i) {
+    if (!tried[i].accepted) continue;
+    if (best == tried.size() || tried[i].left() < rules::kClearlyLess * tried[best].left()) {
+      best = i;
+    }
+  }
+  for (std::size_t i = 0; i < tried.size(); ++i) {
+    if (!tried[i].accepted) next.refused.push_back(std::move(tried[i]));
+  }
+  if (best == tried.size()) {
+    next.describes = true;
+    return false;
+  }
+  next.describes = !descriptions[best].is_part;
+  next.addition = std::move(tried[best]);
+  return true;
 }
 
 void sort_by_explained(std::vector<Description>& descriptions) {
@@ -289,8 +370,9 @@ void sort_by_explained(std::vector<Description>& descriptions) {
   });
 }
 
+// Whether most of what is missing may be a function of the signals.
 bool is_function_of_signals(const Diagnosis& diagnosis) {
-  return diagnosis.fast_kind == FastKind::none && !diagnosis.walk.may_be_all();
+  return diagnosis.fast_share < rules::kMainPart && !diagnosis.walk.may_be_all();
 }
 
 }  // namespace
@@ -315,11 +397,12 @@ JudgingRuns JudgingRuns::without(std::size_t run) const {
 }
 
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
-                         const JudgingRuns& runs, fit::RefittedModel* before) {
+                         const JudgingRuns& runs, const fit::RefittedModel* before) {
   const fit::EffectChange change = request.expression.empty()
                                        ? fit::change_effects(model.terms, request.effects)
                                        : fit::change_expression(model.terms, request.expression);
   fit::AddSettings settings;
+  settings.run_offsets = request.run_offsets;
   settings.verdict_only = true;
   settings.before = before;
   return fit::add_effect(model, change, runs.training, runs.holdouts, settings);
@@ -336,7 +419,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   if (const std::string one = effect_to_add(diagnosis); !one.empty()) named = {one};
   const std::vector<std::string> events = events_among(diagnosis, named);
   if (!events.empty()) named = events;
-  Judge judge(model, runs);
+  Judge judge(model, runs, settings.run_offsets);
   std::vector<Description> descriptions;
   if (diagnosis.verdict != Verdict::unknown) {
     if (!named.empty() && try_out(*request_of(diagnosis, named), judge, next)) {
@@ -345,7 +428,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
     }
     // The catalogue explains the residual: its sets, most probable first.
     add_sets(diagnosis, named, next, descriptions);
-    if (describe(std::move(descriptions), true, judge, next)) return next;
+    if (try_sets(std::move(descriptions), judge, next)) return next;
     descriptions.clear();
   } else {
     if (!named.empty()) {
@@ -354,11 +437,12 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
     }
     if (is_function_of_signals(diagnosis)) add_sets(diagnosis, named, next, descriptions);
   }
+  if (!diagnosis.walk.may_be_all()) add_singles(diagnosis, named, descriptions);
   if (is_function_of_signals(diagnosis)) {
     add_formulas(model, diagnosis, data, settings, next, descriptions);
   }
   sort_by_explained(descriptions);
-  const bool described = describe(std::move(descriptions), false, judge, next);
+  const bool described = describe(std::move(descriptions), judge, next);
   next.together.clear();
   // Within one run the inputs follow a single path, so a network is undetermined beside it.
   const bool has_other_runs = runs.training.runs.size() > 1 || !runs.holdouts.empty();

@@ -14,6 +14,7 @@ namespace fogcomp::diagnosis {
 struct AdditionRequest {
   std::vector<std::string> effects;  ///< as fit::change_effects() takes them; or else
   std::string expression;            ///< `NAME = EXPRESSION`
+  bool run_offsets = false;          ///< with a bias of its own for each run
 
   std::vector<std::string> names() const;  ///< without their parameters
   bool is_network() const;
@@ -29,6 +30,9 @@ struct TriedAddition {
   double rms_before_dph = 0;
   /// The resulting model, without a network; only if accepted.
   std::optional<model::Model> model;
+
+  /// Fraction of the error that is left out of sample.
+  double left() const { return rms_before_dph > 0 ? rms_after_dph / rms_before_dph : 1; }
 };
 
 /// A formula that may describe the residual.
@@ -65,17 +69,18 @@ struct JudgingRuns {
 /// Runs the command `add`, network included, and returns verdict and model. `before`: as in
 /// AddSettings. Throws InputError like fit::add_effect().
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
-                         const JudgingRuns& runs, fit::RefittedModel* before = nullptr);
+                         const JudgingRuns& runs, const fit::RefittedModel* before = nullptr);
 
-/// Tries what `diagnosis` names. If it names nothing or that is refused, tries the sets of effects
-/// that explain most, and formulas over the signals that vary (formulas_over()). An accepted
-/// addition must also lower the error of the training runs and, without a holdout, by at least
-/// rules::kWorthAdding of what was removed since the fit. A bias step comes first, because the rest
-/// is judged once it is masked. A description must also be accepted on each of several runs when
-/// that run is left out. If all fail, a network of temperature and rate is tried, unless the model
-/// has one or there is only one run. Nothing is tried if nothing is missing or the residual is not
-/// a function of the signals (a cycle, a random walk). `data` has the rows of `runs.training`.
-/// random walk. `data` has the rows of `runs.training`.
+/// Tries what `diagnosis` names. If it names nothing or that is refused, tries sets of effects,
+/// single effects and formulas over the signals that vary (formulas_over()), those that explain
+/// most, and takes the one that leaves least out of sample. An accepted addition must also lower
+/// the error of the training runs and, without a holdout, by at least rules::kWorthAdding of what
+/// was removed since the fit. A bias step comes first, because the rest is judged once it is
+/// masked. A description must also be accepted on each of several runs when that run is left out.
+/// If all fail, a network of temperature and rate is tried, unless the model has one or there is
+/// only one run. Nothing but single effects is tried if most of the residual is no function of the
+/// signals (a cycle, jumps), nothing at all if it may be a random walk or nothing is missing.
+/// `data` has the rows of `runs.training`.
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
                         const DiagnosisData& data, const JudgingRuns& runs,
                         const DiagnosisSettings& settings = {});

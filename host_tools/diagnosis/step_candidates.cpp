@@ -1,10 +1,14 @@
 #include "diagnosis/step_candidates.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 #include "diagnosis/decision_rules.hpp"
 #include "fit/noise_weighted_fit.hpp"
+#include "support/least_squares.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
@@ -39,30 +43,59 @@ std::vector<Candidate::Shape> step_shapes(const series::Rows& rows,
   return shapes;
 }
 
-void move_steps(const series::Rows& rows, const ProjectOutModel& project_out_model,
-                std::vector<Candidate::Shape>& shapes, const Eigen::VectorXd& residual) {
+namespace {
+
+// Whether two rows lie in different runs or at least half a grid interval apart.
+bool are_apart(const series::Rows& rows, std::size_t a, std::size_t b) {
+  const std::size_t run = rows.run_at(a);
+  const std::size_t interval = rows.runs()[run].size() / kStepsPerRun;
+  return rows.run_at(b) != run || std::max(a, b) - std::min(a, b) > interval / 2;
+}
+
+// Rows at which steps explain most, best first. `drops`: approximate fall of chi^2 per row.
+std::vector<std::size_t> best_rows(const series::Rows& rows, const Eigen::VectorXd& drops) {
   constexpr std::size_t kBestSteps = 4;
-  const auto more = [&](const Candidate::Shape& a, const Candidate::Shape& b) {
-    return a.chi2_drop(residual) > b.chi2_drop(residual);
-  };
-  const std::size_t count = std::min(kBestSteps, shapes.size());
-  std::partial_sort(shapes.begin(), shapes.begin() + static_cast<std::ptrdiff_t>(count),
-                    shapes.end(), more);
-  const std::vector<recording::RowRange> runs = rows.runs();
-  for (std::size_t i = 0; i < count; ++i) {
-    Candidate::Shape& shape = shapes[i];
-    const recording::RowRange run =
-        *std::find_if(runs.begin(), runs.end(),
-                      [&](const recording::RowRange& one) { return shape.row < one.end; });
-    for (std::size_t away = run.size() / kStepsPerRun / 2; away > 0; away /= 2) {
-      for (const std::size_t row : {shape.row - away, shape.row + away}) {
-        if (row <= run.first || row >= run.end) continue;
-        auto tried = step_shape(rows, project_out_model, shape.term, row);
-        if (!tried || !more(*tried, shape)) continue;
-        shape = std::move(*tried);
-        break;
-      }
-    }
+  std::vector<std::size_t> order(static_cast<std::size_t>(drops.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return drops[static_cast<Eigen::Index>(a)] > drops[static_cast<Eigen::Index>(b)];
+  });
+  std::vector<std::size_t> best;
+  for (std::size_t i = 0; i < order.size() && best.size() < kBestSteps; ++i) {
+    const std::size_t row = order[i];
+    if (rows.runs()[rows.run_at(row)].first == row) continue;  // that is the run's bias
+    const bool is_new = std::all_of(best.begin(), best.end(), [&](std::size_t other) {
+      return are_apart(rows, row, other);
+    });
+    if (is_new) best.push_back(row);
+  }
+  return best;
+}
+
+}  // namespace
+
+void place_steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows,
+                 const Residualizer& residualizer, const Eigen::MatrixXd& smooth) {
+  const Eigen::VectorXd left = projected_out(smooth, residualizer.residual());
+  const noise::StepProducts steps = residualizer.whitening().steps(rows, left.head(rows.size()));
+  const Eigen::VectorXd drops =
+      steps.with.col(0).array().square() / steps.square.array().max(1e-300);
+  const model::EffectTerm any = shapes.front().term;
+  for (const std::size_t row : best_rows(rows, drops)) {
+    auto placed = step_shape(rows, residualizer, any, row);
+    if (!placed) continue;
+    const Eigen::VectorXd sharp = projected_out(smooth, placed->basis);
+    const double drop = std::pow(sharp.dot(left), 2) / std::max(sharp.squaredNorm(), 1e-300);
+    if (drop < rules::kMinPlacedChi2Drop) break;
+    const auto nearest = std::min_element(
+        shapes.begin(), shapes.end(), [&](const Candidate::Shape& a, const Candidate::Shape& b) {
+          const auto away = [&](const Candidate::Shape& shape) {
+            const bool other_run = rows.run_at(shape.row) != rows.run_at(row);
+            return std::pair(other_run, std::max(shape.row, row) - std::min(shape.row, row));
+          };
+          return away(a) < away(b);
+        });
+    *nearest = std::move(*placed);
   }
 }
 

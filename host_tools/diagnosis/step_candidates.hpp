@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "diagnosis/candidates.hpp"
+#include "diagnosis/visible_part.hpp"
 
 namespace fogcomp::diagnosis {
 
@@ -11,8 +12,12 @@ std::vector<Candidate::Shape> step_shapes(const series::Rows& rows,
                                           const ProjectOutModel& project_out_model,
                                           const model::EffectTerm& step);
 
-/// Moves each of the best few steps to the nearby row at which it explains most.
-void move_steps(const series::Rows& rows, const ProjectOutModel& project_out_model,
-                std::vector<Candidate::Shape>& shapes, const Eigen::VectorXd& residual);
+/// Moves a few of the steps to the rows at which the residual jumps most. Of all rows those are
+/// taken, at least half a grid interval apart, at which a step explains most of what the model and
+/// the `smooth` functions (orthonormal, as visible_structure() makes them) leave: an effect that is
+/// missing as well has no edges. A step that explains less than rules::kMinPlacedChi2Drop there is
+/// tested on the grid only, as noise is.
+void place_steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows,
+                 const Residualizer& residualizer, const Eigen::MatrixXd& smooth);
 
 }  // namespace fogcomp::diagnosis

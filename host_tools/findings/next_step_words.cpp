@@ -26,6 +26,7 @@ std::string add_command_line(const diagnosis::AdditionRequest& request, const st
     line.insert(line.end(), {"--holdout", holdout});
   }
   line.insert(line.end(), files.reading.begin(), files.reading.end());
+  if (request.run_offsets) line.emplace_back("--run-offsets");
   line.insert(line.end(), {"-o", files.output.empty() ? "NEW.model" : files.output});
   return shell_words(line);
 }

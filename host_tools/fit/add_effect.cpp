@@ -19,15 +19,20 @@ namespace {
 // Whether the sum of squares on the holdouts rises by more than chance does once in 100 times.
 class RiseTest {
  public:
+  /// `run_offsets`: the bias of a holdout is its own and says nothing.
+  explicit RiseTest(bool run_offsets) : run_offsets_(run_offsets) {}
+
   void add(const compare::Comparison& before, const compare::Comparison& after) {
     const std::size_t first = rise_.size();
     const std::vector<double> residual_before = before.residuals_dph();
     const std::vector<double> residual_after = after.residuals_dph();
+    const double bias_before = run_offsets_ ? before.whole.mean_dph : 0;
+    const double bias_after = run_offsets_ ? after.whole.mean_dph : 0;
     for (std::size_t i = 0; i < before.size(); ++i) {
       if (before.outlier[i]) continue;
       const double weight = before.rows.weights[static_cast<Eigen::Index>(i)];
-      const double square_before = std::pow(residual_before[i], 2);
-      const double square_after = std::pow(residual_after[i], 2);
+      const double square_before = std::pow(residual_before[i] - bias_before, 2);
+      const double square_after = std::pow(residual_after[i] - bias_after, 2);
       rise_.push_back(square_after - square_before);
       before_ += weight * square_before;
       after_ += weight * square_after;
@@ -51,6 +56,7 @@ class RiseTest {
   }
 
  private:
+  bool run_offsets_;
   std::vector<double> rise_;
   std::vector<recording::RowRange> runs_;
   double before_ = 0;
@@ -240,14 +246,13 @@ void refit_both(model::Model& before, Addition& after, int network_hidden,
     if (settings.progress) settings.progress((half + done) / 2);
     return true;
   };
-  RefittedModel* const known = settings.before;
+  const RefittedModel* const known = settings.before;
   const Eigen::VectorXd& drift_dph = series.rows().drift_dph;
   if (known != nullptr && known->drift_dph.size() == drift_dph.size() &&
       known->drift_dph == drift_dph) {
     before = known->model;
   } else {
     fit_model(before, series, fitting);
-    if (known != nullptr) *known = {drift_dph, before};
   }
   half = 1;
   if (network_hidden > 0) fitting.network.hidden = network_hidden;
@@ -257,9 +262,9 @@ void refit_both(model::Model& before, Addition& after, int network_hidden,
 // Errors on all runs, the holdouts last; returns the change on the holdouts.
 RiseTest compare_on_runs(const model::Model& before,
                          const std::vector<compare::RunInBlocks>& training,
-                         const std::vector<compare::RunInBlocks>& holdouts, bool verdict_only,
-                         Addition& after) {
-  RiseTest on_holdouts;
+                         const std::vector<compare::RunInBlocks>& holdouts,
+                         const AddSettings& settings, Addition& after) {
+  RiseTest on_holdouts(settings.run_offsets);
   const auto compare = [&](const compare::RunInBlocks& run, bool holdout) {
     compare::Comparison without = compare::compare_with(before, run);
     compare::Comparison with = compare::compare_with(after.model, run);
@@ -268,7 +273,7 @@ RiseTest compare_on_runs(const model::Model& before,
                           run.noise_floor_dph, with.outside.temperature, std::move(without),
                           std::move(with)});
   };
-  if (!verdict_only) {
+  if (!settings.verdict_only) {
     for (const compare::RunInBlocks& run : training) compare(run, false);
   }
   for (const compare::RunInBlocks& run : holdouts) compare(run, true);
@@ -340,6 +345,17 @@ std::vector<std::string> Addition::names() const {
   return names;
 }
 
+RefittedModel refitted(const model::Model& model, const TrainingRuns& training,
+                       const AddSettings& settings) {
+  RefittedModel result{{}, model};
+  result.model.noise_dph_rthz = training.noise_dph_rthz;
+  series::SignalSeries series(result.model);
+  for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
+  fit_model(result.model, series, fit_settings(result.model, settings));
+  result.drift_dph = series.rows().drift_dph;
+  return result;
+}
+
 Addition add_effect(const model::Model& model, const EffectChange& change,
                     const TrainingRuns& training, const std::vector<compare::RunInBlocks>& holdouts,
                     const AddSettings& settings) {
@@ -361,7 +377,7 @@ Addition add_effect(const model::Model& model, const EffectChange& change,
     judge_out_of_sample(model.terms, before, change, series, holdouts, settings, result);
   }
   const RiseTest on_holdouts =
-      compare_on_runs(before, training.runs, holdouts, settings.verdict_only, result);
+      compare_on_runs(before, training.runs, holdouts, settings, result);
   model::HistoryEntry step{"add " + change.what, training.data_hash, before.residual_rms_dph,
                            result.model.residual_rms_dph, training.noise_floor_dph};
   if (!holdouts.empty()) step.holdout = on_holdouts.rms_dph();

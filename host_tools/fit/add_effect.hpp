@@ -28,8 +28,8 @@ struct AddSettings {
   /// Compute only verdict and model; skip what is printed beside them (halves, comparisons on the
   /// training runs, parts of a set except those that fail).
   bool verdict_only = false;
-  /// Cache for repeated trials with one model and the same runs.
-  RefittedModel* before = nullptr;
+  /// Of refitted(), for several trials with one model and the same runs.
+  const RefittedModel* before = nullptr;
 };
 
 /// A model with added or changed effects, and the verdict on them.
@@ -70,11 +70,14 @@ struct Addition {
   std::vector<std::string> names() const;  ///< of the additions and changes
 };
 
+/// `model` refitted to the training runs without any change. Throws InputError like add_effect().
+RefittedModel refitted(const model::Model& model, const TrainingRuns& training,
+                       const AddSettings& settings);
+
 /// Applies `change` to `model`, for whose terms it was made, and refits everything on `training`:
 /// all effects together, then, if the model has a network, a new one of the same size on their
 /// residual. "Before" is the model without the change, refitted on the same runs, so that refitting
 /// alone is no improvement.
-/// refitting alone earns nothing.
 ///
 /// The change is accepted if all of this holds. The effects alone improve the prediction out of
 /// sample (OutOfSample::helps): on the holdouts or, without any, by cross-validation. The whole

@@ -107,13 +107,44 @@ struct Fold {
   Eigen::VectorXd sigma_dph;  // of the coefficients, if determined
 };
 
+// A bias of its own for each run that is fitted, but for the first of these.
+Eigen::MatrixXd offsets_of_fitted(const series::Rows& rows, const Eigen::VectorXd& weights) {
+  std::vector<Eigen::MatrixXd> columns;
+  bool is_first = true;
+  for (const recording::RowRange& run : rows.runs()) {
+    const bool is_fitted = weights
+                               .segment(static_cast<Eigen::Index>(run.first),
+                                        static_cast<Eigen::Index>(run.size()))
+                               .any();
+    if (is_fitted && !is_first) columns.emplace_back(step_column(rows, run.first));
+    is_first = is_first && !is_fitted;
+  }
+  return side_by_side(columns, rows.size());
+}
+
+// The bias of a run that is left out whole is unknown: its mean residual says nothing.
+void take_out_unknown_offsets(const series::Rows& rows, const Eigen::VectorXd& fitted,
+                              const Eigen::VectorXd& row_weights, Fold& fold) {
+  for (const recording::RowRange& run : rows.runs()) {
+    const auto part = [&](const Eigen::VectorXd& values) {
+      return values.segment(static_cast<Eigen::Index>(run.first),
+                            static_cast<Eigen::Index>(run.size()));
+    };
+    const double weight = part(row_weights).sum();
+    if (part(fitted).any() || weight <= 0) continue;
+    segment(fold.residual_dph, run).array() -=
+        part(fold.residual_dph).dot(part(row_weights)) / weight;
+  }
+}
+
 Fold leave_out(KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
                const Part& left_out, const JudgedWith& with) {
   const series::Rows& rows = known.series().rows();
   Eigen::VectorXd weights = with.row_weights;
   for (const recording::RowRange& range : left_out) segment(weights, range).setZero();
   const noise::Whitening whitening(with.noise, rows, weights);
-  const Eigen::MatrixXd offsets = run_offset_columns(rows, with.run_offsets);
+  const Eigen::MatrixXd offsets =
+      with.run_offsets ? offsets_of_fitted(rows, weights) : Eigen::MatrixXd(rows.size(), 0);
   WhitenedProblem problem(known, whitening, terms, offsets);
   const std::vector<model::ShapeParameter> shapes = model::shape_parameters(terms);
   search_shapes(problem, shapes, std::vector<bool>(shapes.size(), true));
@@ -129,6 +160,7 @@ Fold leave_out(KnownRegressors& known, const std::vector<model::EffectTerm>& ter
     column += regressors->cols();
   }
   fold.residual_dph -= offsets * fit.coefficients.tail(offsets.cols());
+  if (with.run_offsets) take_out_unknown_offsets(rows, weights, with.row_weights, fold);
   return fold;
 }
 
@@ -258,8 +290,7 @@ OutOfSample cross_validate(const series::SignalSeries& series,
   const std::vector<model::EffectTerm> fixed_before = with_fixed_shapes(before, {});
   const std::vector<model::EffectTerm> fixed_after = with_fixed_shapes(after, changed);
   const std::vector<recording::RowRange> runs = rows.runs();
-  // The offset of a run that is left out is unknown.
-  if (runs.size() >= rules::kEnoughRuns && !with.run_offsets) {
+  if (runs.size() >= rules::kEnoughRuns) {
     std::vector<Part> parts;
     for (const recording::RowRange& run : runs) parts.push_back({run});
     const Residuals left = leave_each_out(known, fixed_before, fixed_after, parts, with);

@@ -243,6 +243,7 @@ Json Session::diagnose(const Words& words) {
     next = Json::object()
                .set("effects", request_to_add.effects)
                .set("expression", request_to_add.expression)
+               .set("run_offsets", request_to_add.run_offsets)
                .set("describes", ladder.next.describes);
   }
   return Json::object()

@@ -1,5 +1,6 @@
 #include "workflow/diagnose.hpp"
 
+#include "fit/turn_on_bias.hpp"
 #include "model/effect_list.hpp"
 #include "model/model_file.hpp"
 #include "support/text.hpp"
@@ -27,6 +28,23 @@ void note_rows(const diagnosis::RowLength& rows, const model::Model& model,
                "%g s in which the model was fitted; --average %g takes those",
                rows.row_s, model.average_s, model.average_s));
   }
+}
+
+// Whether the biases of runs and holdouts certainly differ, which no model can know; `notes` then
+// says so.
+bool have_own_biases(const model::Model& model, const diagnosis::JudgingRuns& judging,
+                     std::vector<std::string>& notes) {
+  std::vector<compare::RunInBlocks> runs = judging.training.runs;
+  runs.insert(runs.end(), judging.holdouts.begin(), judging.holdouts.end());
+  for (const compare::TurnOnBias& turn_on : fit::turn_on_biases(model, runs)) {
+    if (!turn_on.certain) continue;
+    notes.push_back(format("the bias of %s is %.2g +- %.1g deg/h above that of %s: additions are "
+                           "judged with a bias of its own for each run (--run-offsets)",
+                           turn_on.run.c_str(), turn_on.above_dph, turn_on.sigma_dph,
+                           turn_on.reference.c_str()));
+    return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -71,9 +89,12 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const diagnosis::Judgin
     settings.noise = diagnosis::noise_of_static(
         *outcome.model, recording::read_recording(*request.at_rest, reading), outcome.data);
   }
+  std::vector<std::string> notes;
+  settings.run_offsets = have_own_biases(model, judging, notes);
   outcome.ladder =
       diagnosis::stepwise_selection(model, outcome.data, judging, request.max_steps, settings);
   outcome.ladder.first.as_given = as_given;
+  outcome.ladder.first.notes.insert(outcome.ladder.first.notes.end(), notes.begin(), notes.end());
   if (!request.average_s) note_rows(rows, model, outcome.ladder.first.notes);
   return outcome;
 }

@@ -187,22 +187,5 @@ TEST_F(CandidatesTest, AreNotSharpenedOnWhatNoiseMightBe) {
   }
 }
 
-TEST_F(CandidatesTest, OfAStepAreMovedToItsRow) {
-  const Eigen::VectorXd step = fit::step_column(series_.rows(), 234);
-  const Eigen::VectorXd residual = 40 * without_mean(step).columns.col(0).normalized();
-  CandidateList list = found("bias");
-  refine_shape_parameters(list.testable, series_, model::parse_effects("bias"), without_mean,
-                          residual);
-  const Candidate* const steps = find(list, "bias_step");
-  ASSERT_NE(steps, nullptr);
-  const auto best = std::max_element(steps->shapes.begin(), steps->shapes.end(),
-                                     [&](const Candidate::Shape& a, const Candidate::Shape& b) {
-                                       return std::abs(a.basis.col(0).dot(residual)) <
-                                              std::abs(b.basis.col(0).dot(residual));
-                                     });
-  EXPECT_NEAR(static_cast<double>(best->row), 234, 1);
-  EXPECT_EQ(best->term.parameters[0], series_.rows().time_s[best->row]);
-}
-
 }  // namespace
 }  // namespace fogcomp::diagnosis

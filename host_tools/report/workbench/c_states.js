@@ -90,6 +90,7 @@ const add_words = (from, what, model, masks, verb = "add") => [
   ...setup.reading,
   ...mask_words(masks),
   ...(what.expression ? ["--effect-expr", what.expression] : []),
+  ...(what.run_offsets ? ["--run-offsets"] : []),
   "-o",
   model,
 ];

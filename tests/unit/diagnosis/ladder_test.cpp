@@ -50,8 +50,8 @@ TEST(Ladder, AddsNoMoreThanItMayAndSaysWhatAStepBrought) {
   const Ladder::Step& step = ladder.steps[0];
   EXPECT_EQ(ladder.added(), Names{effect_to_add(ladder.first)});
   EXPECT_FALSE(step.describes);
-  EXPECT_EQ(step.rms_before_dph, ladder.first.residual_rms_dph);
-  EXPECT_EQ(step.rms_after_dph, ladder.last.residual_rms_dph);
+  EXPECT_EQ(step.rms_before_dph, ladder.model.history.back().rms_before_dph);
+  EXPECT_EQ(step.rms_after_dph, ladder.model.history.back().rms_after_dph);
   EXPECT_LT(step.rms_after_dph, 0.5 * step.rms_before_dph);
   ASSERT_EQ(ladder.model.terms.size(), 3U);
   EXPECT_EQ(ladder.model.terms.back().name, effect_to_add(ladder.first));

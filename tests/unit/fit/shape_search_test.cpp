@@ -72,19 +72,19 @@ TEST_F(ShapeSearch, CostsOfAGridAreThoseOfItsValues) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     WhitenedProblem moved = start;
     moved.set(shapes(start), {values[i]});
-    EXPECT_NEAR(costs[i], moved.cost(), 1e-9 * moved.cost());
-    EXPECT_NEAR(costs[i], problem(values[i]).cost(), 1e-9 * moved.cost());
+    EXPECT_NEAR(costs[i], moved.solution().cost, 1e-9 * moved.solution().cost);
+    EXPECT_NEAR(costs[i], problem(values[i]).solution().cost, 1e-9 * moved.solution().cost);
   }
 }
 
 TEST_F(ShapeSearch, StepPromisesWhatItBringsNearTheBestPlace) {
   WhitenedProblem near = problem(850);
-  const double before = near.cost();
+  const double before = near.solution().cost;
   const model::ShapeParameter tau = shapes(near)[0];
-  const WhitenedProblem::Step step = near.step({tau});
+  const WhitenedProblem::Step step = near.step({tau}, near.solution());
   near.set({tau}, {tau.from_unit(tau.to_unit(850) + step.change[0])});
-  EXPECT_LT(near.cost(), before);
-  EXPECT_NEAR(near.cost(), step.cost, 0.1 * (before - step.cost));
+  EXPECT_LT(near.solution().cost, before);
+  EXPECT_NEAR(near.solution().cost, step.cost, 0.1 * (before - step.cost));
 }
 
 TEST_F(ShapeSearch, FindsTheTimeConstantAndSaysWhetherADipTookItElsewhere) {

@@ -1,0 +1,82 @@
+#include "diagnosis/step_candidates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "fit/noise_weighted_fit.hpp"
+#include "unit/diagnosis/made_evidence.hpp"
+
+namespace fogcomp::diagnosis {
+namespace {
+
+constexpr double kJump_dph = 0.15;  // six times the noise of a row
+
+// Steps of a recording whose rate jumps by `jump_dph` at a fraction of it.
+struct Placed {
+  std::vector<Candidate::Shape> shapes;
+  double jump_s = 0;
+  double row_s = 0;
+
+  bool has_the_jump() const {
+    return std::any_of(shapes.begin(), shapes.end(), [&](const Candidate::Shape& shape) {
+      return std::abs(shape.term.parameters[0] - jump_s) <= row_s;
+    });
+  }
+};
+
+// `missing`: an effect of the gyro that the model lacks, or "".
+Placed place(double jump_dph, double fraction, const std::string& missing) {
+  recording::Recording recording = fog::test::thinned(
+      fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1), 4);
+  model::Model model = fog::test::truth();
+  model.terms.erase(
+      std::remove_if(model.terms.begin(), model.terms.end(),
+                     [&](const model::EffectTerm& term) { return term.name == missing; }),
+      model.terms.end());
+  const auto at = static_cast<std::size_t>(fraction * static_cast<double>(recording.rows()));
+  for (std::size_t i = at; i < recording.rows(); ++i) recording.rate_dph[i] += jump_dph;
+  DiagnosisData data(model);
+  data.add(recording);
+  const series::Rows& rows = data.series().rows();
+  const fit::NoiseWeightedFit fit =
+      fit::fit_rows(data.series(), model.terms, fit::run_offset_columns(rows));
+  const Residualizer residualizer(rows, fit);
+  const VisibleStructure smooth = visible_structure(rows, residualizer);
+  Placed placed;
+  placed.shapes = step_shapes(rows, residualizer, model::parse_effects("bias_step")[0]);
+  const std::vector<Candidate::Shape> grid = placed.shapes;
+  place_steps(placed.shapes, rows, residualizer, smooth.all);
+  EXPECT_EQ(placed.shapes.size(), grid.size());
+  placed.jump_s = recording.time_s[at];
+  placed.row_s = rows.row_s;
+  return placed;
+}
+
+TEST(StepCandidates, AreMovedToTheRowOfAJumpWhereverItIs) {
+  for (const double fraction : {0.21, 0.395, 0.5, 0.633, 0.87}) {
+    const Placed placed = place(kJump_dph, fraction, "");
+    EXPECT_TRUE(placed.has_the_jump()) << fraction;
+  }
+}
+
+// An effect that is missing as well has no edges, however large it is.
+TEST(StepCandidates, AreMovedToTheJumpAlthoughALargeEffectIsMissing) {
+  for (const double fraction : {0.395, 0.633}) {
+    const Placed placed = place(kJump_dph, fraction, "temperature_rate");
+    EXPECT_TRUE(placed.has_the_jump()) << fraction;
+  }
+}
+
+TEST(StepCandidates, StayOnTheGridWhereThereIsNoJump) {
+  const Placed none = place(0, 0.5, "temperature_rate");
+  const std::size_t interval = none.shapes[1].row - none.shapes[0].row;
+  for (std::size_t i = 1; i < none.shapes.size(); ++i) {
+    EXPECT_LE(none.shapes[i].row - none.shapes[i - 1].row - interval + 1, 2U);
+  }
+}
+
+}  // namespace
+}  // namespace fogcomp::diagnosis
