@@ -85,11 +85,17 @@ void check_noise_fits(const BoardTable& table, std::size_t first,
   denoise.filters = {next, 3 * taps};
   denoise.thresholds = {next + 3 * taps, levels};
   if (fog::noise_shift(denoise) >= 0) return;
-  throw InputError("export",
-                   format("a threshold of %.3g deg/h is more than the board's denoiser takes with "
-                          "%s x %d; fit with fewer --levels or a shorter --wavelet",
-                          std::ldexp(denoise.thresholds[0], -fog::kDetailFraction),
-                          settings.wavelet.c_str(), settings.levels));
+  const double threshold_dph = std::ldexp(denoise.thresholds[0], -fog::kDetailFraction);
+  std::size_t fewer = levels - 1;
+  for (; fewer > 0; --fewer) {
+    denoise.thresholds = {next + 3 * taps, fewer};
+    if (fog::noise_shift(denoise) >= 0) break;
+  }
+  throw InputError(
+      "export",
+      format("a threshold of %.3g deg/h is more than the board's denoiser takes with %s x %d; "
+             "give the sensor's --sample-rate, or fit with --levels %zu or a shorter --wavelet",
+             threshold_dph, settings.wavelet.c_str(), settings.levels, fewer));
 }
 
 }  // namespace fogcomp::board

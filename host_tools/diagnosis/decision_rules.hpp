@@ -22,6 +22,11 @@ inline const double kLibraryLogP = std::log(0.00001);
 inline const double kStructureLogP = std::log(0.01);
 inline const double kFastLogP = std::log(0.00001);
 
+/// Chance that noise alone looks like this, below which something may be missing if an effect lowers
+/// the error by kHardlyHelps: it is not named, and judged out of sample like a description. Clean
+/// gyros, whose error no effect lowers so much.
+constexpr double kFaintChance = 0.01;
+
 /// Minimum number of rows: needed to fit a few effects and their noise.
 constexpr std::ptrdiff_t kMinRows = 60;
 

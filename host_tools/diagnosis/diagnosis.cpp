@@ -85,6 +85,16 @@ void name_effects(const model::Model& model, Diagnosis& diagnosis) {
   diagnosis.experiment = experiment_for_rivals(model, diagnosis);
 }
 
+// Whether any effect would lower the error of the rows clearly.
+bool helps_clearly(const Diagnosis& diagnosis) {
+  const double clearly_less_dph = (1 - rules::kHardlyHelps) * diagnosis.residual_rms_dph;
+  return std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                     [&](const CandidateFinding& finding) {
+                       return finding.rms_after_dph <= clearly_less_dph &&
+                              !model::is_event(finding.term());
+                     });
+}
+
 // Tests the residual against noise, compares the hypotheses and sets the verdict.
 void judge(const model::Model& model, const EvidenceSpace& evidence,
            const series::SignalSeries& series, const fit::NoiseWeightedFit& fit, std::uint64_t seed,
@@ -119,6 +129,8 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
   if (!something) limit_to_own_evidence(diagnosis.candidates, diagnosis.walk.chance);
   sort_by_lead(diagnosis.candidates);
   diagnosis.explanations = likeliest_sets(evidence, hypotheses, explanation.excess);
+  diagnosis.faint = !something && diagnosis.chance < rules::kFaintChance && helps_clearly(diagnosis);
+  if (diagnosis.faint) diagnosis.verdict = Verdict::unknown;
   if (!something) return;
 
   const bool fast_left =

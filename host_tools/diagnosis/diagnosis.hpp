@@ -48,6 +48,9 @@ struct Diagnosis {
   std::string variable;               ///< on which what is left depends most
   std::vector<NamedShare> variables;  ///< how much of it each variable alone could describe
   std::vector<NamedShare> segments;   ///< where in the runs it sits; sums to 1
+  /// For the verdict unknown: noise alone may look like this, but an effect would lower the error
+  /// clearly.
+  bool faint = false;
   FastStructure fast;
   TwoLevels jumps;
   FastKind fast_kind = FastKind::none;  ///< the surest of these, where it is sure and counts

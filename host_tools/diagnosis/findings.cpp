@@ -73,17 +73,15 @@ std::string effect_to_add(const Diagnosis& diagnosis) {
     const CandidateFinding& best = best_rival(diagnosis);
     return lowers_the_error(diagnosis, best) ? best.effect : "";
   }
-  const bool walk = diagnosis.walk.may_be_all();
-  if (diagnosis.verdict == Verdict::unknown && !walk && !diagnosis.candidates.empty()) {
-    const auto max =
-        std::max_element(diagnosis.candidates.begin(), diagnosis.candidates.end(),
-                         [](const auto& a, const auto& b) { return a.evidence < b.evidence; });
-    const bool main = max->probability >= rules::kNamed &&
-                      max->explained_fraction >= rules::kMainPart &&
-                      lowers_the_error(diagnosis, *max) && !model::only_tail_is_seen(max->term());
-    if (main) return max->effect;
-  }
-  return "";
+  if (diagnosis.verdict != Verdict::unknown || diagnosis.walk.may_be_all()) return "";
+  const auto main = std::find_if(
+      diagnosis.candidates.begin(), diagnosis.candidates.end(),
+      [&](const CandidateFinding& finding) {
+        return finding.probability >= rules::kNamed &&
+               finding.explained_fraction >= rules::kMainPart &&
+               lowers_the_error(diagnosis, finding) && !model::only_tail_is_seen(finding.term());
+      });
+  return main == diagnosis.candidates.end() ? "" : main->effect;
 }
 
 }  // namespace fogcomp::diagnosis

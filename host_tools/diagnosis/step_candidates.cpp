@@ -80,13 +80,15 @@ void place_steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows
   const noise::StepProducts steps = residualizer.whitening().steps(rows, left.head(rows.size()));
   const Eigen::VectorXd drops =
       steps.with.col(0).array().square() / steps.square.array().max(1e-300);
+  // What smooth functions leave of a large effect is rougher than noise.
+  const double roughness = std::max(1.0, left.squaredNorm() / static_cast<double>(rows.size()));
   const model::EffectTerm any = shapes.front().term;
   for (const std::size_t row : best_rows(rows, drops)) {
     auto placed = step_shape(rows, residualizer, any, row);
     if (!placed) continue;
     const Eigen::VectorXd sharp = projected_out(smooth, placed->basis);
     const double drop = std::pow(sharp.dot(left), 2) / std::max(sharp.squaredNorm(), 1e-300);
-    if (drop < rules::kMinPlacedChi2Drop) break;
+    if (drop < rules::kMinPlacedChi2Drop * roughness) break;
     const auto nearest = std::min_element(
         shapes.begin(), shapes.end(), [&](const Candidate::Shape& a, const Candidate::Shape& b) {
           const auto away = [&](const Candidate::Shape& shape) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "findings/compare_words.hpp"
+#include "findings/next_export.hpp"
 #include "findings/run_section.hpp"
 #include "support/text.hpp"
 
@@ -63,8 +64,9 @@ Document compare_findings(const std::vector<compare::ModelOnRuns>& models) {
   if (std::any_of(best.runs.begin(), best.runs.end(), leaves_drift)) {
     document.next("ask which effect is missing", diagnose_command(best.file, run_files(best)));
   } else {
-    document.next("nothing above the noise floor is left on these runs: make the board's header",
-                  {"fogcomp", "export", best.file, "-o", "fog_model.h"});
+    next_export(document,
+                "nothing above the noise floor is left on these runs: make the board's header",
+                best.model, best.file);
   }
   for (const Text& sentence : turn_on_sentences(best.turn_on)) document.sentence(sentence);
   for (std::size_t run = 0; run < first.runs.size(); ++run) {

@@ -9,6 +9,7 @@
 #include "compare/comparison.hpp"
 #include "findings/figures.hpp"
 #include "findings/labels.hpp"
+#include "findings/next_export.hpp"
 #include "findings/run_plots.hpp"
 #include "model/input_value.hpp"
 #include "support/text.hpp"
@@ -27,15 +28,14 @@ std::vector<std::string> names_from_outside(const diagnosis::DiagnosisData& data
   return names;
 }
 
-void add_next(Document& document, const DiagnosisWords& said, diagnosis::Verdict verdict,
-              const std::string& model) {
+void add_next(Document& document, const DiagnosisWords& said, const diagnosis::Ladder& ladder,
+              const std::string& file) {
   if (!said.command.empty()) {
     document.next_line("add it; it is kept only if it helps out of sample", said.command);
   } else if (!said.next.empty()) {
     document.next(words(said.next));
-  } else if (verdict == diagnosis::Verdict::none) {
-    document.next("make the board's header",
-                  std::vector<std::string>{"fogcomp", "export", model, "-o", "fog_model.h"});
+  } else if (ladder.first.verdict == diagnosis::Verdict::none) {
+    next_export(document, "make the board's header", ladder.model, file);
   }
 }
 
@@ -352,7 +352,7 @@ Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
   Document document("fogcomp diagnose " + files.model + " " + join(files.runs, " "),
                     words(said.verdict, names));
   if (files.output.empty()) {
-    add_next(document, said, diagnosis.verdict, files.model);
+    add_next(document, said, ladder, files.model);
   } else {
     const std::string& judge = files.holdouts.empty() ? files.runs[0] : files.holdouts[0];
     document.next("see what the loop's model leaves",

@@ -30,20 +30,23 @@ Headline missing_words(const diagnosis::Diagnosis& diagnosis) {
 }
 
 Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_holds) {
-  if (diagnosis.fast_kind != diagnosis::FastKind::none) {
-    return {std::string("something is missing that no effect of the catalogue explains: ") +
-                (diagnosis.fast_kind == diagnosis::FastKind::two_levels ? "jumps between two levels"
-                                                                        : "cycles"),
+  if (diagnosis.faint) return {"something may be missing, too faint to be named", ""};
+  const bool is_fast = diagnosis.fast_kind != diagnosis::FastKind::none;
+  const std::string fast = diagnosis.fast_kind == diagnosis::FastKind::two_levels
+                               ? "jumps between two levels"
+                               : "cycles";
+  const std::string surely = diagnosis::effect_to_add(diagnosis);
+  if (!surely.empty() && main_part_holds) {
+    return {surely + " is missing, and something more that no effect of the catalogue explains" +
+                (is_fast ? ": " + fast
+                         : " (" + percent(diagnosis.unexplained_fraction) + " of all)"),
             ""};
+  }
+  if (is_fast) {
+    return {"something is missing that no effect of the catalogue explains: " + fast, ""};
   }
   if (diagnosis.walk.may_be_all()) {
     return {"slow changes are left, which may be noise", diagnosis.walk.words()};
-  }
-  const std::string surely = diagnosis::effect_to_add(diagnosis);
-  if (!surely.empty() && main_part_holds) {
-    return {surely + " is missing, and something more that no effect of the catalogue explains (" +
-                percent(diagnosis.unexplained_fraction) + " of all)",
-            ""};
   }
   const bool offered = std::any_of(
       diagnosis.candidates.begin(), diagnosis.candidates.end(),

@@ -324,6 +324,11 @@ void decide(const model::Model& model, const std::optional<model::HistoryEntry::
                rounded(risen->rms_before_dph).c_str(), rounded(risen->rms_after_dph).c_str());
   } else if (!doubt.empty()) {
     result.reason = doubt;
+  } else if (result.model.uncertain && !model.uncertain) {
+    result.reason =
+        format("with it these runs do not determine the drift: in a soak it is known to +- %.2g "
+               "deg/h, and %.2g deg/h are to be compensated",
+               result.model.uncertain->sigma_dph, result.model.uncertain->drift_dph);
   } else if (needless != result.parts.end()) {
     result.reason = needless->effect +
                     " brings nothing beside the others: " + out_of_sample_words(*needless->beside);

@@ -83,7 +83,8 @@ RefittedModel refitted(const model::Model& model, const TrainingRuns& training,
 /// sample (OutOfSample::helps): on the holdouts or, without any, by cross-validation. The whole
 /// model's rms on the holdouts has not risen by more than chance. With stretches of one run, a
 /// random walk of the bias is unlikely (rules::kMaxChanceOfWalk). The data determine the new parts:
-/// no shape at a bound or anywhere in its range, coefficients larger than their uncertainty. In a
+/// no shape at a bound or anywhere in its range, coefficients larger than their uncertainty, a drift
+/// in the soaks that is not less certain than it is large (Model::uncertain). In a
 /// set, each effect helps beside the others. An event has no other run or stretch to judge it: it
 /// is accepted if the search finds it (fit_with_steps()), and the rows around it are masked. A
 /// network replaces the model's own; it is compared with the effects alone. Throws InputError for a

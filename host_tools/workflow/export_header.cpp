@@ -65,17 +65,22 @@ void require_time_since_power_on(const model::Model& model, const std::string& f
   }
 }
 
+void require_determined(const model::Model& model, const std::string& file) {
+  if (!model.uncertain) return;
+  throw InputError(
+      file, format("these recordings did not determine it: somewhere in its trained range the "
+                   "drift is known to +- %.2g deg/h, worse than the %.2g deg/h that it is to "
+                   "compensate; fit fewer effects or more data, or give --allow-error",
+                   model.uncertain->sigma_dph, model.uncertain->drift_dph));
+}
+
 }  // namespace
 
 BoardErrors verify_board(const model::Model& model, const fog::ModelParameters& parameters,
                          const std::string& file, bool allow_error) {
-  if (!allow_error) require_time_since_power_on(model, file);
-  if (model.uncertain && !allow_error) {
-    throw InputError(
-        file, format("these recordings did not determine it: somewhere in its trained range the "
-                     "drift is known to +- %.2g deg/h, worse than the %.2g deg/h that it is to "
-                     "compensate; fit fewer effects or more data, or give --allow-error",
-                     model.uncertain->sigma_dph, model.uncertain->drift_dph));
+  if (!allow_error) {
+    require_time_since_power_on(model, file);
+    require_determined(model, file);
   }
   const BoardErrors errors{board::verify_quantization(model, parameters),
                            board::verify_network(model, parameters)};
@@ -104,6 +109,19 @@ ExportOutcome board_header(const model::Model& model, const std::string& file,
   const BoardErrors errors = verify_board(model, parameters, file, allow_error);
   return {board::header_text(table, file_name(file), data_hash(model)), table, errors.quantization,
           errors.network, left_out(model, parameters)};
+}
+
+std::string export_refusal(const model::Model& model, const std::string& file, bool extension) {
+  board::BoardSettings settings;
+  settings.extension = extension;
+  try {
+    require_time_since_power_on(model, file);
+    require_determined(model, file);
+    board::make_board_table(model, settings);
+  } catch (const InputError& refusal) {
+    return refusal.what();
+  }
+  return "";
 }
 
 ExportOutcome export_header(const ExportRequest& request) {

@@ -41,4 +41,9 @@ struct BoardErrors {
 BoardErrors verify_board(const model::Model& model, const fog::ModelParameters& parameters,
                          const std::string& file, bool allow_error);
 
+/// Why `fogcomp export` would refuse a model for a board of the default settings, with extension
+/// records if `extension`; "" if it would not. The integers are not compared with double, which
+/// takes longer.
+std::string export_refusal(const model::Model& model, const std::string& file, bool extension);
+
 }  // namespace fogcomp::workflow
