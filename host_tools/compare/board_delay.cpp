@@ -73,8 +73,8 @@ bool BoardError::delay_matters() const {
 
 std::string delay_words(const BoardError& error) {
   return format(
-      "as the board computes it the residual is %.4g deg/h rms; without the board's delay "
-      "(block means, derivative filter) it would be %.4g",
+      "as the board computes it, the model leaves %.4g deg/h rms; without the board's delay (block "
+      "means, derivative filter) it would leave %.4g",
       error.rms_dph, error.without_delay_dph);
 }
 

@@ -129,7 +129,8 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
   if (!something) limit_to_own_evidence(diagnosis.candidates, diagnosis.walk.chance);
   sort_by_lead(diagnosis.candidates);
   diagnosis.explanations = likeliest_sets(evidence, hypotheses, explanation.excess);
-  diagnosis.faint = !something && diagnosis.chance < rules::kFaintChance && helps_clearly(diagnosis);
+  diagnosis.faint =
+      !something && diagnosis.chance < rules::kFaintChance && helps_clearly(diagnosis);
   if (diagnosis.faint) diagnosis.verdict = Verdict::unknown;
   if (!something) return;
 
@@ -211,6 +212,7 @@ Diagnosis diagnose(const model::Model& model, const DiagnosisData& data,
   diagnosis.variables = std::move(place.variables);
   diagnosis.segments = std::move(place.segments);
   if (!evidence.regressors.empty()) judge(model, evidence, series, fit, settings.seed, diagnosis);
+  diagnosis.walk.has_static = settings.noise.has_value();
   if (model.network.present()) {
     diagnosis.network =
         ask_network(model.network, series, evidence.candidates,

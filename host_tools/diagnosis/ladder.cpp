@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "support/text.hpp"
-
 namespace fogcomp::diagnosis {
 namespace {
 
@@ -11,10 +9,9 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-Ladder::Step step_of(const NextStep& next, const Diagnosis& before, const model::Model& grown) {
-  const model::HistoryEntry& entry = grown.history.back();
-  Ladder::Step step{
-      *next.addition, next.describes, {}, entry.rms_before_dph, entry.rms_after_dph};
+Ladder::Step step_of(const NextStep& next, const Diagnosis& before) {
+  const model::HistoryEntry& entry = next.addition->model->history.back();
+  Ladder::Step step{*next.addition, next.describes, {}, entry.rms_before_dph, entry.rms_after_dph};
   if (before.verdict != Verdict::ambiguous) return step;
   const std::vector<std::string> names = step.addition.request.names();
   for (const std::string& rival : before.confusable) {
@@ -61,16 +58,11 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
   ladder.last_next = ladder.next;
   while (done < max_steps && ladder.last_next.addition) {
     ++done;
-    model::Model grown = with_network(ladder.model, *ladder.last_next.addition, runs);
-    Ladder::Step step = step_of(ladder.last_next, ladder.last, grown);
-    const bool is_network = step.addition.request.is_network();
-    if (step.rms_after_dph >= step.rms_before_dph) {
-      ladder.left_alone = join(step.addition.request.names(), " and ");
-      break;
-    }
-    ladder.model = std::move(grown);
+    ladder.steps.push_back(step_of(ladder.last_next, ladder.last));
+    const TriedAddition& addition = ladder.steps.back().addition;
+    const bool is_network = addition.request.is_network();
+    ladder.model = with_network(ladder.model, addition, runs);
     ladder.last = diagnose(ladder.model, data, each);
-    ladder.steps.push_back(std::move(step));
     const std::vector<TriedAddition> refused = std::move(ladder.last_next.refused);
     ladder.last_next = {};
     if (is_network) {  // its effects are those with which all other additions were refused

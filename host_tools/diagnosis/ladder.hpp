@@ -15,7 +15,9 @@ struct Ladder {
     bool describes = false;  ///< as NextStep has it
     /// Effects that these recordings cannot distinguish from the added one.
     std::vector<std::string> alternatives;
-    double rms_before_dph = 0;  ///< of the whole model, as `add` and `history` print it
+    /// Of the rows, as `add` prints them; without the model's network, unless that is added. The
+    /// latter is smaller, or the addition would not be proposed.
+    double rms_before_dph = 0;
     double rms_after_dph = 0;
   };
   Diagnosis first;     ///< of the model as it came
@@ -23,9 +25,6 @@ struct Ladder {
   Diagnosis last;      ///< of the model at the end of the loop
   NextStep last_next;  ///< after it; empty where the loop may add no more
   std::vector<Step> steps;
-  /// Addition that helped out of sample but, with the network trained anew, raised the error of the
-  /// rows, which ended the loop; else "".
-  std::string left_alone;
   model::Model model;  ///< at the end, as the commands `add` of the steps make it
 
   /// Names of the additions in their order, each once: added() were named as missing, described()

@@ -39,7 +39,9 @@ std::string WalkFinding::words() const {
          (chance > kAsWell
               ? "explains them as well as any effect"
               : format("has a probability of %.2g, too much to name an effect", chance)) +
-         ": the programme once more, or a recording at rest with --static, would tell";
+         (has_static ? ": one more run of the programme would tell"
+                     : ": one more run of the programme, or a recording at rest with --static, "
+                       "would tell");
 }
 
 WalkFinding assess_walk(const EvidenceSpace& evidence, const std::vector<Hypothesis>& hypotheses,

@@ -15,6 +15,7 @@ struct WalkFinding {
   double chance = 0;             ///< that nothing but noise and such a walk is there
   double noise_alone = 1;        ///< if may_be_all(): chance that such noise looks like this
   bool instead_of_time = false;  ///< the likeliest effects are, in part, of time alone
+  bool has_static = false;       ///< the slow noise is known from a recording at rest
 
   /// Whether slow effects must not be accepted because of it.
   bool may_be_all() const {

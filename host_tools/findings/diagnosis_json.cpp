@@ -42,6 +42,7 @@ Json fast_json(const diagnosis::Diagnosis& diagnosis) {
       result.set("dwell_s", diagnosis.jumps.dwell_s);
       break;
   }
+  result.set("share", diagnosis.fast_share);
   return result;
 }
 
@@ -165,7 +166,8 @@ Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::Next
                                       .set("chance", diagnosis.walk.chance)
                                 : Json());
   result.set("network", network_json(diagnosis.network));
-  result.set("chance", diagnosis.chance).set("notes", diagnosis.notes);
+  result.set("chance", diagnosis.chance).set("faint", diagnosis.faint);
+  result.set("notes", diagnosis.notes);
   return result;
 }
 
@@ -188,7 +190,6 @@ Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files) {
   result.set("ladder", std::move(steps));
   result.set("commands", ladder_commands(ladder, files));
   result.set("model", files.output.empty() ? Json() : Json(files.output));
-  result.set("left_alone", ladder.left_alone.empty() ? Json() : Json(ladder.left_alone));
   result.set("last", diagnosis_json(ladder.last, {}, files));
   return result;
 }

@@ -17,6 +17,8 @@
 namespace fogcomp::findings {
 namespace {
 
+constexpr double kLikely = 0.5;  // probability from which a set "is" missing
+
 // A verdict and its certainty.
 using Headline = std::pair<std::string, std::string>;
 
@@ -37,10 +39,10 @@ Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
                                : "cycles";
   const std::string surely = diagnosis::effect_to_add(diagnosis);
   if (!surely.empty() && main_part_holds) {
-    return {surely + " is missing, and something more that no effect of the catalogue explains" +
-                (is_fast ? ": " + fast
-                         : " (" + percent(diagnosis.unexplained_fraction) + " of all)"),
-            ""};
+    return {
+        surely + " is missing, and something more that no effect of the catalogue explains" +
+            (is_fast ? ": " + fast : " (" + percent(diagnosis.unexplained_fraction) + " of all)"),
+        ""};
   }
   if (is_fast) {
     return {"something is missing that no effect of the catalogue explains: " + fast, ""};
@@ -148,7 +150,10 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
   DiagnosisWords words;
   std::tie(words.verdict, words.certainty) = verdict_words(diagnosis, !next.describes);
   if (!next.together.empty()) {
-    words.verdict = "several effects together are missing: " + join_list(next.together, "and");
+    const auto* const set = find_explanation(diagnosis, next.together);
+    const bool likely = set == nullptr || set->probability >= kLikely;
+    words.verdict = std::string("several effects together ") + (likely ? "are" : "may be") +
+                    " missing: " + join_list(next.together, "and");
     words.certainty = diagnosis.verdict == diagnosis::Verdict::ambiguous
                           ? "these recordings cannot tell which is the largest: " +
                                 join_list(diagnosis.confusable, "or")
@@ -219,9 +224,6 @@ BriefDiagnosis in_brief(const diagnosis::Diagnosis& diagnosis, const diagnosis::
 }
 
 std::string end_words(const diagnosis::Ladder& ladder) {
-  if (!ladder.left_alone.empty()) {
-    return ladder.left_alone + " helps out of sample but leaves more in these rows: not added";
-  }
   const auto [verdict, certainty] = verdict_words(ladder.last);
   std::string text = "at the end: " + verdict + (certainty.empty() ? "" : "; " + certainty);
   const diagnosis::NextStep& next = ladder.last_next;

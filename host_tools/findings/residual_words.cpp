@@ -32,7 +32,7 @@ std::string as_given_words(const diagnosis::Diagnosis& diagnosis) {
   const compare::BoardError& given = *diagnosis.as_given;
   const double apart = std::abs(given.rms_dph - diagnosis.residual_rms_dph);
   if (apart <= kTellsApart * given.rms_dph) return "";
-  return "that is refitted to these runs and without the board's delay; of the model as it is, " +
+  return "these figures are of the model refitted without the board's delay; " +
          compare::delay_words(given);
 }
 
@@ -62,16 +62,17 @@ std::string fast_words(const diagnosis::Diagnosis& diagnosis) {
         return format("it repeats every %.3g h: look for the day, the room, its air conditioning",
                       diagnosis.fast.line_period_s / kSecondsPerHour);
       }
-      return format("it repeats every %.3g s: look for a cooler, a compressor, a control loop",
-                    diagnosis.fast.line_period_s);
+      return "it repeats every " + time_text(diagnosis.fast.line_period_s) +
+             ": look for a cooler, a compressor, a control loop";
     case diagnosis::FastKind::band:
-      return format("there is more than noise around periods of %.3g s, %.0f %% above it",
-                    diagnosis.fast.band_period_s, 100 * diagnosis.fast.band_excess);
+      return "there is more than noise around periods of " +
+             time_text(diagnosis.fast.band_period_s) +
+             format(", %.0f %% above it", 100 * diagnosis.fast.band_excess);
     case diagnosis::FastKind::two_levels:
-      return format(
-          "the bias switches between two levels %.3g deg/h apart, each held for %.2g s on "
-          "average: look at light source, detector and electronics",
-          diagnosis.jumps.height_dph, diagnosis.jumps.dwell_s);
+      return format("the bias switches between two levels %.3g deg/h apart, each held for ",
+                    diagnosis.jumps.height_dph) +
+             time_text(diagnosis.jumps.dwell_s) +
+             " on average: look at light source, detector and electronics";
   }
   return "";
 }

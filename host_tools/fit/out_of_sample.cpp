@@ -15,7 +15,6 @@
 #include "support/median.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
-#include "support/units.hpp"
 
 namespace fogcomp::fit {
 namespace {
@@ -96,8 +95,8 @@ std::vector<Part> parts_of(const series::Rows& rows, double count) {
 }
 
 std::string how_of(const std::vector<Part>& parts, const series::Rows& rows) {
-  return format("on stretches of %.2g h, a fifth of them left out in turn",
-                static_cast<double>(parts[0][0].size()) * rows.row_s / kSecondsPerHour);
+  return "on stretches of " + time_text(static_cast<double>(parts[0][0].size()) * rows.row_s) +
+         ", a fifth of them left out in turn";
 }
 
 // Residual in all rows of a set of effects that was identified without the rows of `left_out`.
@@ -112,10 +111,9 @@ Eigen::MatrixXd offsets_of_fitted(const series::Rows& rows, const Eigen::VectorX
   std::vector<Eigen::MatrixXd> columns;
   bool is_first = true;
   for (const recording::RowRange& run : rows.runs()) {
-    const bool is_fitted = weights
-                               .segment(static_cast<Eigen::Index>(run.first),
-                                        static_cast<Eigen::Index>(run.size()))
-                               .any();
+    const bool is_fitted =
+        weights.segment(static_cast<Eigen::Index>(run.first), static_cast<Eigen::Index>(run.size()))
+            .any();
     if (is_fitted && !is_first) columns.emplace_back(step_column(rows, run.first));
     is_first = is_first && !is_fitted;
   }
@@ -198,8 +196,8 @@ Residuals leave_each_out(KnownRegressors& known, const std::vector<model::Effect
                          const std::vector<model::EffectTerm>& after,
                          const std::vector<Part>& parts, const JudgedWith& with) {
   Residuals residuals{Eigen::VectorXd(known.series().rows().size()),
-                      Eigen::VectorXd(known.series().rows().size()), std::vector<Fold>(parts.size()),
-                      std::vector<Fold>(parts.size())};
+                      Eigen::VectorXd(known.series().rows().size()),
+                      std::vector<Fold>(parts.size()), std::vector<Fold>(parts.size())};
   for_each_index(2 * parts.size(), [&](std::size_t i) {
     const std::size_t part = i / 2;
     Fold& fold = i % 2 == 0 ? residuals.given[part] : residuals.added[part];

@@ -25,11 +25,19 @@ std::string fault_of_range(std::size_t slot, const CsvRow& row) {
                 column.min, column.max);
 }
 
-std::string fault_of_time(double previous_s, double time_s, bool of_calendar) {
+std::string fault_of_time(double first_s, double previous_s, double time_s, bool of_calendar) {
   if (time_s == previous_s && of_calendar) {
     return format("time repeats, %.15g s from the first sample; has it enough digits?", time_s);
   }
   if (time_s == previous_s) return format("time_s repeats %.15g", time_s);
+  // Far back to where the recording began: not one wrong line.
+  constexpr double kBeginning = 0.01;
+  if (previous_s > first_s && time_s - first_s < kBeginning * (previous_s - first_s)) {
+    return format(
+        "time_s begins again at %.15g after %.15g; if the recorder was started again "
+        "there, split the file at this line: each power-on is a run",
+        time_s, previous_s);
+  }
   return format("time_s goes back from %.15g to %.15g", previous_s, time_s);
 }
 
@@ -69,9 +77,10 @@ class RowCollector {
     }
     const double time_s = row.values[kTimeSlot];
     if (!(time_s > previous_s_)) {
-      return refuse(fault_of_time(previous_s_, time_s, recording_.power_on_unknown));
+      return refuse(fault_of_time(first_s_, previous_s_, time_s, recording_.power_on_unknown));
     }
     if (recording_.rows() == long_recording_.part_rows()) hand_over();
+    if (std::isinf(previous_s_)) first_s_ = time_s;
     previous_s_ = time_s;
     lines_.add(recording_.rows(), file_.line_number());
     if (!row.label.empty() || !recording_.labels.empty()) add_label(row.label);
@@ -153,6 +162,7 @@ class RowCollector {
   Recording recording_;
   LongRecording long_recording_;
   std::vector<Target> columns_;
+  double first_s_ = 0;
   double previous_s_ = -std::numeric_limits<double>::infinity();
   std::string first_fault_;
   std::size_t first_empty_ = 0;  // line of the first row without time or rate

@@ -154,6 +154,14 @@ std::string signed_rounded(double value) {
   return text[0] == '-' ? text : "+" + text;
 }
 
+std::string time_text(double seconds) {
+  constexpr double kMinute = 60;
+  constexpr double kHour = 3600;
+  if (seconds < 2 * kMinute) return format("%.3g s", seconds);
+  if (seconds < 2 * kHour) return format("%.3g min", seconds / kMinute);
+  return format("%.3g h", seconds / kHour);
+}
+
 std::string counted(std::size_t count, const std::string& noun) {
   return format("%zu %s%s", count, noun.c_str(), count == 1 ? "" : "s");
 }

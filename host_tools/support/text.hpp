@@ -35,6 +35,9 @@ std::string rounded(double value);
 /// The same with sign, for an offset or a step: "+0.1860".
 std::string signed_rounded(double value);
 
+/// A time in the unit in which it is read most easily: "40 s", "7.2 min", "2.6 h".
+std::string time_text(double seconds);
+
 /// "1 row", "2 rows": `noun` in the singular, with a regular plural.
 std::string counted(std::size_t count, const std::string& noun);
 

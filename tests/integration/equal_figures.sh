@@ -111,7 +111,7 @@ awk -v with="$with" -v without="$without" 'BEGIN { exit !(with > 2 * without) }'
 "$fogcomp" diagnose gyro.model table.csv >diagnose.txt
 for file in compare.txt diagnose.txt; do
   figures=("$(printf %.4g "$with")" "$(printf %.4g "$without")")
-  said="as the board computes it the residual is ${figures[0]} deg/h rms; without the board's delay .* ${figures[1]}"
+  said="as the board computes it, the model leaves ${figures[0]} deg/h rms; without the board's delay .* ${figures[1]}"
   grep -q "$said" $file || fail "$file does not give both figures: $(head -6 $file)"
 done
 

@@ -93,6 +93,63 @@ TEST(NextStep, IsANetworkWhereNothingElseHoldsAndAnotherRunShowsThatItDoes) {
   EXPECT_TRUE(of_two.add_accepts());
 }
 
+// A ripple is missing beside a larger effect that explains nearly all: no cycle, and the larger
+// comes first.
+TEST(NextStep, IsTheLargerOfTwoEffectsAlthoughTheSmallerLooksLikeACycleBesideIt) {
+  for (const double amplitude_dph : {0.03, 0.04}) {
+    const Asked asked(
+        "bias,bias_temperature:order=2",
+        {recording_with({natural_term("polarization_ripple", {9, 0}, {amplitude_dph, 0})}, 1)});
+    EXPECT_EQ(asked.found.fast_kind, FastKind::none) << amplitude_dph;
+    ASSERT_TRUE(asked.next.addition) << amplitude_dph;
+    EXPECT_FALSE(asked.next.describes) << amplitude_dph;
+    EXPECT_TRUE(asked.add_accepts()) << amplitude_dph;
+  }
+}
+
+// A polynomial of the temperature of a part that is warmed late: nothing of the catalogue, and no
+// single formula either.
+TEST(NextStep, DescribesPartOfWhatNothingDescribesWhole) {
+  model::EffectTerm hidden = written_term("x = lag(T,500)^2+20*lag(T,500)");
+  hidden.coefficients_dph = {std::ldexp(3e-4, hidden.expression->scale_log2)};
+  const Asked asked("bias,bias_temperature:order=2,temperature_rate",
+                    {recording_with({hidden}, 1)});
+  ASSERT_NE(asked.found.verdict, Verdict::none);
+  ASSERT_TRUE(asked.next.addition);
+  const model::HistoryEntry& step = asked.next.addition->model->history.back();
+  EXPECT_LT(step.rms_after_dph, 0.9 * step.rms_before_dph);
+  EXPECT_TRUE(asked.add_accepts());
+}
+
+// The bias of a gyro is another after each power-on: it says nothing for or against an effect.
+TEST(NextStep, IsJudgedWithABiasOfItsOwnForEachRun) {
+  const model::EffectTerm ripple = natural_term("polarization_ripple", {9, 0}, {0.03, 0});
+  std::vector<recording::Recording> recordings;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    recordings.push_back(recording_with({ripple}, seed));
+    for (double& rate_dph : recordings.back().rate_dph) {
+      rate_dph += 0.15 * static_cast<double>(seed);
+    }
+  }
+  const model::Model model = fog::test::incomplete(kBasic);
+  DiagnosisData data(model);
+  JudgingRuns runs;
+  for (const recording::Recording& recording : recordings) {
+    runs.training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
+    data.add(runs.training.runs.back());
+  }
+  DiagnosisSettings settings;
+  settings.run_offsets = true;
+  const Diagnosis found = diagnose(model, data, settings);
+  const NextStep next = find_next_step(model, found, data, runs, settings);
+  ASSERT_TRUE(next.addition) << next.refused.back().reason;
+  EXPECT_EQ(next.addition->request.effects, std::vector<std::string>{"polarization_ripple"});
+  EXPECT_TRUE(next.addition->request.run_offsets);
+  EXPECT_LT(next.addition->rms_after_dph, 1.1 * fog::test::kQuietNoise.white_dph);
+  EXPECT_NE(next.addition->reason.find("3 runs, each left out once"), std::string::npos)
+      << next.addition->reason;
+}
+
 // In one of two runs only: cross-validation within it shows the formula, the other run does not.
 TEST(NextStep, IsNoDescriptionThatAnotherRunContradicts) {
   model::EffectTerm hidden = written_term("x = abs(dTdt)");

@@ -49,6 +49,31 @@ TEST(DiagnosisWords, OfASetAddAllOfIt) {
   EXPECT_EQ(words.command, "fogcomp add x.model thermal_lag aging run.csv -o NEW.model");
 }
 
+TEST(DiagnosisWords, OfAnImprobableSetSayMayBe) {
+  diagnosis::NextStep next;
+  next.addition = tried({"thermal_lag", "aging"});
+  next.together = {"thermal_lag", "aging"};
+  diagnosis::Diagnosis found = only_together();
+  found.explanations[0].probability = 0.21;
+  EXPECT_EQ(words_of(found, next, kFiles).verdict,
+            "several effects together may be missing: thermal_lag and aging");
+}
+
+TEST(DiagnosisWords, OfSomethingFaintNameNothing) {
+  diagnosis::Diagnosis found = only_together();
+  found.verdict = diagnosis::Verdict::unknown;
+  found.faint = true;
+  EXPECT_EQ(words_of(found, {}, kFiles).verdict, "something may be missing, too faint to be named");
+}
+
+TEST(DiagnosisWords, AddWithABiasForEachRunWhereItWasJudgedSo) {
+  diagnosis::NextStep next;
+  next.addition = tried({"aging"});
+  next.addition->request.run_offsets = true;
+  EXPECT_EQ(words_of(only_together(), next, kFiles).command,
+            "fogcomp add x.model aging run.csv --run-offsets -o NEW.model");
+}
+
 TEST(DiagnosisWords, InBriefAreOneSentenceWithEffectSizeAndProbability) {
   diagnosis::Diagnosis found = only_together();
   found.noise_floor_dph = 9.7;

@@ -151,6 +151,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadRow{"back", "0.5,20,0.5", "time_s goes back from 1 to 0.5"}),
     [](const auto& each) { return each.param.name; });
 
+TEST(CsvReader, SaysWhereARecorderWasStartedAgain) {
+  EXPECT_EQ(
+      fault(kHeader + "1,20,0.5\n500,20,0.5\n2,20,0.5\n"),
+      ":4: time_s begins again at 2 after 500; if the recorder was started again there, split "
+      "the file at this line: each power-on is a run; correct the line or give "
+      "--skip-bad-rows");
+  EXPECT_EQ(fault(kHeader + "1,20,0.5\n500,20,0.5\n400,20,0.5\n"),
+            ":4: time_s goes back from 500 to 400; correct the line or give --skip-bad-rows");
+}
+
 TEST(CsvReader, SaysWhatIsWrongWithTheHeader) {
   EXPECT_EQ(fault("time_s,temperature_deg,rate_dph\n1,20,1\n"),
             ":1: no column 'temperature_degc' (did you mean 'temperature_deg'?); the header has "

@@ -70,6 +70,12 @@ TEST(Rounded, HasTheDigitsThatDeserveIt) {
   EXPECT_EQ(fogcomp::rounded(-0.0), "0");
 }
 
+TEST(TimeText, IsInTheUnitInWhichItIsRead) {
+  EXPECT_EQ(fogcomp::time_text(40), "40 s");
+  EXPECT_EQ(fogcomp::time_text(432), "7.2 min");
+  EXPECT_EQ(fogcomp::time_text(9360), "2.6 h");
+}
+
 TEST(Counted, HasASingularAndAPlural) {
   EXPECT_EQ(fogcomp::counted(0, "bad row"), "0 bad rows");
   EXPECT_EQ(fogcomp::counted(1, "bad row"), "1 bad row");
