@@ -56,10 +56,14 @@ constexpr double kSimpler = 4;
 constexpr double kMinPartChi2Drop = 10;
 constexpr double kMinStepChi2Drop = 60;
 
-/// Decrease of chi^2 above which a step is moved from its grid time to its row. Above it no test
-/// against noise is needed, which knows the grid times only: the largest of 6000 rows of noise
-/// exceeds 40 once in a million.
-constexpr double kMinPlacedChi2Drop = 100;
+/// Decrease of chi^2, beside smooth functions, above which a step is moved from its grid time to its
+/// row. The test against noise knows the grid times only: the largest of 6000 rows of white noise
+/// exceeds this once in 600,000 recordings (chi^2 of one degree of freedom).
+constexpr double kMinPlacedChi2Drop = 40;
+
+/// The same beside nothing but the model, where slow noise looks like steps: as for other shapes, a
+/// chi^2 of 100 needs no test against noise.
+constexpr double kMinMovedChi2Drop = 100;
 
 /// A shape within this chi^2 of the best one is still possible: three standard deviations.
 constexpr double kPossible = 9;

@@ -52,7 +52,7 @@ bool are_apart(const series::Rows& rows, std::size_t a, std::size_t b) {
   return rows.run_at(b) != run || std::max(a, b) - std::min(a, b) > interval / 2;
 }
 
-// Rows at which steps explain most, best first. `drops`: approximate fall of chi^2 per row.
+// Rows at which steps lower the square of a residual most, best first.
 std::vector<std::size_t> best_rows(const series::Rows& rows, const Eigen::VectorXd& drops) {
   constexpr std::size_t kBestSteps = 4;
   std::vector<std::size_t> order(static_cast<std::size_t>(drops.size()));
@@ -64,41 +64,70 @@ std::vector<std::size_t> best_rows(const series::Rows& rows, const Eigen::Vector
   for (std::size_t i = 0; i < order.size() && best.size() < kBestSteps; ++i) {
     const std::size_t row = order[i];
     if (rows.runs()[rows.run_at(row)].first == row) continue;  // that is the run's bias
-    const bool is_new = std::all_of(best.begin(), best.end(), [&](std::size_t other) {
-      return are_apart(rows, row, other);
-    });
+    const bool is_new = std::all_of(best.begin(), best.end(),
+                                    [&](std::size_t other) { return are_apart(rows, row, other); });
     if (is_new) best.push_back(row);
   }
   return best;
+}
+
+// Steps of which each is moved at most once.
+class Steps {
+ public:
+  Steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows)
+      : shapes_(shapes), rows_(rows), moved_(shapes.size(), false) {}
+
+  /// Takes the place of the nearest step of the same run.
+  void place(Candidate::Shape placed) {
+    std::size_t nearest = shapes_.size();
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      if (moved_[i] && shapes_[i].row == placed.row) return;
+      if (moved_[i] || rows_.run_at(shapes_[i].row) != rows_.run_at(placed.row)) continue;
+      if (nearest == shapes_.size() || away(i, placed) < away(nearest, placed)) nearest = i;
+    }
+    if (nearest == shapes_.size()) return;
+    shapes_[nearest] = std::move(placed);
+    moved_[nearest] = true;
+  }
+
+ private:
+  std::size_t away(std::size_t i, const Candidate::Shape& placed) const {
+    return std::max(shapes_[i].row, placed.row) - std::min(shapes_[i].row, placed.row);
+  }
+
+  std::vector<Candidate::Shape>& shapes_;
+  const series::Rows& rows_;
+  std::vector<bool> moved_;
+};
+
+// Places `step` at the best rows of what is left beside some orthonormal columns, where it lowers
+// chi^2 by more than `min_drop`.
+void place_beside(const Eigen::MatrixXd& beside, double min_drop, const series::Rows& rows,
+                  const Residualizer& residualizer, const model::EffectTerm& step, Steps& steps) {
+  const Eigen::VectorXd left = projected_out(beside, residualizer.residual());
+  // What smooth functions leave of a large effect is rougher than noise.
+  if (beside.cols() > 0) {
+    min_drop *= std::max(1.0, left.squaredNorm() / static_cast<double>(rows.size()));
+  }
+  for (const std::size_t row : best_rows(rows, residualizer.chi2_drops_of_steps(rows, left))) {
+    auto placed = step_shape(rows, residualizer, step, row);
+    if (!placed) continue;
+    const Eigen::VectorXd own = projected_out(beside, placed->basis);
+    const double drop = std::pow(own.dot(left), 2) / std::max(own.squaredNorm(), 1e-300);
+    if (drop < min_drop) return;
+    steps.place(std::move(*placed));
+  }
 }
 
 }  // namespace
 
 void place_steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows,
                  const Residualizer& residualizer, const Eigen::MatrixXd& smooth) {
-  const Eigen::VectorXd left = projected_out(smooth, residualizer.residual());
-  const noise::StepProducts steps = residualizer.whitening().steps(rows, left.head(rows.size()));
-  const Eigen::VectorXd drops =
-      steps.with.col(0).array().square() / steps.square.array().max(1e-300);
-  // What smooth functions leave of a large effect is rougher than noise.
-  const double roughness = std::max(1.0, left.squaredNorm() / static_cast<double>(rows.size()));
-  const model::EffectTerm any = shapes.front().term;
-  for (const std::size_t row : best_rows(rows, drops)) {
-    auto placed = step_shape(rows, residualizer, any, row);
-    if (!placed) continue;
-    const Eigen::VectorXd sharp = projected_out(smooth, placed->basis);
-    const double drop = std::pow(sharp.dot(left), 2) / std::max(sharp.squaredNorm(), 1e-300);
-    if (drop < rules::kMinPlacedChi2Drop * roughness) break;
-    const auto nearest = std::min_element(
-        shapes.begin(), shapes.end(), [&](const Candidate::Shape& a, const Candidate::Shape& b) {
-          const auto away = [&](const Candidate::Shape& shape) {
-            const bool other_run = rows.run_at(shape.row) != rows.run_at(row);
-            return std::pair(other_run, std::max(shape.row, row) - std::min(shape.row, row));
-          };
-          return away(a) < away(b);
-        });
-    *nearest = std::move(*placed);
-  }
+  const Eigen::MatrixXd nothing(smooth.rows(), 0);
+  const model::EffectTerm step = shapes.front().term;
+  Steps steps(shapes, rows);
+  place_beside(nothing, rules::kMinMovedChi2Drop, rows, residualizer, step, steps);
+  place_beside(smooth, rules::kMinPlacedChi2Drop, rows, residualizer, step, steps);
 }
 
 }  // namespace fogcomp::diagnosis

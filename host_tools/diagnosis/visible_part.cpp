@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "diagnosis/decision_rules.hpp"
 #include "diagnosis/hypotheses.hpp"
 #include "fit/decision_rules.hpp"
 #include "model/catalogue.hpp"
@@ -156,6 +157,18 @@ Eigen::MatrixXd Residualizer::without_model(const Eigen::MatrixXd& columns) cons
     left.col(i) = projected_out(basis_, left.col(i));
   }
   return left;
+}
+
+Eigen::VectorXd Residualizer::chi2_drops_of_steps(const series::Rows& rows,
+                                                  const Eigen::VectorXd& left) const {
+  Eigen::MatrixXd columns(rows.size(), 1 + basis_.cols());
+  columns << left.head(rows.size()), basis_.topRows(rows.size());
+  const noise::StepProducts steps = whitening_.steps(rows, columns);
+  const Eigen::ArrayXd visible =
+      steps.square.array() - steps.with.rightCols(basis_.cols()).rowwise().squaredNorm().array();
+  const Eigen::ArrayXd drops = steps.with.col(0).array().square() / visible.max(1e-300);
+  const double min_share = rules::kMinVisible * rules::kMinVisible;
+  return (visible > min_share * steps.square.array()).select(drops, 0);
 }
 
 VisiblePart Residualizer::operator()(const Eigen::MatrixXd& regressors) const {

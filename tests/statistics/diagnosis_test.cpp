@@ -312,7 +312,7 @@ std::vector<std::string> sorted(std::vector<std::string> names) {
 TEST(Ladder, AddsAnExpression) {
   const auto ladder = ladder_of(recording_with({late_square(1200, 0.12)}, 2), {kLateSquare});
   EXPECT_EQ(sorted(ladder.added()), (std::vector<std::string>{"late", "temperature_rate"}));
-  EXPECT_LT(ladder.steps.back().rms_after_dph,
+  EXPECT_LT(ladder.last.residual_rms_dph,
             1.05 * std::hypot(fog::test::kQuietNoise.white_dph, fog::test::kQuietNoise.slow_dph));
 }
 
@@ -321,7 +321,7 @@ TEST(Ladder, FindsTwoEffectsAndStops) {
       recording_with({fog::test::natural_term("polarization_ripple", {13, 0}, {0.02, 0})}, 2));
   EXPECT_EQ(sorted(ladder.added()),
             (std::vector<std::string>{"polarization_ripple", "temperature_rate"}));
-  EXPECT_LT(ladder.steps.back().rms_after_dph,
+  EXPECT_LT(ladder.last.residual_rms_dph,
             1.05 * std::hypot(fog::test::kQuietNoise.white_dph, fog::test::kQuietNoise.slow_dph));
 }
 
