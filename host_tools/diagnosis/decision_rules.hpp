@@ -22,9 +22,9 @@ inline const double kLibraryLogP = std::log(0.00001);
 inline const double kStructureLogP = std::log(0.01);
 inline const double kFastLogP = std::log(0.00001);
 
-/// Chance that noise alone looks like this, below which something may be missing if an effect lowers
-/// the error by kHardlyHelps: it is not named, and judged out of sample like a description. Clean
-/// gyros, whose error no effect lowers so much.
+/// Chance that noise alone looks like this, below which something may be missing if an effect
+/// lowers the error by kHardlyHelps: it is not named, and judged out of sample like a description.
+/// Clean gyros, whose error no effect lowers so much.
 constexpr double kFaintChance = 0.01;
 
 /// Minimum number of rows: needed to fit a few effects and their noise.
@@ -56,9 +56,9 @@ constexpr double kSimpler = 4;
 constexpr double kMinPartChi2Drop = 10;
 constexpr double kMinStepChi2Drop = 60;
 
-/// Decrease of chi^2, beside smooth functions, above which a step is moved from its grid time to its
-/// row. The test against noise knows the grid times only: the largest of 6000 rows of white noise
-/// exceeds this once in 600,000 recordings (chi^2 of one degree of freedom).
+/// Decrease of chi^2, beside smooth functions, above which a step is moved from its grid time to
+/// its row. The test against noise knows the grid times only: the largest of 6000 rows of white
+/// noise exceeds this once in 600,000 recordings (chi^2 of one degree of freedom).
 constexpr double kMinPlacedChi2Drop = 40;
 
 /// The same beside nothing but the model, where slow noise looks like steps: as for other shapes, a

@@ -95,6 +95,20 @@ bool helps_clearly(const Diagnosis& diagnosis) {
                      });
 }
 
+// The verdict where something is missing. `slow_excess`: chi^2 above noise of what is not fast.
+// `may_be_named`: the catalogue explains that, and noise does not.
+void decide(const model::Model& model, double slow_excess, const FastFinding& fast,
+            bool may_be_named, Diagnosis& diagnosis) {
+  const bool fast_left = fast.excess > rules::kMaxUnexplained[0] * (fast.excess + slow_excess);
+  if (fast_left) {
+    diagnosis.fast_kind = fast.kind;
+    diagnosis.fast_share = fast.excess / (fast.excess + std::max(0.0, slow_excess));
+    if (fast.excess > slow_excess) diagnosis.variable = "time_s";
+  }
+  diagnosis.verdict = Verdict::unknown;
+  if (may_be_named && !fast_left && !diagnosis.walk.may_be_all()) name_effects(model, diagnosis);
+}
+
 // Tests the residual against noise, compares the hypotheses and sets the verdict.
 void judge(const model::Model& model, const EvidenceSpace& evidence,
            const series::SignalSeries& series, const fit::NoiseWeightedFit& fit, std::uint64_t seed,
@@ -129,22 +143,12 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
   if (!something) limit_to_own_evidence(diagnosis.candidates, diagnosis.walk.chance);
   sort_by_lead(diagnosis.candidates);
   diagnosis.explanations = likeliest_sets(evidence, hypotheses, explanation.excess);
-  diagnosis.faint =
-      !something && diagnosis.chance < rules::kFaintChance && helps_clearly(diagnosis);
-  if (diagnosis.faint) diagnosis.verdict = Verdict::unknown;
-  if (!something) return;
-
-  const bool fast_left =
-      fast.excess > rules::kMaxUnexplained[0] * (fast.excess + explanation.excess);
-  if (fast_left) {
-    diagnosis.fast_kind = fast.kind;
-    diagnosis.fast_share = fast.excess / (fast.excess + std::max(0.0, explanation.excess));
-  }
-  if (fast_left && fast.excess > explanation.excess) diagnosis.variable = "time_s";
-  diagnosis.verdict = Verdict::unknown;
-  if (explanation.enough && !fast_left && !diagnosis.walk.may_be_all() &&
-      test.library_log_p < rules::kLibraryLogP) {
-    name_effects(model, diagnosis);
+  if (something) {
+    const bool may_be_named = explanation.enough && test.library_log_p < rules::kLibraryLogP;
+    decide(model, explanation.excess, fast, may_be_named, diagnosis);
+  } else if (diagnosis.chance < rules::kFaintChance && helps_clearly(diagnosis)) {
+    diagnosis.faint = true;
+    diagnosis.verdict = Verdict::unknown;
   }
 }
 

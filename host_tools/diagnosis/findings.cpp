@@ -74,13 +74,13 @@ std::string effect_to_add(const Diagnosis& diagnosis) {
     return lowers_the_error(diagnosis, best) ? best.effect : "";
   }
   if (diagnosis.verdict != Verdict::unknown || diagnosis.walk.may_be_all()) return "";
-  const auto main = std::find_if(
-      diagnosis.candidates.begin(), diagnosis.candidates.end(),
-      [&](const CandidateFinding& finding) {
-        return finding.probability >= rules::kNamed &&
-               finding.explained_fraction >= rules::kMainPart &&
-               lowers_the_error(diagnosis, finding) && !model::only_tail_is_seen(finding.term());
-      });
+  const auto main = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                                 [&](const CandidateFinding& finding) {
+                                   return finding.probability >= rules::kNamed &&
+                                          finding.explained_fraction >= rules::kMainPart &&
+                                          lowers_the_error(diagnosis, finding) &&
+                                          !model::only_tail_is_seen(finding.term());
+                                 });
   return main == diagnosis.candidates.end() ? "" : main->effect;
 }
 

@@ -162,9 +162,8 @@ class Judge {
     const std::size_t count = runs_.holdouts.empty() ? runs_.training.runs.size() : 0;
     if (count < 2 || !trial.accepted) return trial;
     std::vector<std::string> objections(count);
-    for_each_index(count, [&](std::size_t run) {
-      objections[run] = objection_of_run(trial.request, run);
-    });
+    for_each_index(
+        count, [&](std::size_t run) { objections[run] = objection_of_run(trial.request, run); });
     const auto objects = [](const std::string& objection) { return !objection.empty(); };
     const auto first = std::find_if(objections.begin(), objections.end(), objects);
     if (first != objections.end()) {
@@ -375,6 +374,13 @@ bool is_function_of_signals(const Diagnosis& diagnosis) {
   return diagnosis.fast_share < rules::kMainPart && !diagnosis.walk.may_be_all();
 }
 
+// Whether a network may learn what is missing. Within one run the inputs follow a single path, so
+// it is undetermined beside it.
+bool may_learn(const model::Model& model, const Diagnosis& diagnosis, const JudgingRuns& runs) {
+  const bool has_other_runs = runs.training.runs.size() > 1 || !runs.holdouts.empty();
+  return has_other_runs && is_function_of_signals(diagnosis) && !model.network.present();
+}
+
 }  // namespace
 
 std::vector<std::string> AdditionRequest::names() const {
@@ -444,10 +450,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   sort_by_explained(descriptions);
   const bool described = describe(std::move(descriptions), judge, next);
   next.together.clear();
-  // Within one run the inputs follow a single path, so a network is undetermined beside it.
-  const bool has_other_runs = runs.training.runs.size() > 1 || !runs.holdouts.empty();
-  if (!described && is_function_of_signals(diagnosis) && !model.network.present() &&
-      has_other_runs) {
+  if (!described && may_learn(model, diagnosis, runs)) {
     next.describes = true;
     try_out({{fit::kNetworkName}, ""}, judge, next);
   }

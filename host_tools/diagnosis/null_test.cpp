@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kDraws = 1000;
 constexpr std::size_t kTogether = 125;  // draws of one task
-constexpr double kTailShare = 0.15;  // share of the draws to which an exponential tail is fitted
+constexpr double kTailShare = 0.15;     // share of the draws to which an exponential tail is fitted
 constexpr double kCovarianceRidge = 1e-7;
 
 // chi^2 decrease of each candidate alone, for one vector of projections after another.

@@ -175,9 +175,8 @@ struct Tried {
 };
 
 const Tried& max_of(const std::vector<Tried>& grid, double Tried::*value) {
-  return *std::max_element(grid.begin(), grid.end(), [&](const Tried& a, const Tried& b) {
-    return a.*value < b.*value;
-  });
+  return *std::max_element(grid.begin(), grid.end(),
+                           [&](const Tried& a, const Tried& b) { return a.*value < b.*value; });
 }
 
 }  // namespace

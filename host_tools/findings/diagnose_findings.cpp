@@ -123,8 +123,8 @@ void add_ladder(Document& document, const diagnosis::Ladder& ladder, const Diagn
   table.columns = {"step", {"rms left", "residual"}, "out of sample"};
   table.quantity = "rms left, deg/h";
   table.floor = ladder.first.noise_floor_dph;
-  const double first_dph = ladder.steps.empty() ? ladder.first.residual_rms_dph
-                                                : ladder.steps.front().rms_before_dph;
+  const double first_dph =
+      ladder.steps.empty() ? ladder.first.residual_rms_dph : ladder.steps.front().rms_before_dph;
   Table::Row first{"the model, refitted", {number(first_dph), first_dph}, ""};
   first.colour = "measured";
   table.rows.push_back(std::move(first));

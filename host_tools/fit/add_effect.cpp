@@ -325,10 +325,10 @@ void decide(const model::Model& model, const std::optional<model::HistoryEntry::
   } else if (!doubt.empty()) {
     result.reason = doubt;
   } else if (result.model.uncertain && !model.uncertain) {
-    result.reason =
-        format("with it these runs do not determine the drift: in a soak it is known to +- %.2g "
-               "deg/h, and %.2g deg/h are to be compensated",
-               result.model.uncertain->sigma_dph, result.model.uncertain->drift_dph);
+    result.reason = format(
+        "with it these runs do not determine the drift: in a soak it is known to +- %.2g "
+        "deg/h, and %.2g deg/h are to be compensated",
+        result.model.uncertain->sigma_dph, result.model.uncertain->drift_dph);
   } else if (needless != result.parts.end()) {
     result.reason = needless->effect +
                     " brings nothing beside the others: " + out_of_sample_words(*needless->beside);
@@ -381,8 +381,7 @@ Addition add_effect(const model::Model& model, const EffectChange& change,
   } else {
     judge_out_of_sample(model.terms, before, change, series, holdouts, settings, result);
   }
-  const RiseTest on_holdouts =
-      compare_on_runs(before, training.runs, holdouts, settings, result);
+  const RiseTest on_holdouts = compare_on_runs(before, training.runs, holdouts, settings, result);
   model::HistoryEntry step{"add " + change.what, training.data_hash, before.residual_rms_dph,
                            result.model.residual_rms_dph, training.noise_floor_dph};
   if (!holdouts.empty()) step.holdout = on_holdouts.rms_dph();

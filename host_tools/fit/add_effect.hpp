@@ -83,13 +83,12 @@ RefittedModel refitted(const model::Model& model, const TrainingRuns& training,
 /// sample (OutOfSample::helps): on the holdouts or, without any, by cross-validation. The whole
 /// model's rms on the holdouts has not risen by more than chance. With stretches of one run, a
 /// random walk of the bias is unlikely (rules::kMaxChanceOfWalk). The data determine the new parts:
-/// no shape at a bound or anywhere in its range, coefficients larger than their uncertainty, a drift
-/// in the soaks that is not less certain than it is large (Model::uncertain). In a
-/// set, each effect helps beside the others. An event has no other run or stretch to judge it: it
-/// is accepted if the search finds it (fit_with_steps()), and the rows around it are masked. A
-/// network replaces the model's own; it is compared with the effects alone. Throws InputError for a
-/// run without an input of the effect, for data that cannot determine it, and for an event that is
-/// not found.
+/// no shape at a bound or anywhere in its range, coefficients larger than their uncertainty, a
+/// drift in the soaks that is not less certain than it is large (Model::uncertain). In a set, each
+/// effect helps beside the others. An event has no other run or stretch to judge it: it is accepted
+/// if the search finds it (fit_with_steps()), and the rows around it are masked. A network replaces
+/// the model's own; it is compared with the effects alone. Throws InputError for a run without an
+/// input of the effect, for data that cannot determine it, and for an event that is not found.
 Addition add_effect(const model::Model& model, const EffectChange& change,
                     const TrainingRuns& training, const std::vector<compare::RunInBlocks>& holdouts,
                     const AddSettings& settings);

@@ -29,7 +29,6 @@ Eigen::MatrixXd without(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& col
   return left;
 }
 
-
 // The same from the normal equations: less exact where columns are nearly dependent.
 double rough_cost_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& measured) {
   const Eigen::MatrixXd square = columns.transpose().lazyProduct(columns);
@@ -189,8 +188,7 @@ std::vector<double> WhitenedProblem::costs(const model::ShapeParameter& paramete
 
 WhitenedProblem::Step WhitenedProblem::step(const std::vector<model::ShapeParameter>& parameters,
                                             const Solution& here) const {
-  const Eigen::MatrixXd change =
-      without(fixed_, derivatives(parameters, left_, here.coefficients));
+  const Eigen::MatrixXd change = without(fixed_, derivatives(parameters, left_, here.coefficients));
   std::vector<Eigen::MatrixXd> columns = left_;
   columns.push_back(change);
   const LinearFit fit = solve_linear(side_by_side(columns, measured_.size()), measured_left_);

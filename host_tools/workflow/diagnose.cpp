@@ -38,10 +38,10 @@ bool have_own_biases(const model::Model& model, const diagnosis::JudgingRuns& ju
   runs.insert(runs.end(), judging.holdouts.begin(), judging.holdouts.end());
   for (const compare::TurnOnBias& turn_on : fit::turn_on_biases(model, runs)) {
     if (!turn_on.certain) continue;
-    notes.push_back(format("the bias of %s is %.2g +- %.1g deg/h above that of %s: additions are "
-                           "judged with a bias of its own for each run (--run-offsets)",
-                           turn_on.run.c_str(), turn_on.above_dph, turn_on.sigma_dph,
-                           turn_on.reference.c_str()));
+    notes.push_back(format(
+        "the bias of %s is %.2g +- %.1g deg/h above that of %s: additions are "
+        "judged with a bias of its own for each run (--run-offsets)",
+        turn_on.run.c_str(), turn_on.above_dph, turn_on.sigma_dph, turn_on.reference.c_str()));
     return true;
   }
   return false;

@@ -29,8 +29,8 @@ struct Placed {
 
 // `missing`: an effect of the gyro that the model lacks, or "".
 Placed place(double jump_dph, double fraction, const std::string& missing) {
-  recording::Recording recording = fog::test::thinned(
-      fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1), 4);
+  recording::Recording recording =
+      fog::test::thinned(fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1), 4);
   model::Model model = fog::test::truth();
   model.terms.erase(
       std::remove_if(model.terms.begin(), model.terms.end(),
@@ -70,8 +70,8 @@ TEST(StepCandidates, AreMovedToTheJumpAlthoughALargeEffectIsMissing) {
   }
 }
 
-TEST(StepCandidates, StayOnTheGridWhereThereIsNoJump) {
-  const Placed none = place(0, 0.5, "temperature_rate");
+TEST(StepCandidates, StayOnTheGridWhereNothingIsMissing) {
+  const Placed none = place(0, 0.5, "");
   const std::size_t interval = none.shapes[1].row - none.shapes[0].row;
   for (std::size_t i = 1; i < none.shapes.size(); ++i) {
     EXPECT_LE(none.shapes[i].row - none.shapes[i - 1].row - interval + 1, 2U);
