@@ -113,6 +113,10 @@ constexpr double kMinShareOfInput = 0.5;
 constexpr double kClearlyLess = 0.97;
 constexpr double kNearlyAsLikely = 1.0 / 3;
 
+/// A description that leaves at most this fraction of what a named effect leaves out of sample
+/// refutes a name that does not help there. A third is what a description is to bring at least.
+constexpr double kRefutes = 2.0 / 3;
+
 /// Fraction of the excess above which a part counts as the main part of an unknown residual.
 constexpr double kMainPart = 0.5;
 

@@ -51,6 +51,9 @@ struct Diagnosis {
   /// For the verdict unknown: noise alone may look like this, but an effect would lower the error
   /// clearly.
   bool faint = false;
+  /// For the verdict unknown: what was named, until it was found to fail out of sample beside a
+  /// description; else "".
+  std::string withdrawn;
   FastStructure fast;
   TwoLevels jumps;
   FastKind fast_kind = FastKind::none;  ///< the surest of these, where it is sure and counts
@@ -96,6 +99,9 @@ struct DiagnosisSettings {
   /// empty.
   std::function<void(double)> progress{};
 };
+
+/// Takes a name back: the verdict becomes unknown.
+void withdraw_name(Diagnosis& diagnosis);
 
 /// Decides whether the effects of `model` leave more than noise and, if so, which effect of the
 /// catalogue or expression of data.offered() is missing. A network is left out; a separate step

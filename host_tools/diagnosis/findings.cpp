@@ -4,6 +4,7 @@
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/diagnosis.hpp"
 #include "model/shape_limits.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp::diagnosis {
 
@@ -19,6 +20,15 @@ const char* name_of(Verdict verdict) {
       break;
   }
   return "unknown";
+}
+
+void withdraw_name(Diagnosis& diagnosis) {
+  diagnosis.withdrawn =
+      diagnosis.confusable.empty() ? diagnosis.effect : join(diagnosis.confusable, " or ");
+  diagnosis.verdict = Verdict::unknown;
+  diagnosis.effect.clear();
+  diagnosis.confusable.clear();
+  diagnosis.experiment.reset();
 }
 
 const CandidateFinding* Diagnosis::find(const std::string& name) const {

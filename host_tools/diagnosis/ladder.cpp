@@ -54,6 +54,7 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
   ladder.model = model;
   ladder.first = diagnose(model, data, each);
   ladder.next = find_next_step(model, ladder.first, data, runs, unheard);
+  if (ladder.next.refutes_name) withdraw_name(ladder.first);
   ladder.last = ladder.first;
   ladder.last_next = ladder.next;
   while (done < max_steps && ladder.last_next.addition) {
@@ -71,6 +72,7 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
     }
     if (done < max_steps) {
       ladder.last_next = find_next_step(ladder.model, ladder.last, data, runs, unheard);
+      if (ladder.last_next.refutes_name) withdraw_name(ladder.last);
     }
   }
   return ladder;

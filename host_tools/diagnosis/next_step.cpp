@@ -374,6 +374,16 @@ bool is_function_of_signals(const Diagnosis& diagnosis) {
   return diagnosis.fast_share < rules::kMainPart && !diagnosis.walk.may_be_all();
 }
 
+// Whether the first refusal, of what the diagnosis names, and the accepted description contradict
+// the name.
+bool refutes_name(const NextStep& next) {
+  if (!next.describes || next.refused.empty()) return false;
+  const TriedAddition& named = next.refused.front();
+  const bool helps_hardly = named.left() > 1 - rules::kHardlyHelps && !named.may_be_walk;
+  return named.rms_before_dph > 0 && helps_hardly &&
+         next.addition->left() < rules::kRefutes * named.left();
+}
+
 // Whether a network may learn what is missing. Within one run the inputs follow a single path, so
 // it is undetermined beside it.
 bool may_learn(const model::Model& model, const Diagnosis& diagnosis, const JudgingRuns& runs) {
@@ -450,6 +460,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   sort_by_explained(descriptions);
   const bool described = describe(std::move(descriptions), judge, next);
   next.together.clear();
+  next.refutes_name = described && diagnosis.verdict != Verdict::unknown && refutes_name(next);
   if (!described && may_learn(model, diagnosis, runs)) {
     next.describes = true;
     try_out({{fit::kNetworkName}, ""}, judge, next);

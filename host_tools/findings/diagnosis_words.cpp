@@ -33,6 +33,11 @@ Headline missing_words(const diagnosis::Diagnosis& diagnosis) {
 
 Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_holds) {
   if (diagnosis.faint) return {"something may be missing, too faint to be named", ""};
+  if (!diagnosis.withdrawn.empty()) {
+    return {"something is missing that no effect of the catalogue explains: what looks like " +
+                diagnosis.withdrawn + " does not hold out of sample",
+            ""};
+  }
   const bool is_fast = diagnosis.fast_kind != diagnosis::FastKind::none;
   const std::string fast = diagnosis.fast_kind == diagnosis::FastKind::two_levels
                                ? "jumps between two levels"

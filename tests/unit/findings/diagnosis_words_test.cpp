@@ -66,6 +66,16 @@ TEST(DiagnosisWords, OfSomethingFaintNameNothing) {
   EXPECT_EQ(words_of(found, {}, kFiles).verdict, "something may be missing, too faint to be named");
 }
 
+TEST(DiagnosisWords, OfAWithdrawnNameSayWhatItLookedLike) {
+  diagnosis::Diagnosis found = only_together();
+  withdraw_name(found);
+  EXPECT_EQ(found.verdict, diagnosis::Verdict::unknown);
+  EXPECT_EQ(found.effect, "");
+  EXPECT_EQ(words_of(found, {}, kFiles).verdict,
+            "something is missing that no effect of the catalogue explains: what looks like aging "
+            "does not hold out of sample");
+}
+
 TEST(DiagnosisWords, AddWithABiasForEachRunWhereItWasJudgedSo) {
   diagnosis::NextStep next;
   next.addition = tried({"aging"});
