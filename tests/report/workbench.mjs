@@ -283,7 +283,7 @@ const loop = async (browser) => {
   check("loop", (await bench.text("#masks")) === "", "a mask cannot be taken away");
   await bench.diagnosed();
   // An effect that does not help is refused with the reason, and added on request.
-  await bench.click(`#diagnosis [aria-label="Add temperature_rate"]`);
+  await bench.click(`#diagnosis [aria-label="Add polarization_ripple"]`);
   await bench.until(`document.querySelector(".judged button")`, "a refusal");
   check("loop", (await bench.text(".judged")).startsWith("Not added. "), await bench.text(".judged"));
   await bench.click(".judged button");
