@@ -238,7 +238,7 @@ const loop = async (browser) => {
   await bench.diagnosed();
   check(
     "loop",
-    (await bench.text("#diagnosis .verdict")).startsWith("Missing effect: thermal_lag"),
+    (await bench.text("#diagnosis .verdict")).startsWith("thermal_lag is missing"),
     await bench.text("#diagnosis"),
   );
   const diagnosis = await bench.tab.evaluate("JSON.stringify(states.now.diagnosis.diagnosis, null, 1)");
@@ -252,6 +252,16 @@ const loop = async (browser) => {
   );
   if (shots) writeFileSync(join(shots, "candidate.png"), await bench.tab.screenshot());
   const before = await bench.error();
+  // An effect that does not help is refused with the reason, and added on request.
+  await bench.click(`#diagnosis [aria-label="Add aging"]`);
+  await bench.until(`document.querySelector(".judged button")`, "a refusal");
+  check("loop", (await bench.text(".judged")).startsWith("Not added. "), await bench.text(".judged"));
+  await bench.click(".judged button");
+  await bench.state(1);
+  check("loop", (await bench.text("#commands")).includes("--force"), "the command does not force it");
+  await bench.key("z", "KeyZ", 2);
+  await bench.state(0);
+  await bench.diagnosed();
   await bench.click("#add_missing");
   await bench.state(1);
   const between = await bench.error();
@@ -282,13 +292,6 @@ const loop = async (browser) => {
   await bench.state(4);
   check("loop", (await bench.text("#masks")) === "", "a mask cannot be taken away");
   await bench.diagnosed();
-  // An effect that does not help is refused with the reason, and added on request.
-  await bench.click(`#diagnosis [aria-label="Add polarization_ripple"]`);
-  await bench.until(`document.querySelector(".judged button")`, "a refusal");
-  check("loop", (await bench.text(".judged")).startsWith("Not added. "), await bench.text(".judged"));
-  await bench.click(".judged button");
-  await bench.state(5);
-  check("loop", (await bench.text("#commands")).includes("--force"), "the command does not force it");
   // A formula says what is wrong with it as it is typed.
   await bench.click("#expression");
   await bench.tab.send("Input.insertText", { text: "x = T*T*" });
