@@ -7,7 +7,6 @@
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/forms.hpp"
 #include "model/catalogue.hpp"
-#include "support/input_error.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
 
@@ -64,46 +63,6 @@ std::optional<AdditionRequest> request_of(const Diagnosis& diagnosis,
   return request;
 }
 
-double square(double value) {
-  return value * value;
-}
-
-// Whether the entry added something to the model; an event only masks rows.
-bool is_addition(const model::HistoryEntry& entry) {
-  const auto did = [&](const std::string& what) { return entry.action.rfind(what, 0) == 0; };
-  const auto is_event = [&](const model::CatalogueEntry& effect) {
-    return effect.description.event && did(std::string("add ") + effect.description.name);
-  };
-  const auto& catalogue = model::catalogue();
-  return did("add ") && std::none_of(catalogue.begin(), catalogue.end(), is_event);
-}
-
-// The model's error as first fitted, before any addition, deg/h.
-double error_when_fitted(const model::Model& model, double now_dph) {
-  const auto first = std::find_if(model.history.begin(), model.history.end(), is_addition);
-  return first == model.history.end() ? now_dph : first->rms_before_dph;
-}
-
-// An addition that removes very little may only correct the inexactness of earlier terms; only a
-// run that was not fitted can tell.
-bool is_worth_adding(double before_dph, double after_dph, double fitted_dph) {
-  const double fall = square(before_dph) - square(after_dph);
-  return fall >= rules::kWorthAdding * (square(fitted_dph) - square(after_dph)) ||
-         after_dph <= (1 - rules::kHardlyHelps) * before_dph;
-}
-
-// Reason not to propose an addition that helps out of sample; "" if there is none.
-std::string objection_to(const model::Model& grown, bool has_holdouts) {
-  const model::HistoryEntry& step = grown.history.back();
-  if (step.rms_after_dph >= step.rms_before_dph) return "it does not lower the error of these runs";
-  const double fitted_dph = error_when_fitted(grown, step.rms_before_dph);
-  if (has_holdouts || is_worth_adding(step.rms_before_dph, step.rms_after_dph, fitted_dph)) {
-    return "";
-  }
-  return "its gain is so small that it may only correct inexact terms of the model: let a run "
-         "that was not fitted decide, with --holdout";
-}
-
 // Whether an addition could be worth it if it removed everything above the noise.
 bool may_be_worth_adding(const model::Model& model, const Diagnosis& diagnosis) {
   const double now_dph = diagnosis.residual_rms_dph;
@@ -111,93 +70,8 @@ bool may_be_worth_adding(const model::Model& model, const Diagnosis& diagnosis) 
                          error_when_fitted(model, now_dph));
 }
 
-// Judges additions as `add` does, without the network.
-class Judge {
- public:
-  Judge(const model::Model& model, const JudgingRuns& runs, bool run_offsets)
-      : model_(model), runs_(runs), run_offsets_(run_offsets) {
-    model_.network = {};
-  }
-  // Refits the model without a change, which all trials need; before trials in several threads.
-  void prepare() {
-    if (refitted_ || !failure_.empty()) return;
-    try {
-      fit::AddSettings settings;
-      settings.run_offsets = run_offsets_;
-      refitted_ = fit::refitted(model_, runs_.training, settings);
-    } catch (const InputError& error) {
-      failure_ = error.what();
-    }
-  }
-
-  TriedAddition operator()(AdditionRequest request) {
-    prepare();
-    TriedAddition trial;
-    trial.request = std::move(request);
-    trial.request.run_offsets = run_offsets_;
-    trial.reason = failure_;
-    if (!refitted_) return trial;
-    try {
-      fit::Addition addition = try_to_add(model_, trial.request, runs_, &*refitted_);
-      const std::string objection =
-          addition.accepted ? objection_to(addition.model, !runs_.holdouts.empty()) : "";
-      trial.accepted = addition.accepted && objection.empty();
-      trial.may_be_walk = addition.chance_of_walk.value_or(0) >= fit::rules::kMaxChanceOfWalk;
-      trial.reason = objection.empty() ? addition.reason : objection;
-      if (addition.out_of_sample) {
-        trial.rms_before_dph = addition.out_of_sample->rms_before_dph;
-        trial.rms_after_dph = addition.out_of_sample->rms_after_dph;
-      }
-      if (trial.accepted) trial.model = std::move(addition.model);
-    } catch (const InputError& error) {
-      trial.reason = error.what();
-    }
-    return trial;
-  }
-
-  // For a description without physics also requires every other run: stretches left out of a run
-  // have the temperatures of their neighbours, another run has not.
-  TriedAddition of_description(AdditionRequest request) {
-    TriedAddition trial = (*this)(std::move(request));
-    const std::size_t count = runs_.holdouts.empty() ? runs_.training.runs.size() : 0;
-    if (count < 2 || !trial.accepted) return trial;
-    std::vector<std::string> objections(count);
-    for_each_index(
-        count, [&](std::size_t run) { objections[run] = objection_of_run(trial.request, run); });
-    const auto objects = [](const std::string& objection) { return !objection.empty(); };
-    const auto first = std::find_if(objections.begin(), objections.end(), objects);
-    if (first != objections.end()) {
-      trial.accepted = false;
-      trial.reason = *first;
-    }
-    return trial;
-  }
-
- private:
-  // Reason why the addition, identified on the other runs, fails on this run; "" if it does not, or
-  // if the others do not determine it.
-  std::string objection_of_run(const AdditionRequest& request, std::size_t run) const {
-    try {
-      const fit::Addition addition = try_to_add(model_, request, runs_.without(run));
-      const auto& judged = addition.out_of_sample;
-      if (!judged || judged->rms_after_dph < judged->rms_before_dph) return "";
-      return format("it does not hold on %s when that run is left out: %s -> %s deg/h",
-                    runs_.training.runs[run].file.c_str(), rounded(judged->rms_before_dph).c_str(),
-                    rounded(judged->rms_after_dph).c_str());
-    } catch (const InputError&) {
-      return "";
-    }
-  }
-
-  model::Model model_;
-  const JudgingRuns& runs_;
-  bool run_offsets_;
-  std::optional<fit::RefittedModel> refitted_;
-  std::string failure_;  // why there is none
-};
-
 // Whether the addition is accepted; stores it in `next` in either case.
-bool try_out(AdditionRequest request, Judge& judge, NextStep& next) {
+bool try_out(AdditionRequest request, AdditionJudge& judge, NextStep& next) {
   TriedAddition addition =
       next.describes ? judge.of_description(std::move(request)) : judge(std::move(request));
   const bool accepted = addition.accepted;
@@ -255,9 +129,9 @@ void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
 
 // Fraction of the mean square above the noise floor that an effect alone takes out.
 double removed_alone(const Diagnosis& diagnosis, const CandidateFinding& finding) {
-  const double now = square(diagnosis.residual_rms_dph);
-  const double above = now - square(diagnosis.noise_floor_dph);
-  return above > 0 ? std::min(1.0, (now - square(finding.rms_after_dph)) / above) : 0;
+  const double now = std::pow(diagnosis.residual_rms_dph, 2);
+  const double above = now - std::pow(diagnosis.noise_floor_dph, 2);
+  return above > 0 ? std::min(1.0, (now - std::pow(finding.rms_after_dph, 2)) / above) : 0;
 }
 
 // Effects that alone lower the error clearly, whatever their share of what is missing.
@@ -322,7 +196,7 @@ void add_formulas(const model::Model& model, const Diagnosis& diagnosis, const D
 }
 
 // Tries the first few sets of effects that explain the residual as physics, until one is accepted.
-bool try_sets(std::vector<Description> sets, Judge& judge, NextStep& next) {
+bool try_sets(std::vector<Description> sets, AdditionJudge& judge, NextStep& next) {
   if (sets.size() > kMaxTried) sets.resize(kMaxTried);
   for (Description& set : sets) {
     if (!try_out(std::move(set.request), judge, next)) continue;
@@ -334,7 +208,7 @@ bool try_sets(std::vector<Description> sets, Judge& judge, NextStep& next) {
 
 // Tries the first few descriptions; of those accepted the one that leaves least out of sample is
 // taken, an earlier one if that is nearly as good.
-bool describe(std::vector<Description> descriptions, Judge& judge, NextStep& next) {
+bool describe(std::vector<Description> descriptions, AdditionJudge& judge, NextStep& next) {
   if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
   std::vector<TriedAddition> tried(descriptions.size());
   const auto judge_one = [&](std::size_t i) {
@@ -393,37 +267,6 @@ bool may_learn(const model::Model& model, const Diagnosis& diagnosis, const Judg
 
 }  // namespace
 
-std::vector<std::string> AdditionRequest::names() const {
-  std::vector<std::string> names;
-  for (const std::string& effect : effects) names.push_back(effect.substr(0, effect.find(':')));
-  if (!expression.empty()) names.push_back(expression.substr(0, expression.find(' ')));
-  return names;
-}
-
-bool AdditionRequest::is_network() const {
-  return names() == std::vector<std::string>{fit::kNetworkName};
-}
-
-JudgingRuns JudgingRuns::without(std::size_t run) const {
-  JudgingRuns others = *this;
-  const auto left_out = others.training.runs.begin() + static_cast<std::ptrdiff_t>(run);
-  others.holdouts = {std::move(*left_out)};
-  others.training.runs.erase(left_out);
-  return others;
-}
-
-fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
-                         const JudgingRuns& runs, const fit::RefittedModel* before) {
-  const fit::EffectChange change = request.expression.empty()
-                                       ? fit::change_effects(model.terms, request.effects)
-                                       : fit::change_expression(model.terms, request.expression);
-  fit::AddSettings settings;
-  settings.run_offsets = request.run_offsets;
-  settings.verdict_only = true;
-  settings.before = before;
-  return fit::add_effect(model, change, runs.training, runs.holdouts, settings);
-}
-
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
                         const DiagnosisData& data, const JudgingRuns& runs,
                         const DiagnosisSettings& settings) {
@@ -435,7 +278,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   if (const std::string one = effect_to_add(diagnosis); !one.empty()) named = {one};
   const std::vector<std::string> events = events_among(diagnosis, named);
   if (!events.empty()) named = events;
-  Judge judge(model, runs, settings.run_offsets);
+  AdditionJudge judge(model, runs, settings.run_offsets);
   std::vector<Description> descriptions;
   if (diagnosis.verdict != Verdict::unknown) {
     if (!named.empty() && try_out(*request_of(diagnosis, named), judge, next)) {

@@ -4,36 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/addition_judge.hpp"
 #include "diagnosis/diagnosis.hpp"
-#include "fit/add_effect.hpp"
-#include "fit/training_runs.hpp"
 
 namespace fogcomp::diagnosis {
-
-/// Argument of `add`: effects, or an expression.
-struct AdditionRequest {
-  std::vector<std::string> effects;  ///< as fit::change_effects() takes them; or else
-  std::string expression;            ///< `NAME = EXPRESSION`
-  bool run_offsets = false;          ///< with a bias of its own for each run
-
-  std::vector<std::string> names() const;  ///< without their parameters
-  bool is_network() const;
-};
-
-/// A tested addition, judged as `add` judges it.
-struct TriedAddition {
-  AdditionRequest request;
-  bool accepted = false;
-  bool may_be_walk = false;  ///< a random walk of the bias would explain as much
-  std::string reason;        ///< one line: why it is accepted or not
-  double rms_after_dph = 0;  ///< out of sample; both 0 for an event, which nothing else can judge
-  double rms_before_dph = 0;
-  /// The resulting model, without a network; only if accepted.
-  std::optional<model::Model> model;
-
-  /// Fraction of the error that is left out of sample.
-  double left() const { return rms_before_dph > 0 ? rms_after_dph / rms_before_dph : 1; }
-};
 
 /// A formula that may describe the residual.
 struct Form {
@@ -59,20 +33,6 @@ struct NextStep {
   std::vector<Form> forms;               ///< best first
   std::optional<Experiment> experiment;  ///< that would tell these apart
 };
-
-/// Runs that judge additions: runs to be fitted and, optionally, holdouts that decide.
-struct JudgingRuns {
-  fit::TrainingRuns training;
-  std::vector<compare::RunInBlocks> holdouts;
-
-  /// With one of the training runs as the holdout.
-  JudgingRuns without(std::size_t run) const;
-};
-
-/// Runs the command `add`, network included, and returns verdict and model. `before`: as in
-/// AddSettings. Throws InputError like fit::add_effect().
-fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
-                         const JudgingRuns& runs, const fit::RefittedModel* before = nullptr);
 
 /// Tries what `diagnosis` names. If it names nothing or that is refused, tries sets of effects,
 /// single effects and formulas over the signals that vary (formulas_over()), those that explain

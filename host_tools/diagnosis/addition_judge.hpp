@@ -1,0 +1,86 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fit/add_effect.hpp"
+#include "fit/training_runs.hpp"
+
+namespace fogcomp::diagnosis {
+
+/// Argument of `add`: effects, or an expression.
+struct AdditionRequest {
+  std::vector<std::string> effects;  ///< as fit::change_effects() takes them; or else
+  std::string expression;            ///< `NAME = EXPRESSION`
+  bool run_offsets = false;          ///< with a bias of its own for each run
+
+  std::vector<std::string> names() const;  ///< without their parameters
+  bool is_network() const;
+};
+
+/// A tested addition, judged as `add` judges it.
+struct TriedAddition {
+  AdditionRequest request;
+  bool accepted = false;
+  bool may_be_walk = false;  ///< a random walk of the bias would explain as much
+  std::string reason;        ///< one line: why it is accepted or not
+  double rms_after_dph = 0;  ///< out of sample; both 0 for an event, which nothing else can judge
+  double rms_before_dph = 0;
+  /// The resulting model, without a network; only if accepted.
+  std::optional<model::Model> model;
+
+  /// Fraction of the error that is left out of sample.
+  double left() const { return rms_before_dph > 0 ? rms_after_dph / rms_before_dph : 1; }
+};
+
+/// Runs that judge additions: runs to be fitted and, optionally, holdouts that decide.
+struct JudgingRuns {
+  fit::TrainingRuns training;
+  std::vector<compare::RunInBlocks> holdouts;
+
+  /// With one of the training runs as the holdout.
+  JudgingRuns without(std::size_t run) const;
+};
+
+/// Runs the command `add`, network included, and returns verdict and model. `before`: as in
+/// AddSettings. Throws InputError like fit::add_effect().
+fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
+                         const JudgingRuns& runs, const fit::RefittedModel* before = nullptr);
+
+/// The model's error as first fitted, before any addition, deg/h. `now_dph`: its error now.
+double error_when_fitted(const model::Model& model, double now_dph);
+
+/// Whether an addition takes out enough of what has been taken out since the fit
+/// (rules::kWorthAdding). One that removes very little may only correct the inexactness of earlier
+/// terms; only a run that was not fitted can tell.
+bool is_worth_adding(double before_dph, double after_dph, double fitted_dph);
+
+/// Tries additions as `add` would judge them, without the model's network. The model is refitted
+/// once for all of them.
+class AdditionJudge {
+ public:
+  /// `runs` must outlive the judge. `run_offsets`: with a bias of its own for each run.
+  AdditionJudge(const model::Model& model, const JudgingRuns& runs, bool run_offsets);
+
+  /// Refits the model without a change, if that has not been done; before calls from several
+  /// threads.
+  void prepare();
+
+  TriedAddition operator()(AdditionRequest request);
+
+  /// For a description without physics also requires every other run: stretches left out of a run
+  /// have the temperatures of their neighbours, another run has not.
+  TriedAddition of_description(AdditionRequest request);
+
+ private:
+  std::string objection_of_run(const AdditionRequest& request, std::size_t run) const;
+
+  model::Model model_;
+  const JudgingRuns& runs_;
+  bool run_offsets_;
+  std::optional<fit::RefittedModel> refitted_;
+  std::string failure_;  // why there is none
+};
+
+}  // namespace fogcomp::diagnosis
