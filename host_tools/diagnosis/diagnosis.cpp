@@ -85,16 +85,6 @@ void name_effects(const model::Model& model, Diagnosis& diagnosis) {
   diagnosis.experiment = experiment_for_rivals(model, diagnosis);
 }
 
-// Whether any effect would lower the error of the rows clearly.
-bool helps_clearly(const Diagnosis& diagnosis) {
-  const double clearly_less_dph = (1 - rules::kHardlyHelps) * diagnosis.residual_rms_dph;
-  return std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(),
-                     [&](const CandidateFinding& finding) {
-                       return finding.rms_after_dph <= clearly_less_dph &&
-                              !model::is_event(finding.term());
-                     });
-}
-
 // The verdict where something is missing. `slow_excess`: chi^2 above noise of what is not fast.
 // `may_be_named`: the catalogue explains that, and noise does not.
 void decide(const model::Model& model, double slow_excess, const FastFinding& fast,
@@ -146,7 +136,9 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
   if (something) {
     const bool may_be_named = explanation.enough && test.library_log_p < rules::kLibraryLogP;
     decide(model, explanation.excess, fast, may_be_named, diagnosis);
-  } else if (diagnosis.chance < rules::kFaintChance && helps_clearly(diagnosis)) {
+  } else if (diagnosis.chance < rules::kFaintChance &&
+             std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(),
+                         [&](const auto& finding) { return helps_clearly(diagnosis, finding); })) {
     diagnosis.faint = true;
     diagnosis.verdict = Verdict::unknown;
   }

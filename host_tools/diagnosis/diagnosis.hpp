@@ -100,6 +100,9 @@ struct DiagnosisSettings {
   std::function<void(double)> progress{};
 };
 
+/// Whether an effect, no event, alone lowers the error of the rows by rules::kHardlyHelps or more.
+bool helps_clearly(const Diagnosis& diagnosis, const CandidateFinding& finding);
+
 /// Takes a name back: the verdict becomes unknown.
 void withdraw_name(Diagnosis& diagnosis);
 

@@ -3,6 +3,7 @@
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/diagnosis.hpp"
+#include "model/catalogue.hpp"
 #include "model/shape_limits.hpp"
 #include "support/text.hpp"
 
@@ -20,6 +21,11 @@ const char* name_of(Verdict verdict) {
       break;
   }
   return "unknown";
+}
+
+bool helps_clearly(const Diagnosis& diagnosis, const CandidateFinding& finding) {
+  return finding.rms_after_dph <= (1 - rules::kHardlyHelps) * diagnosis.residual_rms_dph &&
+         !model::is_event(finding.term());
 }
 
 void withdraw_name(Diagnosis& diagnosis) {

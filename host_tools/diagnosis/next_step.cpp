@@ -139,9 +139,7 @@ void add_singles(const Diagnosis& diagnosis, const std::vector<std::string>& nam
                  std::vector<Description>& descriptions) {
   std::vector<const CandidateFinding*> singles;
   for (const CandidateFinding& finding : diagnosis.candidates) {
-    const bool helps =
-        finding.rms_after_dph <= (1 - rules::kHardlyHelps) * diagnosis.residual_rms_dph;
-    if (helps && !finding.is_expression() && !model::is_event(finding.term()) &&
+    if (helps_clearly(diagnosis, finding) && !finding.is_expression() &&
         !model::only_tail_is_seen(finding.term()) &&
         named != std::vector<std::string>{finding.effect}) {
       singles.push_back(&finding);

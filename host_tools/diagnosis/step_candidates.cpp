@@ -100,34 +100,33 @@ class Steps {
   std::vector<bool> moved_;
 };
 
-// Places `step` at the best rows of what is left beside some orthonormal columns, where it lowers
-// chi^2 by more than `min_drop`.
-void place_beside(const Eigen::MatrixXd& beside, double min_drop, const series::Rows& rows,
-                  const Residualizer& residualizer, const model::EffectTerm& step, Steps& steps) {
-  const Eigen::VectorXd left = projected_out(beside, residualizer.residual());
-  // What smooth functions leave of a large effect is rougher than noise.
-  if (beside.cols() > 0) {
-    min_drop *= std::max(1.0, left.squaredNorm() / static_cast<double>(rows.size()));
-  }
-  for (const std::size_t row : best_rows(rows, residualizer.chi2_drops_of_steps(rows, left))) {
-    auto placed = step_shape(rows, residualizer, step, row);
-    if (!placed) continue;
-    const Eigen::VectorXd own = projected_out(beside, placed->basis);
-    const double drop = std::pow(own.dot(left), 2) / std::max(own.squaredNorm(), 1e-300);
-    if (drop < min_drop) return;
-    steps.place(std::move(*placed));
-  }
-}
-
 }  // namespace
 
 void place_steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows,
                  const Residualizer& residualizer, const Eigen::MatrixXd& smooth) {
   const Eigen::MatrixXd nothing(smooth.rows(), 0);
+  Eigen::MatrixXd left(smooth.rows(), 2);
+  left.col(0) = residualizer.residual();
+  left.col(1) = projected_out(smooth, residualizer.residual());
+  // What smooth functions leave of a large effect is rougher than noise.
+  const double roughness =
+      std::max(1.0, left.col(1).squaredNorm() / static_cast<double>(rows.size()));
+  const Eigen::MatrixXd drops = residualizer.chi2_drops_of_steps(rows, left);
   const model::EffectTerm step = shapes.front().term;
   Steps steps(shapes, rows);
-  place_beside(nothing, rules::kMinMovedChi2Drop, rows, residualizer, step, steps);
-  place_beside(smooth, rules::kMinPlacedChi2Drop, rows, residualizer, step, steps);
+  const auto place = [&](Eigen::Index which, const Eigen::MatrixXd& beside, double min_drop) {
+    for (const std::size_t row : best_rows(rows, drops.col(which))) {
+      auto placed = step_shape(rows, residualizer, step, row);
+      if (!placed) continue;
+      const Eigen::VectorXd own = projected_out(beside, placed->basis);
+      const double drop =
+          std::pow(own.dot(left.col(which)), 2) / std::max(own.squaredNorm(), 1e-300);
+      if (drop < min_drop) return;
+      steps.place(std::move(*placed));
+    }
+  };
+  place(0, nothing, rules::kMinMovedChi2Drop);
+  place(1, smooth, rules::kMinPlacedChi2Drop * roughness);
 }
 
 }  // namespace fogcomp::diagnosis

@@ -159,16 +159,17 @@ Eigen::MatrixXd Residualizer::without_model(const Eigen::MatrixXd& columns) cons
   return left;
 }
 
-Eigen::VectorXd Residualizer::chi2_drops_of_steps(const series::Rows& rows,
-                                                  const Eigen::VectorXd& left) const {
-  Eigen::MatrixXd columns(rows.size(), 1 + basis_.cols());
-  columns << left.head(rows.size()), basis_.topRows(rows.size());
+Eigen::MatrixXd Residualizer::chi2_drops_of_steps(const series::Rows& rows,
+                                                  const Eigen::MatrixXd& left) const {
+  Eigen::MatrixXd columns(rows.size(), left.cols() + basis_.cols());
+  columns << left.topRows(rows.size()), basis_.topRows(rows.size());
   const noise::StepProducts steps = whitening_.steps(rows, columns);
   const Eigen::ArrayXd visible =
       steps.square.array() - steps.with.rightCols(basis_.cols()).rowwise().squaredNorm().array();
-  const Eigen::ArrayXd drops = steps.with.col(0).array().square() / visible.max(1e-300);
   const double min_share = rules::kMinVisible * rules::kMinVisible;
-  return (visible > min_share * steps.square.array()).select(drops, 0);
+  const Eigen::ArrayXd per_square =
+      (visible > min_share * steps.square.array()).select(visible.max(1e-300).inverse(), 0);
+  return steps.with.leftCols(left.cols()).array().square().colwise() * per_square;
 }
 
 VisiblePart Residualizer::operator()(const Eigen::MatrixXd& regressors) const {

@@ -21,9 +21,10 @@ class Residualizer {
   /// Whitened residual of the model.
   const Eigen::VectorXd& residual() const { return residual_; }
   const noise::Whitening& whitening() const { return whitening_; }
-  /// Fall of the square of `left`, a whitened residual without the model, by a step at each row; 0
-  /// where less than rules::kMinVisible of the step is visible. O(rows).
-  Eigen::VectorXd chi2_drops_of_steps(const series::Rows& rows, const Eigen::VectorXd& left) const;
+  /// Fall of the squares of `left`, any number of whitened residuals without the model, by a step
+  /// at each row: one per row and residual. 0 where less than rules::kMinVisible of the step is
+  /// visible. O(rows).
+  Eigen::MatrixXd chi2_drops_of_steps(const series::Rows& rows, const Eigen::MatrixXd& left) const;
 
  private:
   Eigen::MatrixXd with_priors(const Eigen::MatrixXd& columns) const;

@@ -34,6 +34,7 @@ void note_rows(const diagnosis::RowLength& rows, const model::Model& model,
 // says so.
 bool have_own_biases(const model::Model& model, const diagnosis::JudgingRuns& judging,
                      std::vector<std::string>& notes) {
+  if (judging.training.runs.size() + judging.holdouts.size() < 2) return false;
   std::vector<compare::RunInBlocks> runs = judging.training.runs;
   runs.insert(runs.end(), judging.holdouts.begin(), judging.holdouts.end());
   for (const compare::TurnOnBias& turn_on : fit::turn_on_biases(model, runs)) {
