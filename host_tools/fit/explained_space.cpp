@@ -38,7 +38,7 @@ ExplainedSpace::WithNoise ExplainedSpace::with_noise(const series::ColumnRange& 
   const Eigen::MatrixXd columns = half.solve(gram_.middleRows(random.first, random.count));
   const Eigen::VectorXd residual = half.solve(projection_.segment(random.first, random.count));
   WithNoise with{*this, 0};
-  with.space.gram_ -= columns.transpose() * columns;
+  with.space.gram_ -= fogcomp::gram(columns);
   with.space.projection_ -= columns.transpose() * residual;
   const double log_determinant = (root.diagonal().array().square() * variances.array()).log().sum();
   with.log_likelihood = (residual.squaredNorm() - log_determinant) / 2;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fit/descent.hpp"
 #include "model/catalogue.hpp"
 #include "support/parallel.hpp"
 
@@ -15,7 +16,6 @@ constexpr int kGridPoints = 24;
 // turn off at the end of the data explains nothing.
 constexpr int kPeriodGridPoints = 96;
 constexpr std::size_t kMaxStarts = 3;  // per parameter
-constexpr int kGaussNewtonSteps = 12;
 // Smallest relative decrease of the cost that justifies another step: when comparing starts, and at
 // the end.
 constexpr double kRoughly = 1e-5;
@@ -53,57 +53,35 @@ std::vector<double> starts_of(const WhitenedProblem& problem,
   return starts;
 }
 
-// Makes the largest fraction of a step that lowers the cost; `here`, the solution, stays if none
-// does.
-void go(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
-        const Eigen::VectorXd& change, WhitenedProblem::Solution& here) {
-  std::vector<double> start;
-  for (const model::ShapeParameter& parameter : parameters)
-    start.push_back(problem.value(parameter));
-  std::vector<double> values = start;
-  for (double length = 1; length > 1e-3; length /= 2) {
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-      values[i] = parameters[i].from_unit(parameters[i].to_unit(start[i]) +
-                                          length * change[static_cast<Eigen::Index>(i)]);
-    }
-    problem.set(parameters, values);
-    WhitenedProblem::Solution now = problem.solution();
-    if (!(now.cost < here.cost)) continue;
-    here = std::move(now);
-    return;
-  }
-  problem.set(parameters, start);
-}
-
-// Iterates until the expected or the actual relative decrease is below the limit.
-double descend(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
-               double worth_a_step) {
-  WhitenedProblem::Solution here = problem.solution();
-  for (int i = 0; i < kGaussNewtonSteps; ++i) {
-    const WhitenedProblem::Step step = problem.step(parameters, here);
-    const double enough = here.cost * (1 - worth_a_step);
-    if (!step.change.allFinite() || !(step.cost < enough)) break;
-    go(problem, parameters, step.change, here);
-    if (here.cost >= enough) break;
-  }
-  return here.cost;
-}
-
 // Searches one parameter over its whole range and optimises all parameters from each promising
-// value. Returns whether it moved to another local minimum.
+// value, side by side, so that what stays behind is abandoned early. Returns whether it moved to
+// another local minimum.
 bool search_range(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
                   std::size_t which) {
-  const std::vector<double> elsewhere = starts_of(problem, parameters, which);
-  // first from here, then from elsewhere
-  std::vector<WhitenedProblem> minima(1 + elsewhere.size(), problem);
-  std::vector<double> costs(minima.size());
-  for_each_index(minima.size(), [&](std::size_t i) {
-    if (i > 0) minima[i].set({parameters[which]}, {elsewhere[i - 1]});
-    costs[i] = descend(minima[i], parameters, kRoughly);
-  });
-  const auto best = std::min_element(costs.begin(), costs.end());
-  problem = std::move(minima[static_cast<std::size_t>(best - costs.begin())]);
-  return *best < costs[0] * (1 - kRoughly);
+  std::vector<Descent> descents = {
+      Descent(problem, parameters, kRoughly)};  // from here, then from elsewhere
+  for (const double value : starts_of(problem, parameters, which)) {
+    problem.set({parameters[which]}, {value});
+    descents.emplace_back(problem, parameters, kRoughly);
+  }
+  double best = 0;
+  for (bool going = true; going;) {
+    for_each_index(descents.size(), [&](std::size_t i) {
+      if (!descents[i].ended()) descents[i].step();
+    });
+    best = descents[0].cost();
+    for (const Descent& descent : descents) best = std::min(best, descent.cost());
+    going = false;
+    for (Descent& descent : descents) {
+      descent.abandon_if_above(best);
+      going = going || !descent.ended();
+    }
+  }
+  const auto lowest =
+      std::min_element(descents.begin(), descents.end(),
+                       [](const Descent& a, const Descent& b) { return a.cost() < b.cost(); });
+  problem = std::move(lowest->problem());
+  return lowest->cost() < descents[0].cost() * (1 - kRoughly);
 }
 
 // The two parts of an effect with an optional second part (radii, periods) are interchangeable: the
@@ -139,7 +117,9 @@ std::vector<bool> search_shapes(WhitenedProblem& problem,
     if (ranges[i]) elsewhere[i] = search_range(problem, parameters, i);
     if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(parameters.size()));
   }
-  descend(problem, parameters, exact ? kConverged : kRoughly);
+  Descent last(problem, parameters, exact ? kConverged : kRoughly);
+  last.finish();
+  problem = std::move(last.problem());
   order_parts(problem, parameters);
   return elsewhere;
 }

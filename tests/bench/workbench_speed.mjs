@@ -11,6 +11,7 @@ const kTicks = {
   "a ripple of fixed period": "polarization_ripple:period=13",
   "a lag that is searched": "thermal_lag",
   "a ripple whose period is searched": "polarization_ripple",
+  "two shapes that are searched": "glass_transition",
 };
 
 const [engine_script, run] = process.argv.slice(2);
