@@ -22,7 +22,10 @@ RealBlock to_real(const fog::BlockMeans<fog::BoardNumbers>& block) {
   const auto real = [](auto value) {
     return std::ldexp(value.raw(), -decltype(value)::fractional_bits);
   };
-  RealBlock result{real(block.temperature), real(block.input_rate), real(block.elapsed), {}};
+  RealBlock result;
+  result.temperature = real(block.temperature);
+  result.input_rate = real(block.input_rate);
+  result.elapsed = real(block.elapsed);
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     result.extension[i] = real(block.extension[i]);
   }
@@ -43,8 +46,7 @@ bool follows_input_rate(const EffectTerm& term) {
 RegressorBank::RegressorBank(const std::vector<EffectTerm>& terms, double block_s) {
   std::size_t size = 0;
   for (const EffectTerm& term : terms) {
-    parts_.push_back(
-        {make_effect(term, block_s), follows_input_rate(term), info_of(term).host_only != nullptr});
+    parts_.push_back({make_effect(term, block_s), follows_input_rate(term)});
     size += parts_.back().effect->regressor_count();
   }
   values_.resize(size);
@@ -63,7 +65,7 @@ const std::vector<double>& RegressorBank::run(const fog::Signals<RealNumbers>& s
     if (wanted(part)) {
       part.effect->step(signals, values);
       // The board has no regressors for effects that follow the rate.
-      if (!part.follows_rate || part.host_only) {
+      if (!part.follows_rate) {
         for (std::size_t i = 0; i < count; ++i) {
           values[i] = std::clamp(values[i], -kMaxRegressor, kMaxRegressor);
         }
@@ -76,10 +78,6 @@ const std::vector<double>& RegressorBank::run(const fog::Signals<RealNumbers>& s
 
 const std::vector<double>& RegressorBank::step(const fog::Signals<RealNumbers>& signals) {
   return run(signals, [](const Part&) { return true; });
-}
-
-const std::vector<double>& RegressorBank::step_block(const fog::Signals<RealNumbers>& signals) {
-  return run(signals, [](const Part& part) { return !part.follows_rate || !part.host_only; });
 }
 
 const std::vector<double>& RegressorBank::see_rate(const fog::Signals<RealNumbers>& signals) {
@@ -105,13 +103,14 @@ void RealDriftModel::step(const RealBlock& block) {
   evaluate();
 }
 
-void RealDriftModel::see_rate(double input_rate_dph) {
-  signals_.block.input_rate = input_rate_dph;
+void RealDriftModel::see_rate(const RealBlock& block) {
+  signals_.block.input_rate = block.input_rate;
+  signals_.block.input_rate_rise = block.input_rate_rise;
   sum(bank_.see_rate(signals_));
 }
 
 void RealDriftModel::evaluate() {
-  sum(bank_.step_block(signals_));
+  sum(bank_.step(signals_));
   network_dph_ = model_.network.drift_dph(network_signals_.step(signals_));
 }
 

@@ -32,9 +32,6 @@ class RegressorBank {
   void reset(const fog::Signals<RealNumbers>& signals);
   /// Advances by one block; the result is valid until the next call.
   const std::vector<double>& step(const fog::Signals<RealNumbers>& signals);
-  /// The same without the effects that use the record of the input rate (host only, with a state),
-  /// which only see_rate() advances. Their values are unchanged.
-  const std::vector<double>& step_block(const fog::Signals<RealNumbers>& signals);
   /// Only the effects that follow the input rate.
   const std::vector<double>& see_rate(const fog::Signals<RealNumbers>& signals);
 
@@ -42,7 +39,6 @@ class RegressorBank {
   struct Part {
     std::unique_ptr<RealEffect> effect;
     bool follows_rate;
-    bool host_only;
   };
   template <class Wanted>
   const std::vector<double>& run(const fog::Signals<RealNumbers>& signals, Wanted wanted);
@@ -60,8 +56,8 @@ class RealDriftModel {
   void start(const RealBlock& block);
   /// Takes the means of one more block.
   void step(const RealBlock& block);
-  /// Takes the mean input rate of the present block, for the effects that follow it.
-  void see_rate(double input_rate_dph);
+  /// Takes the input rate of the present block, for the effects that follow it.
+  void see_rate(const RealBlock& block);
 
   double drift_dph() const { return physics_dph_ + network_dph_; }
   double network_dph() const { return network_dph_; }

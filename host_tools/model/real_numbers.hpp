@@ -13,6 +13,7 @@ struct RealNumbers {
   using TemperatureRate = double;
   using Regressor = double;
   using Elapsed = double;
+  using RateRise = double;
   template <int kFractionalBits>
   using Number = double;
   template <int kFractionalBits>

@@ -5,6 +5,7 @@
 
 #include "recording/rate_resolution.hpp"
 #include "recording/row_range.hpp"
+#include "series/edge_values.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp::series {
@@ -35,6 +36,16 @@ void divide(Means& sum, double samples) {
   for (double& value : sum.extension) value /= samples;
 }
 
+// Sums become means.
+void make_means(BlockSeries::Block& block, const std::vector<recording::Mask>& masks) {
+  const double samples = block.samples;
+  block.time_s /= samples;
+  block.rate_dph /= samples;
+  divide(block.means, samples);
+  block.masked = std::any_of(masks.begin(), masks.end(),
+                             [&](const auto& mask) { return mask.covers(block.time_s); });
+}
+
 // A recording whose time starts before power-on has no time since power-on.
 fog::InputMask inputs_of(const recording::Recording& recording) {
   fog::InputMask inputs = 0;
@@ -61,6 +72,26 @@ model::InputRanges input_ranges_of(const recording::Recording& recording) {
     }
   }
   return ranges;
+}
+
+// Of blocks in `first_rows`, each up to the next one's first row.
+void add_rises_of_input_rate(const recording::Recording& recording,
+                             const std::vector<std::size_t>& first_rows, BlockSeries& series) {
+  const std::vector<double>& rate_dph = recording.input_rate_dph;
+  if (rate_dph.empty()) return;
+  const std::vector<std::size_t>& starts = recording.stretch_starts;
+  for (std::size_t i = 0; i < first_rows.size(); ++i) {
+    const auto next = std::upper_bound(starts.begin(), starts.end(), first_rows[i]);
+    const std::size_t begin = *(next - 1);
+    const std::size_t end = next == starts.end() ? rate_dph.size() : *next;
+    const auto row = static_cast<std::ptrdiff_t>(first_rows[i] - begin);
+    const auto samples = static_cast<std::ptrdiff_t>(series.blocks[i].samples);
+    const auto size = static_cast<std::ptrdiff_t>(end - begin);
+    const auto at_end_of = [&](std::ptrdiff_t k) {
+      return value_at_end_of(rate_dph.data() + begin, size, std::min(k, size - 1));
+    };
+    series.blocks[i].means.input_rate_rise = at_end_of(row + samples - 1) - at_end_of(row - 1);
+  }
 }
 
 void require_unmasked(const BlockSeries& series) {
@@ -108,12 +139,14 @@ BlockSeries make_blocks(const recording::Recording& recording) {
   series.first.elapsed = earlier;
   const std::int64_t blocks =
       sample_number(recording, recording.rows() - 1) / series.samples_per_block + 1;
+  std::vector<std::size_t> first_rows;
   series.blocks.reserve(std::min(recording.rows(), static_cast<std::size_t>(blocks)));
   for (std::size_t row = 0; row < recording.rows(); ++row) {
     const std::int64_t number = sample_number(recording, row) / series.samples_per_block;
     if (series.blocks.empty() || series.blocks.back().number != number) {
       series.blocks.push_back({});
       series.blocks.back().number = number;
+      first_rows.push_back(row);
     }
     BlockSeries::Block& block = series.blocks.back();
     ++block.samples;
@@ -122,14 +155,10 @@ BlockSeries make_blocks(const recording::Recording& recording) {
     add(block.means, means_of_row(recording, row));
   }
   for (BlockSeries::Block& block : series.blocks) {
-    const double samples = block.samples;
-    block.time_s /= samples;
-    block.rate_dph /= samples;
-    divide(block.means, samples);
-    block.masked = std::any_of(recording.masks.begin(), recording.masks.end(),
-                               [&](const auto& mask) { return mask.covers(block.time_s); });
+    make_means(block, recording.masks);
     block.means.elapsed = earlier + static_cast<double>(block.number) + 1;
   }
+  add_rises_of_input_rate(recording, first_rows, series);
   require_unmasked(series);
   return series;
 }

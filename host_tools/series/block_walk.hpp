@@ -14,7 +14,7 @@ inline std::uint32_t hold_blocks(double block_s) {
   return static_cast<std::uint32_t>(std::max(1.0, std::round(recording::kHoldSeconds / block_s)));
 }
 
-/// Runs a model (start(means), step(means), see_rate(mean input rate)) over a recording like the
+/// Runs a model (start(means), step(means), see_rate(means)) over a recording like the
 /// board: the first sample starts it; a block's means act from the next block on; a gap is bridged
 /// by the board's own rule or, if longer than the board holds its drift, restarts the model. Calls
 /// visit(block) for every block with a valid drift, before that block's means are used; its input
@@ -34,7 +34,7 @@ void run_blocks(const BlockSeries& series, const fog::BlockMeans<model::RealNumb
     const auto missing = static_cast<std::uint32_t>(std::min(block.number - before - 1, too_many));
     before = block.number;
     if (bridge.bridge_to(means, missing)) {
-      model.see_rate(means.input_rate);
+      model.see_rate(means);
       visit(block);
       while (bridge.remaining() > 0) model.step(bridge.next());
     } else {

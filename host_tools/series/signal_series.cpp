@@ -36,7 +36,7 @@ void SignalSeries::Run::keep(const Signals& signals, bool restart) {
   blocks.push_back({{signals.temperature, signals.temperature_rate}, means.elapsed, kNoRow, 0});
   restarts.push_back(restart);
   if (has(inputs, fog::Input::input_rate)) {
-    input_rate.push_back({means.input_rate, means.input_rate});
+    input_rate.push_back({means.input_rate, means.input_rate, means.input_rate_rise});
   }
   if ((inputs & fog::kAllExtensionInputs) != 0) extension.push_back(means.extension);
 }
@@ -50,7 +50,10 @@ void SignalSeries::Run::read(std::size_t block, Reading reading, Signals& signal
   signals.temperature = seen.temperature;
   signals.temperature_rate = seen.temperature_rate;
   signals.block.temperature = seen.temperature;
-  if (!input_rate.empty()) signals.block.input_rate = input_rate[block].before_dph;
+  if (!input_rate.empty()) {
+    signals.block.input_rate = input_rate[block].before_dph;
+    signals.block.input_rate_rise = input_rate[block].rise_dph;
+  }
   signals.block.elapsed = kept.elapsed;
   if (!extension.empty()) signals.block.extension = extension[block];
 }
@@ -71,7 +74,7 @@ class SignalSeries::Recorder {
 
   void start(const model::RealBlock& block) { keep_(thermal_.reset(block), true); }
   void step(const model::RealBlock& block) { keep_(thermal_.step(block), false); }
-  void see_rate(double) {}
+  void see_rate(const model::RealBlock&) {}
 
  private:
   static fog::ThermalParameters<model::RealNumbers> unclamped(
@@ -109,7 +112,10 @@ void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows
                     [&](const Signals& signals, bool restart) { run.keep(signals, restart); });
   run_blocks(series, recorder, [&](const BlockSeries::Block& block) {
     Block& current = run.blocks.back();
-    if (!run.input_rate.empty()) run.input_rate.back().dph = block.means.input_rate;
+    if (!run.input_rate.empty()) {
+      run.input_rate.back().dph = block.means.input_rate;
+      run.input_rate.back().rise_dph = block.means.input_rate_rise;
+    }
     current.row = rows.take(block, run.signals(run.blocks.size() - 1, Reading::of_sensor));
     current.samples = block.samples;
   });

@@ -65,6 +65,7 @@ class SignalSeries {
   struct InputRate {
     double before_dph = 0;  ///< of the block whose means the signals are
     double dph = 0;         ///< in the block in which the signals are used
+    double rise_dph = 0;    ///< from that block's beginning to its end
   };
   // State of the thermal stage during one block.
   struct Block {

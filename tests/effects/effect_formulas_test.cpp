@@ -281,13 +281,13 @@ const std::vector<Formula> kFormulas{
          return 1e-6 * (size < band ? w * w / (2 * band) : size - band / 2);
        })};
      }},
-    // The input rate of the histories is 3e5 deg/h sin(t / 400 s); before a start it is not known.
+    // The input rate of the histories is 3e5 deg/h sin(t / 400 s).
     {"late_reference",
      {{}},
      [](const History& h, const Values&) {
-       Values change = map(h.time_s, [](double t) { return 3e5 / 400 * std::cos(t / 400); });
-       for (std::size_t i = 0; i < h.size(); ++i) change[i] *= h.starts[i] ? 0 : 1e-3;
-       return Columns{change};
+       return Columns{map(h.time_s, [](double t) {
+         return 1e-3 * 3e5 / 400 * std::cos((t - kBlock_s / 2) / 400);
+       })};
      }},
     {"warm_up",
      {{300}, {9000}},
@@ -325,6 +325,8 @@ fogcomp::model::RealBlock block_of(const History& history, std::size_t i) {
   fogcomp::model::RealBlock block;
   block.temperature = history.mean_degc[i];
   block.input_rate = history.input_rate_dph[i];
+  const double t = history.time_s[i];
+  block.input_rate_rise = 3e5 * (std::sin(t / 400) - std::sin((t - kBlock_s) / 400));
   block.elapsed = history.time_s[i] / kBlock_s;
   const auto set = [&](fog::Input input, double value) { block[input] = value; };
   set(fog::Input::temperature2, history.second_mean_degc[i]);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "core/effects/effect.hpp"
 
@@ -10,9 +11,8 @@ namespace fog::effects {
 /// delay. This is a fault of the recording; a fit uses the effect to keep it out of the scale
 /// factor's coefficients.
 ///
-/// The regressor is dW/dt / 2^19 deg/h/s, with dW/dt in the middle of a block from its mean and the
-/// two before: (3 W0 - 4 W1 + W2) / 2, exact for a parabola. The first block after a start has 0,
-/// the second the slope of a straight line.
+/// The regressor is the mean of dW/dt / 2^19 deg/h/s over the present block: the rise of W from the
+/// block's beginning to its end, which only a recording tells, by its duration.
 template <class N>
 class LateReference : public NoParameters {
  public:
@@ -42,28 +42,17 @@ class LateReference : public NoParameters {
       : per_second_(N::template number<24>(constants[0])) {}
 
   std::size_t regressor_count() const { return 1; }
-  void reset(const Signals<N>& signals) {
-    before_ = signals.block.input_rate;
-    blocks_ = 0;
-  }
+  void reset(const Signals<N>& /*signals*/) {}
   void step(const Signals<N>& signals, typename N::Regressor* regressors) {
-    const Rate change = blocks_ > 0 ? signals.block.input_rate - before_ : Rate{};
-    const Rate bend = blocks_ > 1 ? change - last_change_ : Rate{};
-    const Rate centred = change + round_to<Rate>(divide_by_power_of_two<1>(bend));
-    regressors[0] =
-        saturate_to<typename N::Regressor>(divide_by_power_of_two<19>(centred * per_second_));
-    before_ = signals.block.input_rate;
-    last_change_ = change;
-    if (blocks_ < 2) ++blocks_;
+    if constexpr (std::is_empty_v<typename N::RateRise>) {
+      regressors[0] = {};
+    } else {
+      regressors[0] = divide_by_power_of_two<19>(signals.block.input_rate_rise * per_second_);
+    }
   }
 
  private:
-  using Rate = typename N::Rate;
-
   typename N::template Number<24> per_second_;
-  Rate before_{};
-  Rate last_change_{};
-  int blocks_ = 0;  // since the start, up to 2
 };
 
 }  // namespace fog::effects

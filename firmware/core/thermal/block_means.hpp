@@ -14,6 +14,8 @@ struct BlockMeans {
   typename N::Rate input_rate{};          ///< about the axis
   typename N::Elapsed elapsed{};          ///< blocks from power-on to the end of this one
   std::array<typename N::template Number<16>, kExtensionInputs> extension{};
+  /// From the block's beginning to its end: on the host alone, only a recording tells it.
+  [[no_unique_address]] typename N::RateRise input_rate_rise{};
 
   /// Value of an extension input, in its unit.
   typename N::template Number<16> operator[](Input input) const {

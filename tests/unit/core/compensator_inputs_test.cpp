@@ -265,7 +265,9 @@ TEST_F(CompensatorTest, ScaleFactorFollowsTheRateFromSampleToSample) {
   double worst_dph = 0;
   for (int i = 0; i < 2000; ++i) {
     const double rate_dph = 200 * 3600 * std::sin(2 * M_PI * i / 800);
-    real.see_rate(rate_dph);
+    fogcomp::model::RealBlock block;
+    block.input_rate = rate_dph;
+    real.see_rate(block);
     SensorSample in = sample();
     in.rate_counts = static_cast<std::int32_t>(std::lround((rate_dph + real.drift_dph()) * 1024));
     const OutputSample out = send(in);
