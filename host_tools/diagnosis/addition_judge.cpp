@@ -29,11 +29,11 @@ bool is_addition(const model::HistoryEntry& entry) {
 }
 
 // Reason not to propose an addition that helps out of sample; "" if there is none.
-std::string objection_to(const model::Model& grown, bool has_holdouts) {
+std::string objection_to(const model::Model& grown, bool may_be_little) {
   const model::HistoryEntry& step = grown.history.back();
   if (step.rms_after_dph >= step.rms_before_dph) return "it does not lower the error of these runs";
   const double fitted_dph = error_when_fitted(grown, step.rms_before_dph);
-  if (has_holdouts || is_worth_adding(step.rms_before_dph, step.rms_after_dph, fitted_dph)) {
+  if (may_be_little || is_worth_adding(step.rms_before_dph, step.rms_after_dph, fitted_dph)) {
     return "";
   }
   return "its gain is so small that it may only correct inexact terms of the model: let a run "
@@ -109,8 +109,9 @@ TriedAddition AdditionJudge::operator()(AdditionRequest request) {
   if (!refitted_) return trial;
   try {
     fit::Addition addition = try_to_add(model_, trial.request, runs_, &*refitted_);
+    const bool may_be_little = !runs_.holdouts.empty() || trial.request.may_be_little;
     const std::string objection =
-        addition.accepted ? objection_to(addition.model, !runs_.holdouts.empty()) : "";
+        addition.accepted ? objection_to(addition.model, may_be_little) : "";
     trial.accepted = addition.accepted && objection.empty();
     trial.may_be_walk = addition.chance_of_walk.value_or(0) >= fit::rules::kMaxChanceOfWalk;
     trial.reason = objection.empty() ? addition.reason : objection;

@@ -14,6 +14,8 @@ struct AdditionRequest {
   std::vector<std::string> effects;  ///< as fit::change_effects() takes them; or else
   std::string expression;            ///< `NAME = EXPRESSION`
   bool run_offsets = false;          ///< with a bias of its own for each run
+  /// The diagnosis names it, having allowed for inexact terms of the model.
+  bool may_be_little = false;
 
   std::vector<std::string> names() const;  ///< without their parameters
   bool is_network() const;
@@ -53,7 +55,8 @@ double error_when_fitted(const model::Model& model, double now_dph);
 
 /// Whether an addition takes out enough of what has been taken out since the fit
 /// (rules::kWorthAdding). One that removes very little may only correct the inexactness of earlier
-/// terms; only a run that was not fitted can tell.
+/// terms; only a run that was not fitted can tell. It is not asked of the one effect that a
+/// diagnosis names: what inexact terms leave has been allowed for before it was named.
 bool is_worth_adding(double before_dph, double after_dph, double fitted_dph);
 
 /// Tries additions as `add` would judge them, without the model's network. The model is refitted

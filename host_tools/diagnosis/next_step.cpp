@@ -193,6 +193,17 @@ void add_formulas(const model::Model& model, const Diagnosis& diagnosis, const D
   }
 }
 
+// Tries what the diagnosis names. `is_one`: it names a single effect and no rival.
+bool try_named(const Diagnosis& diagnosis, const std::vector<std::string>& named, bool is_one,
+               AdditionJudge& judge, NextStep& next) {
+  if (named.empty()) return false;
+  AdditionRequest request = *request_of(diagnosis, named);
+  request.may_be_little = is_one;
+  if (!try_out(std::move(request), judge, next)) return false;
+  if (named.size() > 1) next.together = named;
+  return true;
+}
+
 // Tries the first few sets of effects that explain the residual as physics, until one is accepted.
 bool try_sets(std::vector<Description> sets, AdditionJudge& judge, NextStep& next) {
   if (sets.size() > kMaxTried) sets.resize(kMaxTried);
@@ -270,19 +281,18 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
                         const DiagnosisSettings& settings) {
   NextStep next;
   if (diagnosis.verdict == Verdict::none) return next;
-  next.little_is_left = runs.holdouts.empty() && !may_be_worth_adding(model, diagnosis);
-  if (next.little_is_left) return next;
   std::vector<std::string> named = effects_together(diagnosis);
   if (const std::string one = effect_to_add(diagnosis); !one.empty()) named = {one};
+  const bool is_one = diagnosis.verdict == Verdict::missing_effect && named.size() == 1;
+  const bool is_little = runs.holdouts.empty() && !may_be_worth_adding(model, diagnosis);
+  next.little_is_left = is_little && !is_one;
+  if (next.little_is_left) return next;
   const std::vector<std::string> events = events_among(diagnosis, named);
   if (!events.empty()) named = events;
   AdditionJudge judge(model, runs, settings.run_offsets);
   std::vector<Description> descriptions;
   if (diagnosis.verdict != Verdict::unknown) {
-    if (!named.empty() && try_out(*request_of(diagnosis, named), judge, next)) {
-      if (named.size() > 1) next.together = named;
-      return next;
-    }
+    if (try_named(diagnosis, named, is_one, judge, next) || is_little) return next;
     // The catalogue explains the residual: its sets, most probable first.
     add_sets(diagnosis, named, next, descriptions);
     if (try_sets(std::move(descriptions), judge, next)) return next;

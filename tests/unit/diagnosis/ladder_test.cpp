@@ -58,5 +58,20 @@ TEST(Ladder, AddsNoMoreThanItMayAndSaysWhatAStepBrought) {
   EXPECT_EQ(ladder.model.history.back().action, "add " + effect_to_add(ladder.first));
 }
 
+// A ripple beside a rate term that is fifty times as large: together they leave nothing.
+TEST(Ladder, AddsWhatIsNamedHoweverSmallBesideWhatWasAdded) {
+  model::Model model = fog::test::truth();
+  model.terms[2].coefficients_dph = {0.6};
+  model.terms.push_back(fog::test::natural_term("polarization_ripple", {9}, {0.01, 0}));
+  const recording::Recording recording = fog::test::recording_of(model, fog::test::kQuietNoise, 1);
+  model.terms = model::parse_effects("bias,bias_temperature:order=3");
+  DiagnosisData data(model);
+  JudgingRuns runs;
+  runs.training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
+  data.add(runs.training.runs[0]);
+  const Ladder ladder = stepwise_selection(model, data, runs, 3, {});
+  EXPECT_EQ(ladder.added(), (Names{"temperature_rate", "polarization_ripple"}));
+}
+
 }  // namespace
 }  // namespace fogcomp::diagnosis
