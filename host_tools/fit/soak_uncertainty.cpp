@@ -10,12 +10,13 @@ namespace {
 
 using Signals = fog::Signals<model::RealNumbers>;
 
-// Means of all inputs, with temperature rate 0.
+// Means of all signals, with temperature rate 0.
 Signals mean_signals(const series::Rows& rows) {
   Signals mean;
   const auto count = static_cast<double>(rows.signals.size());
   for (std::size_t row = 0; row < rows.signals.size(); ++row) {
     const Signals& signals = rows.signals[row];
+    mean.temperature += signals.temperature / count;
     mean.block.input_rate += signals.block.input_rate / count;
     mean.block.elapsed += rows.time_s[row] / rows.row_s / count;
     for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
@@ -67,11 +68,14 @@ SoakUncertainty soak_uncertainty(const model::Model& model, const NoiseWeightedF
                                  const Eigen::MatrixXd& covariance, const series::Rows& rows) {
   constexpr int kTemperatures = 33;
   Signals signals = mean_signals(rows);
+  // A second sensor settles as far from the first as it is on average.
+  const double second_above = signals.block[fog::Input::temperature2] - signals.temperature;
   SoakUncertainty worst;
   for (int i = 0; i < kTemperatures; ++i) {
     const double share = static_cast<double>(i) / (kTemperatures - 1);
     signals.temperature = model.min_degc + share * (model.max_degc - model.min_degc);
     signals.block.temperature = signals.temperature;
+    signals.block[fog::Input::temperature2] = signals.temperature + second_above;
     const Eigen::VectorXd slope = gradient(fit.terms, fit, signals, rows.row_s);
     const double sigma_dph = std::sqrt(std::max(0.0, slope.dot(covariance * slope)));
     if (sigma_dph <= worst.sigma_dph) continue;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "fit/identify.hpp"
 #include "model/effect_list.hpp"
 #include "model/model_file.hpp"
@@ -88,6 +90,24 @@ TEST(UncertainFit, IsMarkedWhereNoCompensationWouldDoBetter) {
 TEST(UncertainFit, IsNotMarkedWhereTheDataSufficeForTheEffects) {
   EXPECT_FALSE(fitted_to(30, "bias").uncertain.has_value());
   EXPECT_FALSE(fitted_to(100000, "bias,bias_temperature").uncertain.has_value());
+}
+
+// A second sensor that differs from the first by hundredths of a degree, as it will in any soak:
+// its effect is small although its coefficient is not well known.
+TEST(UncertainFit, LetsASecondSensorFollowTheFirst) {
+  recording::Recording recording =
+      fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    const double apart = 0.05 * std::sin(static_cast<double>(row) / 30);
+    recording[fog::Input::temperature2].push_back(recording.temperature_degc[row] + apart);
+  }
+  Model model = fog::test::model_of(
+      parse_effects("bias,bias_temperature:order=3,temperature_rate,axial_gradient:tau=20"));
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(recording));
+  fit::identify(model, series);
+  EXPECT_GT(50 * model.terms[3].sigma_dph[0], 0.5);  // 50 degC apart it would be
+  EXPECT_FALSE(model.uncertain.has_value());
 }
 
 }  // namespace
