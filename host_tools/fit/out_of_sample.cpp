@@ -213,10 +213,9 @@ Residuals leave_each_out(KnownRegressors& known, const std::vector<model::Effect
 }
 
 // Whether every fold determines the coefficients of some terms.
-bool determine_terms(const std::vector<Fold>& folds, KnownRegressors& known,
+bool determine_terms(const std::vector<Fold>& folds, const Fold& all, KnownRegressors& known,
                      const std::vector<model::EffectTerm>& terms,
-                     const std::vector<std::size_t>& asked, const JudgedWith& with) {
-  const Fold all = leave_out(known, terms, {}, with);
+                     const std::vector<std::size_t>& asked) {
   Eigen::Index first = 0;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const Eigen::Index count = known(terms[i])->cols();
@@ -229,16 +228,32 @@ bool determine_terms(const std::vector<Fold>& folds, KnownRegressors& known,
   return true;
 }
 
-// Rows of a part without which the effects are undetermined (a warm-up without the start of its
-// run) get weight 0, unless no rows remain.
-Eigen::VectorXd weights_of_judged(const std::vector<Fold>& folds, const std::vector<Part>& parts,
-                                  const Fold& all, const Eigen::VectorXd& row_weights) {
+// Both models identified on all rows.
+struct OnAllRows {
+  Fold before;
+  Fold after;
+};
+
+// For each part, whether it can judge: not if the other rows leave a coefficient undetermined (a
+// warm-up without the start of its run, a polynomial without the only run that is cold).
+std::vector<bool> which_judge(const Residuals& left, const OnAllRows& all) {
+  std::vector<bool> judges;
+  for (std::size_t i = 0; i < left.given.size(); ++i) {
+    judges.push_back(determines_all(left.given[i], all.before) &&
+                     determines_all(left.added[i], all.after));
+  }
+  return judges;
+}
+
+// The others' rows get weight 0.
+Eigen::VectorXd weights_of(const std::vector<Part>& parts, const std::vector<bool>& judges,
+                           const Eigen::VectorXd& row_weights) {
   Eigen::VectorXd weights = row_weights;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (determines_all(folds[i], all)) continue;
+    if (judges[i]) continue;
     for (const recording::RowRange& range : parts[i]) segment(weights, range).setZero();
   }
-  return weights.any() ? weights : row_weights;
+  return weights;
 }
 
 Eigen::VectorXd residual_on(const model::Model& model,
@@ -287,25 +302,29 @@ OutOfSample cross_validate(const series::SignalSeries& series,
   KnownRegressors known(series);
   const std::vector<model::EffectTerm> fixed_before = with_fixed_shapes(before, {});
   const std::vector<model::EffectTerm> fixed_after = with_fixed_shapes(after, changed);
+  const OnAllRows all{leave_out(known, fixed_before, {}, with),
+                      leave_out(known, fixed_after, {}, with)};
   const std::vector<recording::RowRange> runs = rows.runs();
   if (runs.size() >= rules::kEnoughRuns) {
     std::vector<Part> parts;
     for (const recording::RowRange& run : runs) parts.push_back({run});
     const Residuals left = leave_each_out(known, fixed_before, fixed_after, parts, with);
-    if (determine_terms(left.added, known, fixed_after, changed, with)) {
-      OutOfSample result = judge(rows, left.before, left.after, with.noise, with.row_weights);
-      result.how = "on " + counted(runs.size(), "run") + ", each left out once";
+    const std::vector<bool> judges = which_judge(left, all);
+    const auto count = static_cast<std::size_t>(std::count(judges.begin(), judges.end(), true));
+    if (count > 1 && determine_terms(left.added, all.after, known, fixed_after, changed)) {
+      OutOfSample result = judge(rows, left.before, left.after, with.noise,
+                                 weights_of(parts, judges, with.row_weights));
+      const std::string of = count < runs.size() ? std::to_string(count) + " of " : "";
+      result.how = "on " + of + counted(runs.size(), "run") + ", each left out once";
       return result;
     }
   }
   const std::vector<Part> parts =
       parts_of(rows, stretches_of(rows, fitted_residual(series, after), with.noise));
   const Residuals left = leave_each_out(known, fixed_before, fixed_after, parts, with);
-  const Eigen::VectorXd weights_before = weights_of_judged(
-      left.given, parts, leave_out(known, fixed_before, {}, with), with.row_weights);
-  const Eigen::VectorXd weights =
-      weights_of_judged(left.added, parts, leave_out(known, fixed_after, {}, with), weights_before);
-  OutOfSample result = judge(rows, left.before, left.after, with.noise, weights);
+  const Eigen::VectorXd weights = weights_of(parts, which_judge(left, all), with.row_weights);
+  OutOfSample result =
+      judge(rows, left.before, left.after, with.noise, weights.any() ? weights : with.row_weights);
   result.how = how_of(parts, rows);
   result.within_runs = true;
   return result;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -151,6 +152,30 @@ TEST(AddEffect, LeavesStretchesOutWhereOneRunAloneShowsTheEffect) {
       add_effect(model, fogcomp::fit::change_effect(model.terms, "vibration"), training, {}, {});
   EXPECT_TRUE(result.accepted) << result.reason;
   EXPECT_NE(result.out_of_sample->how.find("stretches"), std::string::npos);
+}
+
+// From 30 degC up: it does not show what a polynomial does in the cold.
+fogcomp::compare::RunInBlocks warm_run(std::uint64_t seed) {
+  fogcomp::recording::Recording recording = recording_of(truth(), kAdditionNoise, seed);
+  const auto hot = std::find_if(recording.temperature_degc.begin(),
+                                recording.temperature_degc.end(), [](double t) { return t > 30; });
+  const auto first = hot - recording.temperature_degc.begin();
+  for (auto* column : {&recording.time_s, &recording.temperature_degc, &recording.rate_dph}) {
+    column->erase(column->begin(), column->begin() + first);
+  }
+  return fogcomp::compare::run_in_blocks(recording, 10);
+}
+
+TEST(AddEffect, DoesNotLetARunJudgeForWhichTheOthersDoNotDetermineTheModel) {
+  fogcomp::fit::TrainingRuns training = runs_of(truth(), {1});
+  training.runs.push_back(warm_run(2));
+  training.runs.push_back(warm_run(3));
+  const Model model = incomplete("bias,bias_temperature:order=3");
+  const Addition result = add_effect(
+      model, fogcomp::fit::change_effect(model.terms, "temperature_rate"), training, {}, {});
+  EXPECT_TRUE(result.accepted) << result.reason;
+  EXPECT_EQ(result.out_of_sample->how, "on 2 of 3 runs, each left out once");
+  EXPECT_LT(result.out_of_sample->rms_before_dph, 1);
 }
 
 // One half of a run with the same phases as the other confirms a true effect.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "fit/descent.hpp"
 #include "model/effect_list.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
@@ -51,6 +52,34 @@ TEST_F(ShapeSearch, CostIsThatOfAllColumnsTogether) {
   const WhitenedProblem at = problem(2000);
   EXPECT_NEAR(at.solution().cost, solve_linear(at.matrix(), at.measured()).residual.squaredNorm(),
               1e-9 * at.solution().cost);
+}
+
+// A bound between the start and the optimum, 900 s.
+TEST_F(ShapeSearch, ADescentEndsAtABoundThatIsInItsWay) {
+  std::vector<model::EffectTerm> terms =
+      model::parse_effects("bias,bias_temperature:order=2,thermal_lag:tau=?[1200,5000]");
+  terms[2].parameters[0] = 3000;
+  WhitenedProblem bounded = problem(terms);
+  Descent descent(bounded, shapes(bounded), 1e-9);
+  descent.finish();
+  EXPECT_NEAR(descent.problem().value(shapes(bounded)[0]), 1200, 0.1);
+}
+
+TEST_F(ShapeSearch, ADescentIsAbandonedWhereItsStepsPromiseTooLittle) {
+  const WhitenedProblem best = problem(900);
+  const WhitenedProblem far = problem(3000);
+  Descent descent(far, shapes(far), 1e-9);
+  const double left = descent.cost();
+  descent.step();
+  EXPECT_LT(descent.cost(), left);
+  descent.abandon_if_above(best.solution().cost);
+  EXPECT_FALSE(descent.ended());
+  descent.finish();
+  EXPECT_NEAR(descent.problem().value(shapes(far)[0]), 900, 20);
+  Descent at_best(problem(905), shapes(best), 0);
+  at_best.step();
+  at_best.abandon_if_above(0.5 * at_best.cost());
+  EXPECT_TRUE(at_best.ended());
 }
 
 // An expression beside it that has no shape, and overflows.
