@@ -1,4 +1,5 @@
 #include "diagnosis/diagnosis.hpp"
+#include "diagnosis/late_ripple.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +8,7 @@
 #include "diagnosis/evidence_space.hpp"
 #include "diagnosis/explanation.hpp"
 #include "diagnosis/hypotheses.hpp"
+#include "diagnosis/late_ripple.hpp"
 #include "diagnosis/model_fit.hpp"
 #include "diagnosis/null_test.hpp"
 #include "diagnosis/residual_place.hpp"
@@ -136,6 +138,10 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
   if (something) {
     const bool may_be_named = explanation.enough && test.library_log_p < rules::kLibraryLogP;
     decide(model, explanation.excess, fast, may_be_named, diagnosis);
+    if (diagnosis.fast_share >= rules::kMainPart) {
+      diagnosis.late_ripple =
+          find_late_ripple(series, without(evidence, fullest, series.rows().size()));
+    }
   } else if (diagnosis.chance < rules::kFaintChance &&
              std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(),
                          [&](const auto& finding) { return helps_clearly(diagnosis, finding); })) {

@@ -58,6 +58,8 @@ struct Diagnosis {
   TwoLevels jumps;
   FastKind fast_kind = FastKind::none;  ///< the surest of these, where it is sure and counts
   double fast_share = 0;                ///< its fraction of the excess; 0 if it does not count
+  /// Where that is most of it: the ripple over a late temperature that may make it, for `add`.
+  std::optional<std::string> late_ripple;
 
   double residual_rms_dph = 0;  ///< of a row, the model refitted to these runs
   /// Error of the given model on these runs, network included: what `compare` prints.

@@ -307,6 +307,8 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   if (!diagnosis.walk.may_be_all()) add_singles(diagnosis, named, descriptions);
   if (is_function_of_signals(diagnosis)) {
     add_formulas(model, diagnosis, data, settings, next, descriptions);
+  } else if (diagnosis.late_ripple) {
+    descriptions.push_back({{{}, *diagnosis.late_ripple}, diagnosis.fast_share});
   }
   sort_by_explained(descriptions);
   const bool described = describe(std::move(descriptions), judge, next);

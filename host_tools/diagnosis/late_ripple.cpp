@@ -1,0 +1,83 @@
+#include "diagnosis/late_ripple.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "diagnosis/decision_rules.hpp"
+#include "model/effect_list.hpp"
+#include "support/parallel.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::diagnosis {
+namespace {
+
+// Lags from barely visible in a row to visible in a programme of hours, a fifth apart.
+constexpr double kMinLag_s = 20;
+constexpr double kMaxLag_s = 6000;
+constexpr std::size_t kLags = 32;
+// Turns per degC, as polarization_ripple has them; half a turn over 100 degC between neighbours.
+constexpr double kMinFrequency = 1 / 60.0;
+constexpr double kMaxFrequency = 1 / 2.0;
+constexpr std::size_t kFrequencies = 96;
+// Bounds of the fit's search, relative to the best of the grid.
+constexpr double kLagRange = 4;
+constexpr double kPeriodRange = 1.15;
+
+double lag_of(std::size_t i) {
+  const double share = static_cast<double>(i) / (kLags - 1);
+  return kMinLag_s * std::pow(kMaxLag_s / kMinLag_s, share);
+}
+
+constexpr double kFrequencyStep = (kMaxFrequency - kMinFrequency) / (kFrequencies - 1);
+
+struct Ripple {
+  double lag_s = 0;
+  double period_degc = 0;
+  double chi2_drop = 0;
+};
+
+// Sums of left * exp(2 pi i f T) for all frequencies, turning on from one to the next.
+Ripple best_period(const Eigen::VectorXd& temperature, const Eigen::VectorXd& left) {
+  std::vector<std::complex<double>> sums(kFrequencies);
+  for (Eigen::Index row = 0; row < left.size(); ++row) {
+    const double angle = 2 * M_PI * temperature[row];
+    std::complex<double> phasor = std::polar(left[row], angle * kMinFrequency);
+    const std::complex<double> turn = std::polar(1.0, angle * kFrequencyStep);
+    for (std::complex<double>& sum : sums) {
+      sum += phasor;
+      phasor = {phasor.real() * turn.real() - phasor.imag() * turn.imag(),
+                phasor.real() * turn.imag() + phasor.imag() * turn.real()};
+    }
+  }
+  const auto best = std::max_element(sums.begin(), sums.end(), [](const auto& a, const auto& b) {
+    return std::norm(a) < std::norm(b);
+  });
+  const auto number = static_cast<double>(best - sums.begin());
+  return {0, 1 / (kMinFrequency + number * kFrequencyStep),
+          2 * std::norm(*best) / static_cast<double>(left.size())};
+}
+
+}  // namespace
+
+std::optional<std::string> find_late_ripple(const series::SignalSeries& series,
+                                            const Eigen::VectorXd& left) {
+  std::vector<Ripple> ripples(kLags);
+  for_each_index(kLags, [&](std::size_t i) {
+    const double lag_s = lag_of(i);
+    const model::EffectTerm late = model::expression_term(format("late = lag(T,%.6g)", lag_s));
+    ripples[i] = best_period(series.regressors(late).col(0), left);
+    ripples[i].lag_s = lag_s;
+  });
+  const Ripple best =
+      *std::max_element(ripples.begin(), ripples.end(),
+                        [](const Ripple& a, const Ripple& b) { return a.chi2_drop < b.chi2_drop; });
+  const double excess = left.squaredNorm() - static_cast<double>(left.size());
+  if (!(best.chi2_drop > rules::kMainPart * excess)) return std::nullopt;
+  return format("T_late_ripple = sin(6.2832*(lag(T,?tau[%.4g,%.4g])/?p[%.4g,%.4g]+?c[-0.6,0.6]))",
+                best.lag_s / kLagRange, best.lag_s * kLagRange, best.period_degc / kPeriodRange,
+                best.period_degc * kPeriodRange);
+}
+
+}  // namespace fogcomp::diagnosis

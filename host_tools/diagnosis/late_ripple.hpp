@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "series/signal_series.hpp"
+
+namespace fogcomp::diagnosis {
+
+/// A ripple over the temperature of a part that is warmed late: an interfering path away from the
+/// sensor. Over the sensor's own temperature (polarization_ripple) heating and cooling are out of
+/// phase, and what is left looks like cycles in time. `left`: whitened residual, one value per row,
+/// of variance 1 where it is noise. Returns `NAME = EXPRESSION` for `add`, bounds around the best
+/// lag and period of a grid; nullopt if that explains less than rules::kMainPart of what is above
+/// the noise.
+std::optional<std::string> find_late_ripple(const series::SignalSeries& series,
+                                            const Eigen::VectorXd& left);
+
+}  // namespace fogcomp::diagnosis
