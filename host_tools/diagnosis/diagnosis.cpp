@@ -138,10 +138,7 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
   if (something) {
     const bool may_be_named = explanation.enough && test.library_log_p < rules::kLibraryLogP;
     decide(model, explanation.excess, fast, may_be_named, diagnosis);
-    if (diagnosis.fast_share >= rules::kMainPart) {
-      diagnosis.late_ripple =
-          find_late_ripple(series, without(evidence, fullest, series.rows().size()));
-    }
+    if (is_mainly_fast(diagnosis)) diagnosis.late_ripple = find_late_ripple(series, fast.left);
   } else if (diagnosis.chance < rules::kFaintChance &&
              std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(),
                          [&](const auto& finding) { return helps_clearly(diagnosis, finding); })) {

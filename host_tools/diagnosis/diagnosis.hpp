@@ -105,6 +105,9 @@ struct DiagnosisSettings {
 /// Whether an effect, no event, alone lowers the error of the rows by rules::kHardlyHelps or more.
 bool helps_clearly(const Diagnosis& diagnosis, const CandidateFinding& finding);
 
+/// Whether most of what is left is fast: a cycle, jumps.
+bool is_mainly_fast(const Diagnosis& diagnosis);
+
 /// Takes a name back: the verdict becomes unknown.
 void withdraw_name(Diagnosis& diagnosis);
 

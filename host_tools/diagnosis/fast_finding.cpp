@@ -82,8 +82,8 @@ FastFinding find_fast(const EvidenceSpace& evidence, const Hypothesis& best,
                       const series::SignalSeries& series, const fit::NoiseWeightedFit& fit) {
   const series::Rows& rows = series.rows();
   FastFinding finding;
-  finding.spectrum = find_fast_structure(
-      rows, without_input_rate(evidence, rows, without(evidence, best, rows.size())));
+  finding.left = without_input_rate(evidence, rows, without(evidence, best, rows.size()));
+  finding.spectrum = find_fast_structure(rows, finding.left);
   const std::vector<model::EffectTerm> terms = completed_by(evidence, best, fit.terms);
   if (!best.parts.empty() && finding.spectrum.band_log_p < rules::kFastLogP &&
       !band_remains(terms, series, fit)) {

@@ -18,6 +18,7 @@ struct FastFinding {
   FastKind kind = FastKind::none;  ///< the surest, where it is sure
   double log_p = 0;                ///< ln of the chance that noise alone has one as sure
   double excess = 0;               ///< chi^2 above noise that `kind` brings
+  Eigen::VectorXd left;            ///< whitened residual of each row in which it is
 };
 
 FastFinding find_fast(const EvidenceSpace& evidence, const Hypothesis& best,

@@ -28,6 +28,10 @@ bool helps_clearly(const Diagnosis& diagnosis, const CandidateFinding& finding) 
          !model::is_event(finding.term());
 }
 
+bool is_mainly_fast(const Diagnosis& diagnosis) {
+  return diagnosis.fast_share >= rules::kMainPart;
+}
+
 void withdraw_name(Diagnosis& diagnosis) {
   diagnosis.withdrawn =
       diagnosis.confusable.empty() ? diagnosis.effect : join(diagnosis.confusable, " or ");

@@ -254,7 +254,7 @@ void sort_by_explained(std::vector<Description>& descriptions) {
 
 // Whether most of what is missing may be a function of the signals.
 bool is_function_of_signals(const Diagnosis& diagnosis) {
-  return diagnosis.fast_share < rules::kMainPart && !diagnosis.walk.may_be_all();
+  return !is_mainly_fast(diagnosis) && !diagnosis.walk.may_be_all();
 }
 
 // Whether the first refusal, of what the diagnosis names, and the accepted description contradict
