@@ -64,14 +64,19 @@ void Descent::set(const Move& move, double fraction) {
   problem_.set(move.parameters, values);
 }
 
-// Takes the part of a step that lowers the cost most; none if none lowers it.
-void Descent::go(const Move& move) {
-  double limit = 1;
+double Descent::fraction_within_ranges(const Move& move) {
+  double fraction = 1;
   for (std::size_t i = 0; i < move.parameters.size(); ++i) {
-    limit = std::min(limit, fraction_within_range(move.start[i],
-                                                  move.step.change[static_cast<Eigen::Index>(i)]));
+    const double change = move.step.change[static_cast<Eigen::Index>(i)];
+    fraction = std::min(fraction, fraction_within_range(move.start[i], change));
   }
-  for (double fraction = limit; fraction > kSmallestFraction * limit;) {
+  return fraction;
+}
+
+// Takes the part of a step, at first `whole` of it, that lowers the cost most; none if none lowers
+// it.
+void Descent::go(const Move& move, double whole) {
+  for (double fraction = whole; fraction > kSmallestFraction * whole;) {
     set(move, fraction);
     WhitenedProblem::Solution now = problem_.solution();
     const double best = best_fraction(promised_, fraction, here_.cost - now.cost);
@@ -101,8 +106,10 @@ void Descent::step() {
   const double limit = worth_a_step_ * before;
   ended_ = true;
   if (move.parameters.empty() || !move.step.change.allFinite() || !(promised_ > limit)) return;
-  go(move);
-  ended_ = ++steps_ == kMaxSteps || before - here_.cost <= limit;
+  const double whole = fraction_within_ranges(move);
+  go(move, whole);
+  // A step that was cut short by a range says nothing of the next one, without that parameter.
+  ended_ = ++steps_ == kMaxSteps || before - here_.cost <= (whole < 1 ? 0 : limit);
 }
 
 void Descent::finish() {

@@ -33,7 +33,8 @@ class Descent {
     WhitenedProblem::Step step;
   };
   Move next_move() const;
-  void go(const Move& move);
+  static double fraction_within_ranges(const Move& move);
+  void go(const Move& move, double whole);
   void set(const Move& move, double fraction);
 
   WhitenedProblem problem_;
