@@ -35,6 +35,7 @@ struct VaryingSignal {
   std::string symbol;
   model::SignalRange range;
   bool has_zero;  ///< 0 degC is no special temperature
+  bool is_extension;
 
   double span() const { return range.max - range.min; }
   /// Placeholder of a value to be fitted.
@@ -51,7 +52,8 @@ std::vector<VaryingSignal> varying_signals(const series::SignalSeries& series,
   for (const fog::InputDescription& input : fog::kInputTable) {
     if (input.input == fog::Input::elapsed || !has(inputs, input.input)) continue;
     const model::SignalRange& range = ranges[static_cast<std::size_t>(input.input)];
-    if (range.max > range.min) signals.push_back({input.symbol, range, input.unit != kDegC});
+    if (range.max <= range.min) continue;
+    signals.push_back({input.symbol, range, input.unit != kDegC, fog::is_extension(input.input)});
   }
   return signals;
 }
@@ -71,6 +73,7 @@ void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
   formulas.add(x + "_late_squared", lag_text(x) + "^2");
   if (x == "T") formulas.add("T_late_cubed", lag_text(x) + "^3");
   if (x != "T") {
+    if (signal.is_extension) formulas.add(x + "_itself", x);
     formulas.add(x + "_squared", x + "^2");
     formulas.add(x + "_cubed", x + "^3");
     formulas.add(x + "_squared_late", lag_text(x + "^2"));
@@ -87,11 +90,11 @@ void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
   formulas.add(x + "_kink", "max(" + x + "-" + signal.somewhere() + ",0)");
 }
 
-// Products of two signals, of at most three factors.
+// Products of two signals, of at most three factors. T*dTdt is temperature_rate_product.
 void add_products(Formulas& formulas, const VaryingSignal& a, const VaryingSignal& b) {
   const std::string& x = a.symbol;
   const std::string& y = b.symbol;
-  formulas.add(x + "_" + y, x + "*" + y);
+  if (x != "T" || y != "dTdt") formulas.add(x + "_" + y, x + "*" + y);
   formulas.add(x + "_squared_" + y, x + "^2*" + y);
   formulas.add(x + "_" + y + "_squared", x + "*" + y + "^2");
   if (!a.has_zero) {

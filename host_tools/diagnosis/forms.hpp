@@ -10,10 +10,11 @@
 namespace fogcomp::diagnosis {
 
 /// Formulas outside the catalogue, as expressions without coefficients. For every signal of
-/// `inputs` that varies on these rows: squares, cubes, magnitudes, products of up to three factors
-/// of two signals (for a temperature also its distance from a fitted reference), a lag before or
-/// after it, a kink and a sine of it. Parameter bounds follow from the range of the signal. What a
-/// formula has in common with the model or the catalogue is removed later (find_candidates()).
+/// `inputs` that varies on these rows: an extension input itself, squares, cubes, magnitudes,
+/// products of up to three factors of two signals (for a temperature also its distance from a
+/// fitted reference), a lag before or after it, a kink and a sine of it. Parameter bounds follow
+/// from the range of the signal. What a formula has in common with the model or the catalogue is
+/// removed later (find_candidates()).
 std::vector<model::EffectTerm> formulas_over(const series::SignalSeries& series,
                                              fog::InputMask inputs);
 

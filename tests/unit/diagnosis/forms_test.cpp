@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -37,7 +38,22 @@ TEST(Forms, AreOfTheSignalsThatVaryAndHaveNamesOfTheirOwn) {
         "abs(lag(dTdt,tau))", "(T-c)^2*dTdt", "max(T-c,0)", "sin(6.2832*dTdt/p)"}) {
     EXPECT_TRUE(has_text(found, text)) << text;
   }
+  EXPECT_FALSE(has_text(found, "T*dTdt")) << "the catalogue has it";
   EXPECT_FALSE(has_text(found, "W^2")) << "the input rate is 0 here";
+}
+
+// A supply that is not quite rejected: no effect of the catalogue is linear in it.
+TEST(Forms, HaveAnExtensionInputItself) {
+  const model::Model model = fog::test::truth();
+  recording::Recording recording = fog::test::recording_of(model, fog::test::kQuietNoise, 1);
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    recording[fog::Input::supply].push_back(5 + 0.1 * std::sin(static_cast<double>(i) / 50));
+  }
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(recording));
+  const auto inputs = bit_of(fog::Input::temperature) | bit_of(fog::Input::supply);
+  EXPECT_TRUE(has_text(formulas_over(series, inputs), "V"));
+  EXPECT_FALSE(has_text(formulas_over(series, inputs), "T"));
 }
 
 TEST(Forms, AreShownWithoutBounds) {
