@@ -88,18 +88,32 @@ Eigen::MatrixXd new_directions(const Eigen::MatrixXd& columns, const Eigen::Matr
 
 }  // namespace
 
+namespace {
+
+// Any walk in a residual, its modes without what a basis spans.
+WalkRival walk_outside(const Eigen::MatrixXd& basis, const Eigen::VectorXd& measured,
+                       const Eigen::MatrixXd& modes, const noise::NoiseModel& noise) {
+  ExplainedSpace space(projected_out(basis, measured));
+  const WalkModes walk = add_walk(space, projected_out(basis, modes));
+  space.finish();
+  return find_walk(space, walk, noise.walks);
+}
+
+}  // namespace
+
+// Beside the effect the walk's coefficient is estimated anew: with the effect taken for a walk it
+// would be too large, and the effect would seem to be nothing beside it.
 double chance_of_walk(const series::Rows& rows, const noise::NoiseModel& noise,
                       const noise::Whitening& whitening, const AddedColumns& columns) {
-  const Eigen::MatrixXd basis = orthonormal(columns.before);
-  ExplainedSpace space(projected_out(basis, columns.measured));
-  const series::ColumnRange effect = space.add(new_directions(columns.added, basis));
-  const WalkModes modes =
-      add_walk(space, projected_out(basis, whitening.apply(visible_walk_modes(rows, noise))));
-  space.finish();
-  const WalkRival rival = find_walk(space, modes, noise.walks);
-  const auto count = static_cast<double>(effect.count);
-  return chance_of_walk(rival, {{log_evidence(space.chi2_drop({effect}), count), 0}},
-                        {{log_evidence(rival.space.chi2_drop({effect}), count), 0}});
+  const Eigen::MatrixXd modes = whitening.apply(visible_walk_modes(rows, noise));
+  const Eigen::MatrixXd before = orthonormal(columns.before);
+  const Eigen::MatrixXd effect = new_directions(columns.added, before);
+  const Eigen::MatrixXd after = side_by_side({before, effect}, before.rows());
+  const double chi2_drop = (effect.transpose() * columns.measured).squaredNorm();
+  const double evidence = log_evidence(chi2_drop, static_cast<double>(effect.cols()));
+  const double beside = walk_outside(after, columns.measured, modes, noise).log_odds;
+  return chance_of_walk(walk_outside(before, columns.measured, modes, noise),
+                        {{evidence, 0}, {evidence, beside}}, {});
 }
 
 }  // namespace fogcomp::fit

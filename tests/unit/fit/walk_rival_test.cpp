@@ -68,5 +68,31 @@ TEST(WalkRival, IsRarelyRefusedForSmoothFunctions) {
   EXPECT_LE(refused, 3);
 }
 
+// Three periods of 0.01 deg/h rms beside the walk: with the walk's coefficient estimated as if all
+// were a walk, a quarter were accepted.
+TEST(WalkRival, LetsAnEffectStandBesideAWalk) {
+  const series::Rows rows = fog::test::made_rows(
+      kRows, [](double) { return 20.0; }, kRow_s);
+  const noise::NoiseModel noise = white_noise_and_walks();
+  const noise::Whitening whitening(noise, rows, Eigen::VectorXd::Ones(kRows));
+  const Eigen::MatrixXd bias = Eigen::MatrixXd::Ones(kRows, 1);
+  const auto size = static_cast<Eigen::Index>(kRows);
+  const Eigen::VectorXd effect =
+      Eigen::VectorXd::LinSpaced(size, 0, 6 * kPi).array().sin() * 0.01 * std::sqrt(2.0);
+  int accepted = 0;
+  int with_nothing_there = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const auto is_accepted = [&](const Eigen::VectorXd& measured) {
+      return chance_of_walk(rows, noise, whitening,
+                            {whitening.apply(bias), whitening.apply(effect),
+                             whitening.apply(measured)}) < rules::kMaxChanceOfWalk;
+    };
+    if (is_accepted(walking(seed) + effect)) ++accepted;
+    if (is_accepted(walking(seed))) ++with_nothing_there;
+  }
+  EXPECT_GE(accepted, 30);
+  EXPECT_LE(with_nothing_there, 3);
+}
+
 }  // namespace
 }  // namespace fogcomp::fit
