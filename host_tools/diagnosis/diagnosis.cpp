@@ -1,5 +1,4 @@
 #include "diagnosis/diagnosis.hpp"
-#include "diagnosis/late_ripple.hpp"
 
 #include <algorithm>
 #include <cmath>
