@@ -86,10 +86,6 @@ Eigen::MatrixXd new_directions(const Eigen::MatrixXd& columns, const Eigen::Matr
   return orthonormal(side_by_side(seen, left.rows()));
 }
 
-}  // namespace
-
-namespace {
-
 // Any walk in a residual, its modes without what a basis spans.
 WalkRival walk_outside(const Eigen::MatrixXd& basis, const Eigen::VectorXd& measured,
                        const Eigen::MatrixXd& modes, const noise::NoiseModel& noise) {

@@ -50,45 +50,44 @@ noise::NoiseModel white_noise_and_walks() {
   return noise;
 }
 
+// A bias at one temperature, to which columns are added.
+class WalkRivalTest : public testing::Test {
+ protected:
+  bool refuses_walk(const Eigen::MatrixXd& added, const Eigen::VectorXd& measured) const {
+    const Eigen::MatrixXd bias = Eigen::MatrixXd::Ones(kRows, 1);
+    return chance_of_walk(rows_, noise_, whitening_,
+                          {whitening_.apply(bias), whitening_.apply(added),
+                           whitening_.apply(measured)}) < rules::kMaxChanceOfWalk;
+  }
+
+ private:
+  series::Rows rows_ = fog::test::made_rows(
+      kRows, [](double) { return 20.0; }, kRow_s);
+  noise::NoiseModel noise_ = white_noise_and_walks();
+  noise::Whitening whitening_{noise_, rows_, Eigen::VectorXd::Ones(kRows)};
+};
+
 // Smooth functions that describe a walk better than a walk does would be a walk that is taken for a
 // missing effect: if its modes end too early, what is beyond them speaks for any smooth function.
-TEST(WalkRival, IsRarelyRefusedForSmoothFunctions) {
-  const series::Rows rows = fog::test::made_rows(
-      kRows, [](double) { return 20.0; }, kRow_s);
-  const noise::NoiseModel noise = white_noise_and_walks();
-  const noise::Whitening whitening(noise, rows, Eigen::VectorXd::Ones(kRows));
-  const Eigen::MatrixXd bias = Eigen::MatrixXd::Ones(kRows, 1);
+TEST_F(WalkRivalTest, IsRarelyRefusedForSmoothFunctions) {
   int refused = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    const double chance = chance_of_walk(
-        rows, noise, whitening,
-        {whitening.apply(bias), whitening.apply(smooth(40)), whitening.apply(walking(seed))});
-    if (chance < rules::kMaxChanceOfWalk) ++refused;
+    if (refuses_walk(smooth(40), walking(seed))) ++refused;
   }
   EXPECT_LE(refused, 3);
 }
 
 // Three periods of 0.01 deg/h rms beside the walk: with the walk's coefficient estimated as if all
 // were a walk, a quarter were accepted.
-TEST(WalkRival, LetsAnEffectStandBesideAWalk) {
-  const series::Rows rows = fog::test::made_rows(
-      kRows, [](double) { return 20.0; }, kRow_s);
-  const noise::NoiseModel noise = white_noise_and_walks();
-  const noise::Whitening whitening(noise, rows, Eigen::VectorXd::Ones(kRows));
-  const Eigen::MatrixXd bias = Eigen::MatrixXd::Ones(kRows, 1);
+TEST_F(WalkRivalTest, LetsAnEffectStandBesideAWalk) {
   const auto size = static_cast<Eigen::Index>(kRows);
   const Eigen::VectorXd effect =
       Eigen::VectorXd::LinSpaced(size, 0, 6 * kPi).array().sin() * 0.01 * std::sqrt(2.0);
   int accepted = 0;
   int with_nothing_there = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    const auto is_accepted = [&](const Eigen::VectorXd& measured) {
-      return chance_of_walk(rows, noise, whitening,
-                            {whitening.apply(bias), whitening.apply(effect),
-                             whitening.apply(measured)}) < rules::kMaxChanceOfWalk;
-    };
-    if (is_accepted(walking(seed) + effect)) ++accepted;
-    if (is_accepted(walking(seed))) ++with_nothing_there;
+    if (refuses_walk(effect, walking(seed) + effect)) ++accepted;
+    if (refuses_walk(effect, walking(seed))) ++with_nothing_there;
   }
   EXPECT_GE(accepted, 30);
   EXPECT_LE(with_nothing_there, 3);

@@ -1,0 +1,59 @@
+#include "fit/left_out_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/decision_rules.hpp"
+#include "noise/autocorrelation.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::fit {
+namespace {
+
+// Longest memory of the noise in any significant component.
+double noise_memory_s(const noise::NoiseModel& noise) {
+  double total = noise.white_variance;
+  for (const noise::NoiseModel::Component& component : noise.components)
+    total += component.variance;
+  double longest = noise.row_s;
+  for (const noise::NoiseModel::Component& component : noise.components) {
+    if (component.variance >= rules::kMinRemembered * total)
+      longest = std::max(longest, component.tau_s);
+  }
+  return longest;
+}
+
+}  // namespace
+
+double stretches_of(const series::Rows& rows, const std::vector<double>& residual,
+                    const noise::NoiseModel& noise) {
+  const double residual_s = rows.row_s * noise::correlated_values(residual, rows.runs());
+  const double memory_s = std::max(noise_memory_s(noise), residual_s);
+  const double length_s = static_cast<double>(rows.size()) * rows.row_s;
+  return std::clamp(std::floor(length_s / (rules::kMemories * memory_s)), rules::kMinStretches,
+                    rules::kMaxStretches);
+}
+
+std::vector<Part> parts_of(const series::Rows& rows, double count) {
+  constexpr std::size_t kParts = 5;
+  std::vector<Part> parts(kParts);
+  std::size_t first_part = 0;
+  for (const recording::RowRange& run : rows.runs()) {
+    const double share = static_cast<double>(run.size()) / static_cast<double>(rows.size());
+    const auto wanted = static_cast<std::size_t>(std::max(1.0, std::round(count * share)));
+    const std::size_t stretches = std::min(wanted, run.size());
+    for (std::size_t i = 0; i < stretches; ++i) {
+      parts[(first_part + i) % kParts].push_back(
+          {run.first + i * run.size() / stretches, run.first + (i + 1) * run.size() / stretches});
+    }
+    ++first_part;
+  }
+  return parts;
+}
+
+std::string how_of(const std::vector<Part>& parts, const series::Rows& rows) {
+  return "on stretches of " + time_text(static_cast<double>(parts[0][0].size()) * rows.row_s) +
+         ", a fifth of them left out in turn";
+}
+
+}  // namespace fogcomp::fit
