@@ -28,7 +28,8 @@ struct ModelledRows {
 
 ModelledRows modelled_rows(const model::Model& model, const RunInBlocks& run, std::size_t parts) {
   series::require_inputs(model, run.blocks);
-  model::RealDriftModel drift(model, run.blocks.block_s);
+  const model::Model acting = model::as_it_acts_on(model, run.blocks.recordings);
+  model::RealDriftModel drift(acting, run.blocks.block_s);
   ModelledRows result;
   series::RowAverager averager(run.blocks, run.average_s, result.rows, 1 + parts);
   std::vector<double> values(1 + parts);

@@ -41,6 +41,7 @@ void append(BlockSeries& run, const BlockSeries& next) {
     block.number += offset;
     run.blocks.push_back(block);
   }
+  run.recordings.insert(run.recordings.end(), next.recordings.begin(), next.recordings.end());
   series::widen(run.input_ranges, next.input_ranges);
   run.rounding_dph = std::max(run.rounding_dph, next.rounding_dph);
 }
@@ -82,7 +83,6 @@ void append(RunInBlocks& run, RunInBlocks next) {
   append(run.segments, std::move(next.segments));
   run.file += " + " + next.file;
   run.files.insert(run.files.end(), next.files.begin(), next.files.end());
-  run.rows_hashes.insert(run.rows_hashes.end(), next.rows_hashes.begin(), next.rows_hashes.end());
   run.notes.insert(run.notes.end(), next.notes.begin(), next.notes.end());
   run.refused_rows += next.refused_rows;
 }

@@ -5,7 +5,6 @@
 
 #include "compare/decision_rules.hpp"
 #include "noise/noise_floor.hpp"
-#include "recording/data_hash.hpp"
 #include "recording/rate_resolution.hpp"
 #include "series/rows.hpp"
 #include "support/text.hpp"
@@ -59,7 +58,6 @@ RunInBlocks run_in_blocks(const recording::Recording& recording, double average_
   run.file = recording.file;
   run.files = {recording.file};
   run.refused_rows = recording.refused_rows;
-  run.rows_hashes = {recording::rows_hash(recording)};
   run.blocks = series::make_blocks(recording);
   run.segments = recording::find_segments(recording);
   run.average_s = average_s;

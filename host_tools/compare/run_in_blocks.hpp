@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,8 +16,7 @@ namespace fogcomp::compare {
 struct RunInBlocks {
   std::string file;                ///< `a.csv + b.csv` if joined from several (joined_runs.hpp)
   std::vector<std::string> files;  ///< these; one else
-  std::vector<std::uint64_t> rows_hashes;  ///< of each (recording/data_hash.hpp)
-  std::size_t refused_rows = 0;            ///< left out because the board would refuse them
+  std::size_t refused_rows = 0;    ///< left out because the board would refuse them
   series::BlockSeries blocks;
   std::vector<recording::Segment> segments;  ///< of the whole recording, in order of time
   double average_s = 0;                      ///< requested row length

@@ -253,7 +253,7 @@ Searched search_effect(const model::CatalogueEntry& entry, const series::SignalS
   const auto own = std::find_if(terms.begin(), terms.end(),
                                 [&](const model::EffectTerm& term) { return term.name == name; });
   if (entry.description.event) {
-    shapes = step_shapes(series.rows(), project_out_model, model::parse_effects(name)[0]);
+    shapes = step_shapes(series, project_out_model, model::parse_effects(name)[0]);
   } else if (own == terms.end()) {
     std::vector<model::EffectTerm> added = model::parse_effects(name);
     fit::set_references(added, series);

@@ -12,9 +12,9 @@
 namespace fogcomp::diagnosis {
 
 std::string DiagnosisData::add(const compare::RunInBlocks& run) {
-  std::string same = known_.file_with(run.rows_hashes[0]);
+  std::string same = known_.file_with(run.blocks.recordings[0]);
   if (!same.empty()) return same;
-  known_.add(run.rows_hashes, run.files);
+  known_.add(run.blocks.recordings, run.files);
   series::require_inputs(offered_, run.blocks);
   const std::size_t first_row = series_.rows().time_s.size();
   series_.add(run.blocks);

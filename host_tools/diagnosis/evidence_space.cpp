@@ -18,7 +18,7 @@ EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWei
   VisibleStructure smooth = visible_structure(series.rows(), residualizer);
   for (Candidate& candidate : list.testable) {
     if (candidate.is_event()) {
-      place_steps(candidate.shapes, series.rows(), residualizer, smooth.all);
+      place_steps(candidate.shapes, series, residualizer, smooth.all);
     }
   }
 

@@ -53,7 +53,8 @@ fit::NoiseWeightedFit fit_for_diagnosis(const model::Model& model, const Diagnos
                             rows.row_s, rules::kMinRows));
   }
   const Eigen::MatrixXd offsets = fit::run_offset_columns(rows);
-  fit::NoiseWeightedFit fit = fit::fit_rows(data.series(), model.terms, offsets, {{}, noise});
+  fit::NoiseWeightedFit fit =
+      fit::fit_rows(data.series(), data.series().acting(model.terms), offsets, {{}, noise});
   if (noise || fit.noise.degrees_of_freedom >= rules::kEnoughFreedom) return fit;
   return fit::fit_rows(data.series(), fit.terms, offsets,
                        {{}, noise_with_less_quiet(rows, fit), true});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/catalogue.hpp"
 #include "noise/whitening.hpp"
 #include "support/least_squares.hpp"
 
@@ -10,7 +11,9 @@ namespace fogcomp::diagnosis {
 
 void put(std::vector<model::EffectTerm>& terms, const model::EffectTerm& added) {
   const auto same = [&](const model::EffectTerm& term) { return term.name == added.name; };
-  terms.erase(std::remove_if(terms.begin(), terms.end(), same), terms.end());
+  if (!model::is_event(added)) {
+    terms.erase(std::remove_if(terms.begin(), terms.end(), same), terms.end());
+  }
   terms.push_back(added);
 }
 

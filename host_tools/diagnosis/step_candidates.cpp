@@ -15,28 +15,31 @@ namespace {
 
 constexpr int kStepsPerRun = 48;
 
-// `step` at this row.
-std::optional<Candidate::Shape> step_shape(const series::Rows& rows,
+// `step` at this row, in this row's recording only.
+std::optional<Candidate::Shape> step_shape(const series::SignalSeries& series,
                                            const ProjectOutModel& project_out_model,
                                            model::EffectTerm step, std::size_t row) {
+  const series::Rows& rows = series.rows();
   VisiblePart part = project_out_model(fit::step_column(rows, row));
   if (part.visible[0] < rules::kMinVisible) return std::nullopt;
   step.parameters[0] = rows.time_s[row];
+  step.recording = series.recordings(rows.run_at(row)).front();
   step.identified[0] = false;
   return Candidate::Shape{std::move(step), part.columns.colwise().normalized(), row};
 }
 
 }  // namespace
 
-std::vector<Candidate::Shape> step_shapes(const series::Rows& rows,
+std::vector<Candidate::Shape> step_shapes(const series::SignalSeries& series,
                                           const ProjectOutModel& project_out_model,
                                           const model::EffectTerm& step) {
+  const series::Rows& rows = series.rows();
   std::vector<Candidate::Shape> shapes;
   for (const recording::RowRange& run : rows.runs()) {
     for (int i = 1; i < kStepsPerRun; ++i) {
       const std::size_t at = run.first + run.size() * static_cast<std::size_t>(i) / kStepsPerRun;
       if (at <= run.first || at >= run.end) continue;
-      auto shape = step_shape(rows, project_out_model, step, at);
+      auto shape = step_shape(series, project_out_model, step, at);
       if (shape) shapes.push_back(std::move(*shape));
     }
   }
@@ -102,8 +105,9 @@ class Steps {
 
 }  // namespace
 
-void place_steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows,
+void place_steps(std::vector<Candidate::Shape>& shapes, const series::SignalSeries& series,
                  const Residualizer& residualizer, const Eigen::MatrixXd& smooth) {
+  const series::Rows& rows = series.rows();
   const Eigen::MatrixXd nothing(smooth.rows(), 0);
   Eigen::MatrixXd left(smooth.rows(), 2);
   left.col(0) = residualizer.residual();
@@ -116,7 +120,7 @@ void place_steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows
   Steps steps(shapes, rows);
   const auto place = [&](Eigen::Index which, const Eigen::MatrixXd& beside, double min_drop) {
     for (const std::size_t row : best_rows(rows, drops.col(which))) {
-      auto placed = step_shape(rows, residualizer, step, row);
+      auto placed = step_shape(series, residualizer, step, row);
       if (!placed) continue;
       const Eigen::VectorXd own = projected_out(beside, placed->basis);
       const double drop =

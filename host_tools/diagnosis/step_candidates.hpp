@@ -8,7 +8,7 @@
 namespace fogcomp::diagnosis {
 
 /// Shapes of an event: steps at evenly spaced times of each recording at which they are visible.
-std::vector<Candidate::Shape> step_shapes(const series::Rows& rows,
+std::vector<Candidate::Shape> step_shapes(const series::SignalSeries& series,
                                           const ProjectOutModel& project_out_model,
                                           const model::EffectTerm& step);
 
@@ -18,7 +18,7 @@ std::vector<Candidate::Shape> step_shapes(const series::Rows& rows,
 /// (orthonormal, as visible_structure() makes them) leave as well, in units of its mean square
 /// (rules::kMinPlacedChi2Drop): an effect that is missing, too, has no edges. Other steps are
 /// tested on the grid only, as noise is.
-void place_steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows,
+void place_steps(std::vector<Candidate::Shape>& shapes, const series::SignalSeries& series,
                  const Residualizer& residualizer, const Eigen::MatrixXd& smooth);
 
 }  // namespace fogcomp::diagnosis

@@ -152,11 +152,14 @@ void set_shape_sigmas(std::vector<model::EffectTerm>& terms, const NoiseWeighted
 }
 
 // Stores a step as a term of the model and as an event of its recording.
-void add_step(model::Model& model, Identification& result, const series::Rows& rows,
+void add_step(model::Model& model, Identification& result, const series::SignalSeries& series,
               const noise::ChangePoint& change, model::EffectTerm step, double size_dph,
               double sigma_dph) {
-  result.steps.push_back({rows.run_at(static_cast<std::size_t>(change.row)), change.time_s,
-                          change.time_sigma_s, size_dph, sigma_dph});
+  const series::Rows& rows = series.rows();
+  const std::size_t run = rows.run_at(static_cast<std::size_t>(change.row));
+  result.steps.push_back({run, change.time_s, change.time_sigma_s, size_dph, sigma_dph});
+  step.recording.reset();
+  if (!series.recordings(run).empty()) step.recording = series.recordings(run).front();
   step.coefficients_dph = {size_dph};
   step.sigma_dph = {sigma_dph};
   step.parameters = {change.time_s};
@@ -239,7 +242,7 @@ Identification identify(model::Model& model, const series::SignalSeries& series,
   result.run_offsets_dph.assign(offset_values.begin(), offset_values.end());
   for (std::size_t i = 0; i < found.steps.size(); ++i) {
     const Eigen::Index column = behind + offsets.cols() + static_cast<Eigen::Index>(i);
-    add_step(model, result, rows, found.steps[i], *sought.step, fit.coefficients[column],
+    add_step(model, result, series, found.steps[i], *sought.step, fit.coefficients[column],
              sigma[column]);
   }
   set_ranges(model, rows);

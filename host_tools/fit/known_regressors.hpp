@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <queue>
 #include <string>
 #include <tuple>
@@ -26,7 +28,8 @@ class KnownRegressors {
                      series::Reading reading = series::Reading::of_sensor);
 
  private:
-  using Key = std::tuple<std::string, std::vector<double>, series::Reading>;
+  using Key =
+      std::tuple<std::string, std::vector<double>, std::optional<std::uint64_t>, series::Reading>;
   using Known = std::map<Key, Columns>;
 
   const series::SignalSeries& series_;

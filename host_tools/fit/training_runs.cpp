@@ -37,12 +37,12 @@ TrainingRuns read_training_runs(const std::vector<std::string>& files,
   for (const std::string& file : files) {
     const recording::Recording recording = recording::read_recording(file, options);
     compare::RunInBlocks run = compare::run_in_blocks(recording, average_s);
-    const std::string same = known.file_with(run.rows_hashes[0]);
+    const std::string same = known.file_with(run.blocks.recordings[0]);
     if (!same.empty()) {
       training.notes.push_back(recording::same_rows_words(file, same));
       continue;
     }
-    known.add(run.rows_hashes, run.files);
+    known.add(run.blocks.recordings, run.files);
     training.notes.insert(training.notes.end(), run.notes.begin(), run.notes.end());
     training.data_hash = recording::data_hash(recording, training.data_hash);
     const double noise_dph_rthz = noise::white_noise_dph_rthz(recording);
@@ -60,23 +60,23 @@ TrainingRuns read_training_runs(const std::vector<std::string>& files,
 Holdouts read_holdouts(const std::vector<std::string>& files, const recording::ReadOptions& options,
                        double average_s, const std::vector<compare::RunInBlocks>& training) {
   recording::KnownRows fitted;
-  for (const compare::RunInBlocks& run : training) fitted.add(run.rows_hashes, run.files);
+  for (const compare::RunInBlocks& run : training) fitted.add(run.blocks.recordings, run.files);
   recording::KnownRows known;
   Holdouts holdouts;
   for (const std::string& file : files) {
     compare::RunInBlocks run =
         compare::run_in_blocks(recording::read_recording(file, options), average_s);
-    const std::string same = fitted.file_with(run.rows_hashes[0]);
+    const std::string same = fitted.file_with(run.blocks.recordings[0]);
     if (!same.empty()) {
       throw InputError(file, "has the same samples as " + same +
                                  ", which is fitted to; a holdout must be another run");
     }
-    const std::string twice = known.file_with(run.rows_hashes[0]);
+    const std::string twice = known.file_with(run.blocks.recordings[0]);
     if (!twice.empty()) {
       holdouts.notes.push_back(recording::same_rows_words(file, twice));
       continue;
     }
-    known.add(run.rows_hashes, run.files);
+    known.add(run.blocks.recordings, run.files);
     holdouts.notes.insert(holdouts.notes.end(), run.notes.begin(), run.notes.end());
     holdouts.runs.push_back(std::move(run));
   }

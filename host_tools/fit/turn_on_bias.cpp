@@ -65,7 +65,8 @@ std::vector<compare::TurnOnBias> turn_on_biases(const model::Model& model,
     }
   }
   const Eigen::MatrixXd offsets = run_offset_columns(series.rows());
-  const NoiseWeightedFit fit = fit_rows(series, with_fixed_shapes(model.terms), offsets);
+  const NoiseWeightedFit fit =
+      fit_rows(series, with_fixed_shapes(series.acting(model.terms)), offsets);
   if (series.rows().size() <= fit.linear() || !is_determined(fit)) return found;
   const Eigen::MatrixXd covariance = coefficient_covariance(series.rows(), fit);
   const double of_form = rules::kModelFormTolerance * drift_square(series.rows(), fit);

@@ -16,6 +16,19 @@ std::optional<double> HistoryEntry::excess_removed() const {
   return (before - rms_after_dph * rms_after_dph) / excess;
 }
 
+bool EffectTerm::acts_on(const std::vector<std::uint64_t>& recordings) const {
+  return !recording ||
+         std::find(recordings.begin(), recordings.end(), *recording) != recordings.end();
+}
+
+Model as_it_acts_on(Model model, const std::vector<std::uint64_t>& recordings) {
+  for (EffectTerm& term : model.terms) {
+    if (!term.acts_on(recordings))
+      std::fill_n(term.coefficients_dph.begin(), term.coefficients_dph.size(), 0.0);
+  }
+  return model;
+}
+
 const EffectTerm* Model::find(const std::string& name) const {
   const auto found = std::find_if(terms.begin(), terms.end(),
                                   [&](const EffectTerm& term) { return term.name == name; });

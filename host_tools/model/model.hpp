@@ -30,6 +30,12 @@ struct EffectTerm {
   std::vector<double> sigma_dph;         ///< one standard deviation of each coefficient
   std::vector<ShapeBounds> bounds{};     ///< for the fit: of each parameter, or empty
   std::optional<ExpressionTerm> expression{};
+  /// Of an event that a fit has found: hash of the rows (recording::rows_hash) of the recording in
+  /// which it is. Nothing: it acts on all.
+  std::optional<std::uint64_t> recording{};
+
+  /// `recordings`: hashes of the rows of a run's files.
+  bool acts_on(const std::vector<std::uint64_t>& recordings) const;
 };
 
 /// Whether a part of the shape is disabled: not identified, and 0.
@@ -121,5 +127,9 @@ double natural_coefficient(const EffectTerm& term, std::size_t index);
 
 /// The drift as a readable equation, one line per effect.
 std::string describe(const Model& model);
+
+/// The model on one run: events of other recordings have coefficients of 0. `recordings`: as in
+/// EffectTerm::acts_on.
+Model as_it_acts_on(Model model, const std::vector<std::uint64_t>& recordings);
 
 }  // namespace fogcomp::model

@@ -180,6 +180,13 @@ void read_input_range(ModelReader& in, Model& model) {
   in.fail("no extension record has an input '" + name + "'");
 }
 
+void read_event_recording(ModelReader& in, Model& model) {
+  if (model.terms.empty() || !is_event(model.terms.back())) {
+    in.fail(std::string("'") + kEventRecording + "' belongs behind an event");
+  }
+  model.terms.back().recording = in.hash();
+}
+
 // A step, then its optional properties.
 void read_history(ModelReader& in, const std::string& key, std::vector<HistoryEntry>& history) {
   if (key == kHistory) {
@@ -264,6 +271,7 @@ const std::map<std::string, LineReader> kLines{
      }},
     {"denoise", read_denoiser},
     {"effect", [](ModelReader& in, Model& m) { m.terms.push_back(read_effect(in)); }},
+    {kEventRecording, read_event_recording},
     {"expression", [](ModelReader& in, Model& m) { m.terms.push_back(read_expression(in)); }},
     {"input", read_network_input},
     {"hidden",

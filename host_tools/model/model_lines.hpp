@@ -33,6 +33,9 @@ class ModelWriter {
     for (const double value : values) number(value);
     return *this;
   }
+  ModelWriter& hash(std::uint64_t value) {
+    return word(format("%016llx", static_cast<unsigned long long>(value)));
+  }
   void end_line() { text_ += '\n'; }
   std::string& text() { return text_; }
 
@@ -99,6 +102,16 @@ class ModelReader {
     std::vector<double> values(size);
     for (double& value : values) value = number(min, max);
     return values;
+  }
+  /// As ModelWriter::hash() writes it.
+  std::uint64_t hash() {
+    const std::string text = word();
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+    if (error != std::errc{} || end != text.data() + text.size()) {
+      fail("'" + text + "' is not a hash");
+    }
+    return value;
   }
   /// One of `choices`, by its name_of().
   template <class Enum, std::size_t N>

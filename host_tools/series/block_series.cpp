@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recording/data_hash.hpp"
 #include "recording/rate_resolution.hpp"
 #include "recording/row_range.hpp"
 #include "series/edge_values.hpp"
@@ -127,6 +128,7 @@ void widen(model::InputRanges& ranges, const model::InputRanges& by) {
 BlockSeries make_blocks(const recording::Recording& recording) {
   BlockSeries series;
   series.file = recording.file;
+  series.recordings = {recording::rows_hash(recording)};
   series.period_s = recording.period_s;
   series.samples_per_block = samples_per_block(recording.period_s);
   series.block_s = recording.period_s > 0 ? recording.period_s * series.samples_per_block : 1;

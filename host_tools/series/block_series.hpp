@@ -14,7 +14,8 @@ namespace fogcomp::series {
 /// Block means of a recording, in the blocks in which the board would take it.
 struct BlockSeries {
   std::string file;
-  double period_s = 0;  ///< of a sample
+  std::vector<std::uint64_t> recordings;  ///< recording::rows_hash of each file in it
+  double period_s = 0;                    ///< of a sample
   std::uint32_t samples_per_block = 1;
   double block_s = 0;
   struct Block {

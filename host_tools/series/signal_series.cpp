@@ -90,7 +90,7 @@ class SignalSeries::Recorder {
 
 void SignalSeries::add(const BlockSeries& series) {
   require_inputs(model_, series);
-  runs_.push_back({series.block_s, series.inputs, {}, {}, {}, {}, {}});
+  runs_.push_back({series.block_s, series.inputs, series.recordings, {}, {}, {}, {}, {}});
   runs_.back().blocks.reserve(series.blocks.size() + 1);
   RowAverager rows(series, model_.average_s, rows_);
   if (phase_ == Phase::board) {
@@ -194,6 +194,15 @@ Eigen::VectorXd SignalSeries::drift_dph(const std::vector<model::EffectTerm>& te
   return drift;
 }
 
+std::vector<model::EffectTerm> SignalSeries::acting(std::vector<model::EffectTerm> terms) const {
+  const auto acts_on_none = [&](const model::EffectTerm& term) {
+    return std::none_of(runs_.begin(), runs_.end(),
+                        [&](const Run& run) { return term.acts_on(run.recordings); });
+  };
+  terms.erase(std::remove_if(terms.begin(), terms.end(), acts_on_none), terms.end());
+  return terms;
+}
+
 Eigen::MatrixXd SignalSeries::regressors(const model::EffectTerm& term, Reading reading) const {
   struct Part {
     std::unique_ptr<model::RealEffect> effect;
@@ -203,8 +212,18 @@ Eigen::MatrixXd SignalSeries::regressors(const model::EffectTerm& term, Reading 
       effect->step(signals, values);
     }
   };
-  return row_means([&](double block_s) { return Part{model::make_effect(term, block_s)}; }, reading,
-                   model::follows_input_rate(term));
+  Eigen::MatrixXd means =
+      row_means([&](double block_s) { return Part{model::make_effect(term, block_s)}; }, reading,
+                model::follows_input_rate(term));
+  const std::vector<recording::RowRange> runs = rows_.runs();
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (term.acts_on(runs_[i].recordings)) continue;
+    means
+        .middleRows(static_cast<Eigen::Index>(runs[i].first),
+                    static_cast<Eigen::Index>(runs[i].size()))
+        .setZero();
+  }
+  return means;
 }
 
 model::SignalRanges SignalSeries::signal_ranges() const {

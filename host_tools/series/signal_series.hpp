@@ -36,9 +36,15 @@ class SignalSeries {
   void add(const BlockSeries& series);
 
   const Rows& rows() const { return rows_; }
+  /// Those of the terms that act on one of the runs: not the events of other recordings.
+  std::vector<model::EffectTerm> acting(std::vector<model::EffectTerm> terms) const;
+  /// BlockSeries::recordings of a run.
+  const std::vector<std::uint64_t>& recordings(std::size_t run) const {
+    return runs_[run].recordings;
+  }
 
-  /// Row means of an effect's regressors, rows x regressors. In Phase::zero both readings are the
-  /// same.
+  /// Row means of an effect's regressors, rows x regressors; 0 in runs on which an event does not
+  /// act. In Phase::zero both readings are the same.
   Eigen::MatrixXd regressors(const model::EffectTerm& term,
                              Reading reading = Reading::of_sensor) const;
   Phase phase() const { return phase_; }
@@ -77,6 +83,7 @@ class SignalSeries {
   struct Run {
     double block_s = 0;
     fog::InputMask inputs = 0;  ///< of the recording
+    std::vector<std::uint64_t> recordings;
     std::vector<Block> blocks;
     std::vector<bool> restarts;         ///< per block
     std::vector<InputRate> input_rate;  ///< per block; empty if the recording lacks it

@@ -87,7 +87,8 @@ class RealSeries {
     series::require_inputs(model_, blocks);
     samples_per_block_ = blocks.samples_per_block;
     begin();
-    model::RealDriftModel drift(model_, blocks.block_s);
+    const model::Model acting = model::as_it_acts_on(model_, blocks.recordings);
+    model::RealDriftModel drift(acting, blocks.block_s);
     series::run_blocks(blocks, drift, [&](const series::BlockSeries::Block& block) {
       rows_before(block.number);
       rows_of(block, drift);

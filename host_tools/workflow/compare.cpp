@@ -49,12 +49,12 @@ std::vector<compare::RunInBlocks> compared_runs(const CompareRequest& request,
     observer.tell("comparing", static_cast<double>(i) / static_cast<double>(request.runs.size()));
     compare::RunInBlocks run = compare::run_in_blocks(recording::read_recording(file, reading),
                                                       row_length_s(request, first));
-    const std::string same = known.file_with(run.rows_hashes[0]);
+    const std::string same = known.file_with(run.blocks.recordings[0]);
     if (!same.empty()) {
       observer.say({recording::same_rows_words(run.file, same)});
       continue;
     }
-    known.add(run.rows_hashes[0], run.file);
+    known.add(run.blocks.recordings[0], run.file);
     runs.push_back(std::move(run));
   }
   return runs;

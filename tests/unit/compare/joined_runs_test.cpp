@@ -57,7 +57,7 @@ TEST(JoinedRuns, AreTheRunThatWasCutIntoFilesInAnyOrder) {
     ASSERT_EQ(joined.size(), 1U);
     EXPECT_EQ(joined[0].file, "a.csv + b.csv + c.csv");
     EXPECT_EQ(joined[0].files, (std::vector<std::string>{"a.csv", "b.csv", "c.csv"}));
-    EXPECT_EQ(joined[0].rows_hashes.size(), 3U);
+    EXPECT_EQ(joined[0].blocks.recordings.size(), 3U);
     EXPECT_EQ(notes.size(), 2U);
     const series::Rows seen = rows_of(joined);
     EXPECT_EQ(seen.time_s, expected.time_s);

@@ -46,9 +46,9 @@ Placed place(double jump_dph, double fraction, const std::string& missing) {
   const Residualizer residualizer(rows, fit);
   const VisibleStructure smooth = visible_structure(rows, residualizer);
   Placed placed;
-  placed.shapes = step_shapes(rows, residualizer, model::parse_effects("bias_step")[0]);
+  placed.shapes = step_shapes(data.series(), residualizer, model::parse_effects("bias_step")[0]);
   const std::vector<Candidate::Shape> grid = placed.shapes;
-  place_steps(placed.shapes, rows, residualizer, smooth.all);
+  place_steps(placed.shapes, data.series(), residualizer, smooth.all);
   EXPECT_EQ(placed.shapes.size(), grid.size());
   placed.jump_s = recording.time_s[at];
   placed.row_s = rows.row_s;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "compare/comparison.hpp"
 #include "support/input_error.hpp"
 #include "unit/fit/recording_with_steps.hpp"
 
@@ -46,6 +47,27 @@ TEST(BiasSteps, BelongToTheRecordingInWhichTheyLie) {
   EXPECT_EQ(result.identified.steps[0].run, 1U);
   EXPECT_NEAR(result.identified.steps[0].time_s, 15000, 20);
   EXPECT_NEAR(result.identified.steps[0].size_dph, 0.2, 0.02);
+}
+
+// What a fit takes for a step of one recording must not be subtracted from another.
+TEST(BiasSteps, ActOnTheirRecordingOnly) {
+  fogcomp::recording::Recording with_step = noisy_recording(5);
+  add_step(with_step, 15000, 0.2);
+  const FittedSteps result = fit({noisy_recording(4), with_step}, kStepEffects);
+  ASSERT_EQ(result.identified.steps.size(), 1U);
+  const auto left_of = [&](const fogcomp::recording::Recording& recording) {
+    const auto run = fogcomp::compare::run_in_blocks(recording, result.model.average_s);
+    return fogcomp::compare::compare_with(result.model, run).whole.rms_dph;
+  };
+  constexpr double kLittleAboveNoise_dph = 1.3 * kWhiteDph;
+  EXPECT_LT(left_of(with_step), kLittleAboveNoise_dph);
+  EXPECT_LT(left_of(noisy_recording(4)), kLittleAboveNoise_dph);
+  EXPECT_LT(left_of(noisy_recording(6)), kLittleAboveNoise_dph);
+
+  fogcomp::series::SignalSeries other(result.model);
+  other.add(fogcomp::series::make_blocks(noisy_recording(6)));
+  EXPECT_TRUE(other.regressors(result.model.terms.back()).isZero());
+  EXPECT_EQ(other.acting(result.model.terms).size(), result.model.terms.size() - 1);
 }
 
 TEST(BiasSteps, WithATimeAreNotSearchedForAndAloneAreRefused) {

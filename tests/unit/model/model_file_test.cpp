@@ -78,6 +78,19 @@ TEST(ModelFile, KeepsTheWholeHistory) {
   EXPECT_NEAR(read.history[1].excess_removed().value_or(0), 0.88494, 1e-5);
 }
 
+TEST(ModelFile, KeepsTheRecordingOfAnEvent) {
+  Model model = fog::test::paper_like_model();
+  model.terms.push_back(fog::test::natural_term("bias_step", {15000}, {0.2}));
+  model.terms.back().recording = 0xFEDCBA9876543210;
+  const std::string text = model_text(model);
+  const Model read = parse_model(text, "gyro.model");
+  EXPECT_EQ(read.terms.back().recording, model.terms.back().recording);
+  EXPECT_EQ(model_text(read), text);
+  model.terms.push_back(fog::test::natural_term("magnetic", {}, {0.1}));
+  model.terms.back().recording = 1;
+  EXPECT_NE(error_of(model_text(model)).find("belongs behind an event"), std::string::npos);
+}
+
 TEST(ModelFile, KeepsTheLimitsOfTheGyro) {
   Model model = fog::test::paper_like_model();
   model.limits = {200, 2500};
