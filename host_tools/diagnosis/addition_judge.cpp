@@ -101,6 +101,12 @@ void AdditionJudge::prepare() {
 }
 
 TriedAddition AdditionJudge::operator()(AdditionRequest request) {
+  std::optional<fit::Addition> addition;
+  return tried(std::move(request), addition);
+}
+
+TriedAddition AdditionJudge::tried(AdditionRequest request,
+                                   std::optional<fit::Addition>& addition) {
   prepare();
   TriedAddition trial;
   trial.request = std::move(request);
@@ -108,18 +114,18 @@ TriedAddition AdditionJudge::operator()(AdditionRequest request) {
   trial.reason = failure_;
   if (!refitted_) return trial;
   try {
-    fit::Addition addition = try_to_add(model_, trial.request, runs_, &*refitted_);
+    addition = try_to_add(model_, trial.request, runs_, &*refitted_);
     const bool may_be_little = !runs_.holdouts.empty() || trial.request.may_be_little;
     const std::string objection =
-        addition.accepted ? objection_to(addition.model, may_be_little) : "";
-    trial.accepted = addition.accepted && objection.empty();
-    trial.may_be_walk = addition.chance_of_walk.value_or(0) >= fit::rules::kMaxChanceOfWalk;
-    trial.reason = objection.empty() ? addition.reason : objection;
-    if (addition.out_of_sample) {
-      trial.rms_before_dph = addition.out_of_sample->rms_before_dph;
-      trial.rms_after_dph = addition.out_of_sample->rms_after_dph;
+        addition->accepted ? objection_to(addition->model, may_be_little) : "";
+    trial.accepted = addition->accepted && objection.empty();
+    trial.may_be_walk = addition->chance_of_walk.value_or(0) >= fit::rules::kMaxChanceOfWalk;
+    trial.reason = objection.empty() ? addition->reason : objection;
+    if (addition->out_of_sample) {
+      trial.rms_before_dph = addition->out_of_sample->rms_before_dph;
+      trial.rms_after_dph = addition->out_of_sample->rms_after_dph;
     }
-    if (trial.accepted) trial.model = std::move(addition.model);
+    if (trial.accepted) trial.model = addition->model;
   } catch (const InputError& error) {
     trial.reason = error.what();
   }
@@ -127,12 +133,14 @@ TriedAddition AdditionJudge::operator()(AdditionRequest request) {
 }
 
 TriedAddition AdditionJudge::of_description(AdditionRequest request) {
-  TriedAddition trial = (*this)(std::move(request));
+  std::optional<fit::Addition> addition;
+  TriedAddition trial = tried(std::move(request), addition);
   const std::size_t count = runs_.holdouts.empty() ? runs_.training.runs.size() : 0;
   if (count < 2 || !trial.accepted) return trial;
   std::vector<std::string> objections(count);
-  for_each_index(count,
-                 [&](std::size_t run) { objections[run] = objection_of_run(trial.request, run); });
+  for_each_index(count, [&](std::size_t run) {
+    objections[run] = objection_of_run(trial.request, run, *addition);
+  });
   const auto objects = [](const std::string& objection) { return !objection.empty(); };
   const auto first = std::find_if(objections.begin(), objections.end(), objects);
   if (first != objections.end()) {
@@ -144,17 +152,27 @@ TriedAddition AdditionJudge::of_description(AdditionRequest request) {
 
 // Reason why the addition, identified on the other runs, fails on this run; "" if it does not, or
 // if the others do not determine it.
-std::string AdditionJudge::objection_of_run(const AdditionRequest& request, std::size_t run) const {
+std::string AdditionJudge::objection_of_run(const AdditionRequest& request, std::size_t run,
+                                            const fit::Addition& on_all) const {
   try {
     const fit::Addition addition = try_to_add(model_, request, runs_.without(run));
     const auto& judged = addition.out_of_sample;
     if (!judged || judged->rms_after_dph < judged->rms_before_dph) return "";
+    if (!others_determine(on_all, run)) return "";
     return format("it does not hold on %s when that run is left out: %s -> %s deg/h",
                   runs_.training.runs[run].file.c_str(), rounded(judged->rms_before_dph).c_str(),
                   rounded(judged->rms_after_dph).c_str());
   } catch (const InputError&) {
     return "";
   }
+}
+
+bool AdditionJudge::others_determine(const fit::Addition& on_all, std::size_t run) const {
+  series::SignalSeries series(on_all.model);
+  for (const compare::RunInBlocks& one : runs_.training.runs) series.add(one.blocks);
+  const fit::Identification& fit = on_all.fit.identified;
+  return fit::others_determine(series, on_all.model.terms, on_all.changed, run,
+                               {fit.noise, fit.row_weights, run_offsets_});
 }
 
 }  // namespace fogcomp::diagnosis

@@ -72,12 +72,16 @@ class AdditionJudge {
 
   TriedAddition operator()(AdditionRequest request);
 
-  /// For a description without physics also requires every other run: stretches left out of a run
-  /// have the temperatures of their neighbours, another run has not.
+  /// For a description without physics also requires every run that the others can predict:
+  /// stretches left out of a run have the temperatures of their neighbours, another run has not.
   TriedAddition of_description(AdditionRequest request);
 
  private:
-  std::string objection_of_run(const AdditionRequest& request, std::size_t run) const;
+  // `addition`: nothing if it could not be fitted.
+  TriedAddition tried(AdditionRequest request, std::optional<fit::Addition>& addition);
+  std::string objection_of_run(const AdditionRequest& request, std::size_t run,
+                               const fit::Addition& on_all) const;
+  bool others_determine(const fit::Addition& on_all, std::size_t run) const;
 
   model::Model model_;
   const JudgingRuns& runs_;

@@ -281,6 +281,17 @@ OutOfSample cross_validate(const series::SignalSeries& series,
   return result;
 }
 
+bool others_determine(const series::SignalSeries& series,
+                      const std::vector<model::EffectTerm>& after,
+                      const std::vector<std::size_t>& changed, std::size_t run,
+                      const JudgedWith& with) {
+  KnownRegressors known(series);
+  const std::vector<model::EffectTerm> terms = with_fixed_shapes(after, changed);
+  const Fold all = leave_out(known, terms, {}, with);
+  const Fold others = leave_out(known, terms, {series.rows().runs()[run]}, with);
+  return determines_all(others, all) && determine_terms({others}, all, known, terms, changed);
+}
+
 OutOfSample cross_validate_learner(const series::Rows& rows, const Eigen::VectorXd& residual_dph,
                                    const JudgedWith& with, const Learner& learner) {
   const std::vector<Part> parts = parts_of(rows, rules::kMaxStretches);
