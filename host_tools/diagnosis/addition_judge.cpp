@@ -151,14 +151,14 @@ TriedAddition AdditionJudge::of_description(AdditionRequest request) {
 }
 
 // Reason why the addition, identified on the other runs, fails on this run; "" if it does not, or
-// if the others do not determine it.
+// if the others do not show it.
 std::string AdditionJudge::objection_of_run(const AdditionRequest& request, std::size_t run,
                                             const fit::Addition& on_all) const {
   try {
     const fit::Addition addition = try_to_add(model_, request, runs_.without(run));
     const auto& judged = addition.out_of_sample;
     if (!judged || judged->rms_after_dph < judged->rms_before_dph) return "";
-    if (!others_determine(on_all, run)) return "";
+    if (!others_show(on_all, run)) return "";
     return format("it does not hold on %s when that run is left out: %s -> %s deg/h",
                   runs_.training.runs[run].file.c_str(), rounded(judged->rms_before_dph).c_str(),
                   rounded(judged->rms_after_dph).c_str());
@@ -167,11 +167,18 @@ std::string AdditionJudge::objection_of_run(const AdditionRequest& request, std:
   }
 }
 
-bool AdditionJudge::others_determine(const fit::Addition& on_all, std::size_t run) const {
+// Whether the other runs show what the addition does with inputs of its own. Temperature and time
+// move in every run: there the veto of one that goes further stands.
+bool AdditionJudge::others_show(const fit::Addition& on_all, std::size_t run) const {
+  std::vector<std::size_t> of_own_input;
+  for (const std::size_t term : on_all.changed) {
+    if (model::has_own_input(on_all.model.terms[term])) of_own_input.push_back(term);
+  }
+  if (of_own_input.empty()) return true;
   series::SignalSeries series(on_all.model);
   for (const compare::RunInBlocks& one : runs_.training.runs) series.add(one.blocks);
   const fit::Identification& fit = on_all.fit.identified;
-  return fit::others_determine(series, on_all.model.terms, on_all.changed, run,
+  return fit::others_determine(series, on_all.model.terms, of_own_input, run,
                                {fit.noise, fit.row_weights, run_offsets_});
 }
 

@@ -66,14 +66,17 @@ class AdditionJudge {
   /// `runs` must outlive the judge. `run_offsets`: with a bias of its own for each run.
   AdditionJudge(const model::Model& model, const JudgingRuns& runs, bool run_offsets);
 
+  const JudgingRuns& runs() const { return runs_; }
+
   /// Refits the model without a change, if that has not been done; before calls from several
   /// threads.
   void prepare();
 
   TriedAddition operator()(AdditionRequest request);
 
-  /// For a description without physics also requires every run that the others can predict:
-  /// stretches left out of a run have the temperatures of their neighbours, another run has not.
+  /// For a description without physics also requires every run: stretches left out of a run have
+  /// the temperatures of their neighbours, another run has not. A run that alone moves an input of
+  /// the description does not judge it.
   TriedAddition of_description(AdditionRequest request);
 
  private:
@@ -81,7 +84,7 @@ class AdditionJudge {
   TriedAddition tried(AdditionRequest request, std::optional<fit::Addition>& addition);
   std::string objection_of_run(const AdditionRequest& request, std::size_t run,
                                const fit::Addition& on_all) const;
-  bool others_determine(const fit::Addition& on_all, std::size_t run) const;
+  bool others_show(const fit::Addition& on_all, std::size_t run) const;
 
   model::Model model_;
   const JudgingRuns& runs_;

@@ -326,7 +326,7 @@ bool Candidate::is_event() const {
 }
 
 bool Candidate::has_own_input() const {
-  return (model::info_of(shapes[0].term).needs & ~bit_of(fog::Input::elapsed)) != 0;
+  return model::has_own_input(shapes[0].term);
 }
 
 bool Candidate::is_of_time() const {

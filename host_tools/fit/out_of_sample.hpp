@@ -62,9 +62,8 @@ OutOfSample cross_validate(const series::SignalSeries& series,
                            const std::vector<model::EffectTerm>& after,
                            const std::vector<std::size_t>& changed, const JudgedWith& with);
 
-/// Whether the runs but one determine all coefficients, and those of after[i], i in `changed`, not
-/// much worse than all runs do: only then can that one judge them. `after`: identified on all of
-/// `series`.
+/// Whether the runs but one determine the coefficients of after[i], i in `changed`, not much worse
+/// than all runs do: only then can that one judge them. `after`: identified on all of `series`.
 bool others_determine(const series::SignalSeries& series,
                       const std::vector<model::EffectTerm>& after,
                       const std::vector<std::size_t>& changed, std::size_t run,

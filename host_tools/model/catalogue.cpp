@@ -188,6 +188,10 @@ ShapeBounds catalogue_bounds(const CatalogueEntry& entry, std::size_t index) {
   return {parameter.min_milli / 1000.0, parameter.max_milli / 1000.0};
 }
 
+bool has_own_input(const EffectTerm& term) {
+  return (info_of(term).needs & ~bit_of(fog::Input::elapsed)) != 0;
+}
+
 bool is_event(const EffectTerm& term) {
   return !term.expression && find_effect(term.name).description.event;
 }

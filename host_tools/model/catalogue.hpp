@@ -88,6 +88,9 @@ ShapeBounds catalogue_bounds(const CatalogueEntry& entry, std::size_t index);
 /// Whether a term is an event of a recording rather than a property of the gyro.
 bool is_event(const EffectTerm& term);
 
+/// Whether an input other than temperature and time drives it.
+bool has_own_input(const EffectTerm& term);
+
 /// Names of all effects.
 std::vector<std::string> effect_names();
 

@@ -86,9 +86,10 @@ TEST(ModelFile, KeepsTheRecordingOfAnEvent) {
   const Model read = parse_model(text, "gyro.model");
   EXPECT_EQ(read.terms.back().recording, model.terms.back().recording);
   EXPECT_EQ(model_text(read), text);
-  model.terms.push_back(fog::test::natural_term("magnetic", {}, {0.1}));
+  model.terms.push_back(fog::test::natural_term("aging", {3600}, {0.1}));
   model.terms.back().recording = 1;
-  EXPECT_NE(error_of(model_text(model)).find("belongs behind an event"), std::string::npos);
+  const std::string error = error_of(model_text(model));
+  EXPECT_NE(error.find("belongs behind an event"), std::string::npos) << error;
 }
 
 TEST(ModelFile, KeepsTheLimitsOfTheGyro) {
