@@ -1,9 +1,12 @@
 #include "support/least_squares.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "support/parallel.hpp"
 
 namespace fogcomp {
 namespace {
@@ -128,7 +131,17 @@ Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& columns, double rank_threshol
 }
 
 Eigen::MatrixXd projected_out(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& columns) {
-  return columns - basis * (basis.transpose() * columns).eval();
+  // Panels, the same for any number of threads and so of the same rounding.
+  constexpr Eigen::Index kPanel = 16;
+  Eigen::MatrixXd left(columns.rows(), columns.cols());
+  const Eigen::Index panels = (columns.cols() + kPanel - 1) / kPanel;
+  for_each_index(static_cast<std::size_t>(panels), [&](std::size_t panel) {
+    const Eigen::Index first = static_cast<Eigen::Index>(panel) * kPanel;
+    const Eigen::Index count = std::min(kPanel, columns.cols() - first);
+    const auto own = columns.middleCols(first, count);
+    left.middleCols(first, count) = own - basis * (basis.transpose() * own).eval();
+  });
+  return left;
 }
 
 Eigen::MatrixXd side_by_side(const std::vector<Eigen::MatrixXd>& parts, Eigen::Index rows) {

@@ -7,8 +7,8 @@ namespace fogcomp {
 
 /// Calls body(0) ... body(count - 1), each once, on the processor's cores in any order, and returns
 /// when all have returned. What the bodies write must be apart; then the result is the same
-/// whatever the number of threads. A call from within a body runs in that body's thread. If bodies
-/// throw, the exception of the smallest index is thrown again.
+/// whatever the number of threads. A call from within a body shares the threads of the outer one.
+/// If bodies throw, the exception of the smallest index is thrown again.
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& body);
 
 /// Largest number of threads of later calls, at least 1; the number of cores if never called. For a

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,6 +27,26 @@ TEST(Parallel, ACallWithinABodyIsServedToo) {
     for_each_index(4, [&](std::size_t j) { sum += static_cast<int>(10 * i + j); });
   });
   EXPECT_EQ(sum, 10 * 10 * 4 + 6 * 5);
+}
+
+// A thread that has nothing left of the outer loop takes part in an inner one: two indices of that
+// meet, which one thread alone would wait for in vain.
+TEST(Parallel, AnIdleThreadHelpsALoopWithinABody) {
+  set_max_threads(2);
+  std::mutex mutex;
+  std::condition_variable changed;
+  int here = 0;
+  bool met = true;
+  for_each_index(2, [&](std::size_t i) {
+    if (i == 0) return;
+    for_each_index(2, [&](std::size_t) {
+      std::unique_lock<std::mutex> lock(mutex);
+      ++here;
+      changed.notify_all();
+      met &= changed.wait_for(lock, std::chrono::seconds(20), [&] { return here == 2; });
+    });
+  });
+  EXPECT_TRUE(met);
 }
 
 // Which of several failures a caller sees does not depend on which thread was first.
