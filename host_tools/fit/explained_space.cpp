@@ -16,33 +16,48 @@ constexpr double kSystemRidge = 1e-8;
 
 series::ColumnRange ExplainedSpace::add(const Eigen::MatrixXd& columns) {
   const series::ColumnRange range{width_, columns.cols()};
-  pending_.push_back(columns);
   width_ += columns.cols();
+  if (width_ > columns_.cols()) {
+    columns_.conservativeResize(residual_.size(), std::max(width_, 2 * columns_.cols()));
+  }
+  columns_.middleCols(range.first, range.count) = columns;
   return range;
 }
 
 void ExplainedSpace::finish() {
-  const Eigen::MatrixXd all = side_by_side(pending_, residual_.size());
-  pending_.clear();
-  gram_ = fogcomp::gram(all);
-  projection_ = all.transpose() * residual_;
+  columns_.conservativeResize(residual_.size(), width_);
+  gram_ = fogcomp::gram(columns_);
+  projection_ = columns_.transpose() * residual_;
+  columns_.resize(0, 0);
+}
+
+Eigen::MatrixXd ExplainedSpace::root_of_noise(const series::ColumnRange& random,
+                                              const Eigen::VectorXd& variances) const {
+  Eigen::MatrixXd inner = gram_.block(random.first, random.first, random.count, random.count);
+  inner.diagonal() += variances.cwiseInverse();
+  return cholesky_factor(inner);
 }
 
 // Woodbury: with noise of covariance I + R V R', a'b becomes a'b - a'R (R'R + 1/V)^-1 R'b.
-ExplainedSpace::WithNoise ExplainedSpace::with_noise(const series::ColumnRange& random,
-                                                     const Eigen::VectorXd& variances) const {
-  Eigen::MatrixXd inner = gram_.block(random.first, random.first, random.count, random.count);
-  inner.diagonal() += variances.cwiseInverse();
-  const Eigen::MatrixXd root = cholesky_factor(inner);
+ExplainedSpace ExplainedSpace::with_noise(const series::ColumnRange& random,
+                                          const Eigen::VectorXd& variances) const {
+  const Eigen::MatrixXd root = root_of_noise(random, variances);
   const auto half = root.triangularView<Eigen::Lower>();
   const Eigen::MatrixXd columns = half.solve(gram_.middleRows(random.first, random.count));
   const Eigen::VectorXd residual = half.solve(projection_.segment(random.first, random.count));
-  WithNoise with{*this, 0};
-  with.space.gram_ -= fogcomp::gram(columns);
-  with.space.projection_ -= columns.transpose() * residual;
-  const double log_determinant = (root.diagonal().array().square() * variances.array()).log().sum();
-  with.log_likelihood = (residual.squaredNorm() - log_determinant) / 2;
+  ExplainedSpace with = *this;
+  with.gram_ -= fogcomp::gram(columns);
+  with.projection_ -= columns.transpose() * residual;
   return with;
+}
+
+double ExplainedSpace::log_likelihood_of_noise(const series::ColumnRange& random,
+                                               const Eigen::VectorXd& variances) const {
+  const Eigen::MatrixXd root = root_of_noise(random, variances);
+  const Eigen::VectorXd residual =
+      root.triangularView<Eigen::Lower>().solve(projection_.segment(random.first, random.count));
+  const double log_determinant = (root.diagonal().array().square() * variances.array()).log().sum();
+  return (residual.squaredNorm() - log_determinant) / 2;
 }
 
 ExplainedSpace::System ExplainedSpace::system(const std::vector<series::ColumnRange>& parts,

@@ -23,10 +23,12 @@ class ExplainedSpace {
   const Eigen::VectorXd& projection() const { return projection_; }
 
   /// The space with some columns treated as part of the noise, each with a coefficient of mean 0
-  /// and its own variance > 0: inner products weighted by that noise. `log_likelihood`: of the
-  /// residual with that noise less that without.
-  struct WithNoise;
-  WithNoise with_noise(const series::ColumnRange& random, const Eigen::VectorXd& variances) const;
+  /// and its own variance > 0: inner products weighted by that noise.
+  ExplainedSpace with_noise(const series::ColumnRange& random,
+                            const Eigen::VectorXd& variances) const;
+  /// Logarithm of the residual's likelihood with that noise less that without.
+  double log_likelihood_of_noise(const series::ColumnRange& random,
+                                 const Eigen::VectorXd& variances) const;
 
   /// Decrease of the residual's sum of squares by these columns together.
   double chi2_drop(const std::vector<series::ColumnRange>& parts) const {
@@ -44,19 +46,17 @@ class ExplainedSpace {
     Eigen::MatrixXd matrix;
     Eigen::VectorXd right;
   };
+  // R'R + 1/V of columns R that are noise of the variances V: its factor L.
+  Eigen::MatrixXd root_of_noise(const series::ColumnRange& random,
+                                const Eigen::VectorXd& variances) const;
   System system(const std::vector<series::ColumnRange>& parts,
                 const Eigen::VectorXd& projection) const;
 
   Eigen::VectorXd residual_;
-  std::vector<Eigen::MatrixXd> pending_;
+  Eigen::MatrixXd columns_;  // the first width_; released by finish()
   Eigen::Index width_ = 0;
   Eigen::MatrixXd gram_;
   Eigen::VectorXd projection_;
-};
-
-struct ExplainedSpace::WithNoise {
-  ExplainedSpace space;
-  double log_likelihood = 0;
 };
 
 double column_count(const std::vector<series::ColumnRange>& ranges);

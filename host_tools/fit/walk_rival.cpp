@@ -43,24 +43,25 @@ WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes) {
 
 WalkRival find_walk(const ExplainedSpace& space, const WalkModes& modes,
                     const std::vector<noise::NoiseModel::Walk>& walks) {
-  WalkRival best{0, 0, space};
+  const auto variances = [&](double coefficient) -> Eigen::VectorXd {
+    return std::pow(coefficient, 2) * modes.square;
+  };
   std::vector<double> all;
+  double best = 0;
   double max = 0;
   const double each = -std::log(std::max<double>(1, static_cast<double>(walks.size())));
   for (const noise::NoiseModel::Walk& walk : walks) {
     if (!is_possible(walk)) continue;
-    const ExplainedSpace::WithNoise with =
-        space.with_noise(modes.columns, std::pow(walk.coefficient, 2) * modes.square);
-    all.push_back(each + walk.log_odds + with.log_likelihood);
+    all.push_back(each + walk.log_odds +
+                  space.log_likelihood_of_noise(modes.columns, variances(walk.coefficient)));
     if (all.back() <= max) continue;
     max = all.back();
-    best = {walk.coefficient, 0, with.space};
+    best = walk.coefficient;
   }
-  if (best.coefficient == 0) return best;
+  if (best == 0) return {0, 0, space};
   double sum = 0;
   for (const double log_odds : all) sum += std::exp(log_odds - max);
-  best.log_odds = max + std::log(sum);
-  return best;
+  return {best, max + std::log(sum), space.with_noise(modes.columns, variances(best))};
 }
 
 double chance_of_walk(const WalkRival& rival, const std::vector<Explanatory>& alone,
