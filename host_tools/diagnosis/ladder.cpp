@@ -1,6 +1,10 @@
 #include "diagnosis/ladder.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "support/parallel.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
@@ -27,6 +31,31 @@ model::Model with_network(const model::Model& before, const TriedAddition& addit
   return try_to_add(before, addition.request, runs).model;
 }
 
+// A diagnosis of a model and, if that is wanted, what to do next.
+struct Look {
+  Diagnosis diagnosis;
+  NextStep next;
+};
+
+Look look_at(const model::Model& model, const DiagnosisData& data, const JudgingRuns& runs,
+             const DiagnosisSettings& settings, bool next_is_wanted) {
+  Look look;
+  AdditionJudge judge(model, runs, settings.run_offsets);
+  std::atomic<bool> is_complete{false};
+  for_each_index(next_is_wanted ? 2 : 1, [&](std::size_t i) {
+    if (i == 1 && !is_complete) judge.prepare();
+    if (i == 1) return;
+    look.diagnosis = diagnose(model, data, settings);
+    is_complete = look.diagnosis.verdict == Verdict::none;
+  });
+  if (!next_is_wanted) return look;
+  DiagnosisSettings unheard = settings;
+  unheard.progress = nullptr;
+  look.next = find_next_step(model, look.diagnosis, data, judge, unheard);
+  if (look.next.refutes_name) withdraw_name(look.diagnosis);
+  return look;
+}
+
 }  // namespace
 
 std::vector<std::string> Ladder::names(bool described) const {
@@ -48,13 +77,11 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
   each.progress = [&](double part) {
     if (settings.progress) settings.progress((done + part) / (max_steps + 1.0));
   };
-  DiagnosisSettings unheard = settings;
-  unheard.progress = nullptr;
   Ladder ladder;
   ladder.model = model;
-  ladder.first = diagnose(model, data, each);
-  ladder.next = find_next_step(model, ladder.first, data, runs, unheard);
-  if (ladder.next.refutes_name) withdraw_name(ladder.first);
+  Look look = look_at(model, data, runs, each, true);
+  ladder.first = std::move(look.diagnosis);
+  ladder.next = std::move(look.next);
   ladder.last = ladder.first;
   ladder.last_next = ladder.next;
   while (done < max_steps && ladder.last_next.addition) {
@@ -63,16 +90,13 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
     const TriedAddition& addition = ladder.steps.back().addition;
     const bool is_network = addition.request.is_network();
     ladder.model = with_network(ladder.model, addition, runs);
-    ladder.last = diagnose(ladder.model, data, each);
+    look = look_at(ladder.model, data, runs, each, !is_network && done < max_steps);
+    ladder.last = std::move(look.diagnosis);
     const std::vector<TriedAddition> refused = std::move(ladder.last_next.refused);
-    ladder.last_next = {};
+    ladder.last_next = std::move(look.next);
     if (is_network) {  // its effects are those with which all other additions were refused
       ladder.last_next.refused = refused;
       break;
-    }
-    if (done < max_steps) {
-      ladder.last_next = find_next_step(ladder.model, ladder.last, data, runs, unheard);
-      if (ladder.last_next.refutes_name) withdraw_name(ladder.last);
     }
   }
   return ladder;

@@ -95,8 +95,7 @@ struct Description {
 bool has_no_own_input(const Diagnosis& diagnosis, const std::vector<std::string>& effects) {
   return std::none_of(effects.begin(), effects.end(), [&](const std::string& effect) {
     const CandidateFinding* const finding = diagnosis.find(effect);
-    return finding != nullptr && (model::info_of(finding->term()).needs &
-                                  ~fog::InputMask{bit_of(fog::Input::elapsed)}) != 0;
+    return finding != nullptr && model::has_own_input(finding->term());
   });
 }
 
@@ -277,8 +276,9 @@ bool may_learn(const model::Model& model, const Diagnosis& diagnosis, const Judg
 }  // namespace
 
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
-                        const DiagnosisData& data, const JudgingRuns& runs,
+                        const DiagnosisData& data, AdditionJudge& judge,
                         const DiagnosisSettings& settings) {
+  const JudgingRuns& runs = judge.runs();
   NextStep next;
   if (diagnosis.verdict == Verdict::none) return next;
   std::vector<std::string> named = effects_together(diagnosis);
@@ -289,7 +289,6 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   if (next.little_is_left) return next;
   const std::vector<std::string> events = events_among(diagnosis, named);
   if (!events.empty()) named = events;
-  AdditionJudge judge(model, runs, settings.run_offsets);
   std::vector<Description> descriptions;
   if (diagnosis.verdict != Verdict::unknown) {
     if (try_named(diagnosis, named, is_one, judge, next) || is_little) return next;

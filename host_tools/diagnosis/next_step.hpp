@@ -43,9 +43,10 @@ struct NextStep {
 /// several runs when that run is left out. If all fail, a network of temperature and rate is tried,
 /// unless the model has one or there is only one run. Nothing but single effects is tried if most
 /// of the residual is no function of the signals (a cycle, jumps), nothing at all if it may be a
-/// random walk or nothing is missing. `data` has the rows of `runs.training`.
+/// random walk or nothing is missing. `data` has the rows of the training runs of `judge`, which is
+/// of `model`.
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
-                        const DiagnosisData& data, const JudgingRuns& runs,
+                        const DiagnosisData& data, AdditionJudge& judge,
                         const DiagnosisSettings& settings = {});
 
 }  // namespace fogcomp::diagnosis

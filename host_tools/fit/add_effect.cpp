@@ -1,6 +1,7 @@
 #include "fit/add_effect.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "model/shape_parameter.hpp"
 #include "noise/autocorrelation.hpp"
 #include "support/input_error.hpp"
+#include "support/parallel.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::fit {
@@ -199,8 +201,22 @@ void judge_out_of_sample(const std::vector<model::EffectTerm>& given, const mode
   const Judge judge{
       series, holdouts, {identified.noise, identified.row_weights, settings.run_offsets}};
   result.changed = places_of(change, change.changed, result.model);
-  result.out_of_sample = judge(before, result.model, result.changed);
-  if (settings.verdict_only && !result.out_of_sample->helps()) return;
+  std::optional<double> chance_of_walk;
+  const auto ask_walk = [&] {
+    if (!identified.noise.from_quiet_parts) return;
+    chance_of_walk = chance_of_walk_instead(before.terms, result.model.terms, result.changed,
+                                            series, judge.with);
+  };
+  // Few runs are judged by their stretches, and then a walk is asked for: both at once.
+  const bool few = holdouts.empty() && series.rows().runs().size() < rules::kEnoughRuns;
+  std::atomic<bool> has_failed{false};
+  for_each_index(few ? 2 : 1, [&](std::size_t i) {
+    if (i == 1 && !has_failed) ask_walk();
+    if (i == 1) return;
+    result.out_of_sample = judge(before, result.model, result.changed);
+    has_failed = settings.verdict_only && !result.out_of_sample->helps();
+  });
+  if (has_failed) return;
   if (change.changed.size() > 1) {
     PartsOfSet models(given, before, result.model, change, series, settings);
     result.parts = judge_parts(change, judge, models, settings.verdict_only);
@@ -209,10 +225,9 @@ void judge_out_of_sample(const std::vector<model::EffectTerm>& given, const mode
     result.halves =
         judge_halves(series, before.terms, result.model.terms, result.changed, judge.with);
   }
-  if (result.out_of_sample->within_runs && identified.noise.from_quiet_parts) {
-    result.chance_of_walk = chance_of_walk_instead(before.terms, result.model.terms, result.changed,
-                                                   series, judge.with);
-  }
+  if (!result.out_of_sample->within_runs) return;
+  if (!few) ask_walk();
+  result.chance_of_walk = chance_of_walk;
 }
 
 // Compares with the same effects without the network: on the holdouts or, without any, by

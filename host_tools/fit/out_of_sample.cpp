@@ -253,8 +253,11 @@ OutOfSample cross_validate(const series::SignalSeries& series,
   KnownRegressors known(series);
   const std::vector<model::EffectTerm> fixed_before = with_fixed_shapes(before, {});
   const std::vector<model::EffectTerm> fixed_after = with_fixed_shapes(after, changed);
-  const OnAllRows all{leave_out(known, fixed_before, {}, with),
-                      leave_out(known, fixed_after, {}, with)};
+  OnAllRows all;
+  for_each_index(2, [&](std::size_t i) {
+    (i == 0 ? all.before : all.after) =
+        leave_out(known, i == 0 ? fixed_before : fixed_after, {}, with);
+  });
   const std::vector<recording::RowRange> runs = rows.runs();
   if (runs.size() >= rules::kEnoughRuns) {
     std::vector<Part> parts;
@@ -289,7 +292,7 @@ bool others_determine(const series::SignalSeries& series,
   const std::vector<model::EffectTerm> terms = with_fixed_shapes(after, changed);
   const Fold all = leave_out(known, terms, {}, with);
   const Fold others = leave_out(known, terms, {series.rows().runs()[run]}, with);
-  return determines_all(others, all) && determine_terms({others}, all, known, terms, changed);
+  return determine_terms({others}, all, known, terms, changed);
 }
 
 OutOfSample cross_validate_learner(const series::Rows& rows, const Eigen::VectorXd& residual_dph,

@@ -30,7 +30,8 @@ struct Asked {
     }
     training.noise_floor_dph = training.runs[0].noise_floor_dph;
     found = diagnose(model, data);
-    next = find_next_step(model, found, data, runs);
+    AdditionJudge judge(model, runs, false);
+    next = find_next_step(model, found, data, judge);
   }
   // Like the printed command.
   bool add_accepts() const { return try_to_add(model, next.addition->request, runs).accepted; }
@@ -141,7 +142,8 @@ TEST(NextStep, IsJudgedWithABiasOfItsOwnForEachRun) {
   DiagnosisSettings settings;
   settings.run_offsets = true;
   const Diagnosis found = diagnose(model, data, settings);
-  const NextStep next = find_next_step(model, found, data, runs, settings);
+  AdditionJudge judge(model, runs, settings.run_offsets);
+  const NextStep next = find_next_step(model, found, data, judge, settings);
   ASSERT_TRUE(next.addition) << next.refused.back().reason;
   EXPECT_EQ(next.addition->request.effects, std::vector<std::string>{"polarization_ripple"});
   EXPECT_TRUE(next.addition->request.run_offsets);
