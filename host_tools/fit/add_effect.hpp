@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "compare/comparison.hpp"
+#include "fit/cross_validation.hpp"
 #include "fit/decision_rules.hpp"
 #include "fit/effect_change.hpp"
 #include "fit/fit_model.hpp"
-#include "fit/out_of_sample.hpp"
 #include "fit/training_runs.hpp"
 
 namespace fogcomp::fit {

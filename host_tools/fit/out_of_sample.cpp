@@ -1,35 +1,48 @@
 #include "fit/out_of_sample.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "compare/comparison.hpp"
 #include "fit/decision_rules.hpp"
-#include "fit/left_out_parts.hpp"
-#include "fit/noise_weighted_fit.hpp"
-#include "fit/shape_search.hpp"
 #include "noise/autocorrelation.hpp"
 #include "noise/outlier_rows.hpp"
 #include "noise/whitening.hpp"
 #include "support/least_squares.hpp"
 #include "support/median.hpp"
-#include "support/parallel.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::fit {
 namespace {
 
-auto segment(Eigen::VectorXd& values, const recording::RowRange& range) {
-  return values.segment(static_cast<Eigen::Index>(range.first),
-                        static_cast<Eigen::Index>(range.size()));
+Eigen::VectorXd residual_on(const model::Model& model,
+                            const std::vector<compare::RunInBlocks>& runs, bool run_offsets) {
+  std::vector<double> residual;
+  for (const compare::RunInBlocks& run : runs) {
+    const compare::Comparison comparison = compare::compare_with(model, run);
+    const double offset = run_offsets ? comparison.whole.mean_dph : 0;
+    for (const double value : comparison.residuals_dph()) residual.push_back(value - offset);
+  }
+  return Eigen::Map<const Eigen::VectorXd>(residual.data(),
+                                           static_cast<Eigen::Index>(residual.size()));
 }
 
-// Residuals of both models on rows that were not fitted, one value per row. `weights`: 0 for
-// excluded rows.
-OutOfSample judge(const series::Rows& rows, const Eigen::VectorXd& before,
-                  const Eigen::VectorXd& after, const noise::NoiseModel& noise,
-                  const Eigen::VectorXd& weights) {
+}  // namespace
+
+std::string out_of_sample_words(const OutOfSample& judged) {
+  const bool rises = judged.chi2_drop >= rules::kMinChi2Drop && !judged.helps();
+  return format("%s -> %s deg/h %s (gain %.1f, needed %g%s)",
+                rounded(judged.rms_before_dph).c_str(), rounded(judged.rms_after_dph).c_str(),
+                judged.how.c_str(), judged.chi2_drop, rules::kMinChi2Drop,
+                rises ? " without a rise" : "");
+}
+
+bool OutOfSample::helps() const {
+  return chi2_drop >= rules::kMinChi2Drop && rms_after_dph <= rms_before_dph;
+}
+
+OutOfSample judge_residuals(const series::Rows& rows, const Eigen::VectorXd& before,
+                            const Eigen::VectorXd& after, const noise::NoiseModel& noise,
+                            const Eigen::VectorXd& weights) {
   OutOfSample result;
   const Eigen::VectorXd counted = noise::counted_weights(rows, weights);
   result.rms_before_dph = weighted_rms(before, counted);
@@ -50,321 +63,18 @@ OutOfSample judge(const series::Rows& rows, const Eigen::VectorXd& before,
   return result;
 }
 
-// Residual in all rows of a set of effects that was identified without the rows of `left_out`.
-struct Fold {
-  Eigen::VectorXd residual_dph;
-  bool determined = false;    // the other rows determine every coefficient
-  Eigen::VectorXd sigma_dph;  // of the coefficients, if determined
-};
-
-// A bias of its own for each run that is fitted, but for the first of these.
-Eigen::MatrixXd offsets_of_fitted(const series::Rows& rows, const Eigen::VectorXd& weights) {
-  std::vector<Eigen::MatrixXd> columns;
-  bool is_first = true;
-  for (const recording::RowRange& run : rows.runs()) {
-    const bool is_fitted =
-        weights.segment(static_cast<Eigen::Index>(run.first), static_cast<Eigen::Index>(run.size()))
-            .any();
-    if (is_fitted && !is_first) columns.emplace_back(step_column(rows, run.first));
-    is_first = is_first && !is_fitted;
-  }
-  return side_by_side(columns, rows.size());
-}
-
-// The bias of a run that is left out whole is unknown: its mean residual says nothing.
-void take_out_unknown_offsets(const series::Rows& rows, const Eigen::VectorXd& fitted,
-                              const Eigen::VectorXd& row_weights, Fold& fold) {
-  for (const recording::RowRange& run : rows.runs()) {
-    const auto part = [&](const Eigen::VectorXd& values) {
-      return values.segment(static_cast<Eigen::Index>(run.first),
-                            static_cast<Eigen::Index>(run.size()));
-    };
-    const double weight = part(row_weights).sum();
-    if (part(fitted).any() || weight <= 0) continue;
-    segment(fold.residual_dph, run).array() -=
-        part(fold.residual_dph).dot(part(row_weights)) / weight;
-  }
-}
-
-Fold leave_out(KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
-               const Part& left_out, const JudgedWith& with) {
-  const series::Rows& rows = known.series().rows();
-  Eigen::VectorXd weights = with.row_weights;
-  for (const recording::RowRange& range : left_out) segment(weights, range).setZero();
-  const noise::Whitening whitening(with.noise, rows, weights);
-  const Eigen::MatrixXd offsets =
-      with.run_offsets ? offsets_of_fitted(rows, weights) : Eigen::MatrixXd(rows.size(), 0);
-  WhitenedProblem problem(known, whitening, terms, offsets);
-  const std::vector<model::ShapeParameter> shapes = model::shape_parameters(terms);
-  search_shapes(problem, shapes, std::vector<bool>(shapes.size(), true));
-  const LinearFit fit = problem.solve();
-  Fold fold;
-  fold.determined = fit.rank == fit.coefficients.size();
-  if (fold.determined) fold.sigma_dph = fit.covariance.diagonal().cwiseSqrt();
-  fold.residual_dph = rows.drift_dph;
-  Eigen::Index column = 0;
-  for (const model::EffectTerm& term : problem.terms()) {
-    const KnownRegressors::Columns regressors = known(term);
-    fold.residual_dph -= *regressors * fit.coefficients.segment(column, regressors->cols());
-    column += regressors->cols();
-  }
-  fold.residual_dph -= offsets * fit.coefficients.tail(offsets.cols());
-  if (with.run_offsets) take_out_unknown_offsets(rows, weights, with.row_weights, fold);
-  return fold;
-}
-
-// Whether the rows of `fold` determine some coefficients about as well as all rows do. A run that
-// did not excite an effect cannot judge a run that did.
-bool determines(const Fold& fold, const Fold& all, Eigen::Index first, Eigen::Index count,
-                double much_worse) {
-  if (!fold.determined || !all.determined) return false;
-  return (fold.sigma_dph.segment(first, count).array() <=
-          much_worse * all.sigma_dph.segment(first, count).array())
-      .all();
-}
-bool determines_all(const Fold& fold, const Fold& all) {
-  return determines(fold, all, 0, all.sigma_dph.size(), rules::kFarWorse);
-}
-
-// Fixes all shapes but those of one term.
-std::vector<model::EffectTerm> with_fixed_shapes(std::vector<model::EffectTerm> terms,
-                                                 const std::vector<std::size_t>& free) {
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    if (std::find(free.begin(), free.end(), i) == free.end())
-      std::fill(terms[i].identified.begin(), terms[i].identified.end(), false);
-  }
-  return terms;
-}
-
-struct Residuals {
-  Eigen::VectorXd before;
-  Eigen::VectorXd after;
-  std::vector<Fold> given;  // of `before`, one for each part left out
-  std::vector<Fold> added;  // of `after`
-};
-
-Residuals leave_each_out(KnownRegressors& known, const std::vector<model::EffectTerm>& before,
-                         const std::vector<model::EffectTerm>& after,
-                         const std::vector<Part>& parts, const JudgedWith& with) {
-  Residuals residuals{Eigen::VectorXd(known.series().rows().size()),
-                      Eigen::VectorXd(known.series().rows().size()),
-                      std::vector<Fold>(parts.size()), std::vector<Fold>(parts.size())};
-  for_each_index(2 * parts.size(), [&](std::size_t i) {
-    const std::size_t part = i / 2;
-    Fold& fold = i % 2 == 0 ? residuals.given[part] : residuals.added[part];
-    fold = leave_out(known, i % 2 == 0 ? before : after, parts[part], with);
-  });
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    for (const recording::RowRange& range : parts[i]) {
-      segment(residuals.before, range) = segment(residuals.given[i].residual_dph, range);
-      segment(residuals.after, range) = segment(residuals.added[i].residual_dph, range);
-    }
-  }
-  return residuals;
-}
-
-// Whether every fold determines the coefficients of some terms.
-bool determine_terms(const std::vector<Fold>& folds, const Fold& all, KnownRegressors& known,
-                     const std::vector<model::EffectTerm>& terms,
-                     const std::vector<std::size_t>& asked) {
-  Eigen::Index first = 0;
-  for (std::size_t i = 0; i < terms.size(); ++i) {
-    const Eigen::Index count = known(terms[i])->cols();
-    const bool determined = std::all_of(folds.begin(), folds.end(), [&](const Fold& fold) {
-      return determines(fold, all, first, count, rules::kMuchWorse);
-    });
-    if (!determined && std::find(asked.begin(), asked.end(), i) != asked.end()) return false;
-    first += count;
-  }
-  return true;
-}
-
-// Both models identified on all rows.
-struct OnAllRows {
-  Fold before;
-  Fold after;
-};
-
-// For each part, whether it can judge: not if the other rows leave a coefficient undetermined (a
-// warm-up without the start of its run, a polynomial without the only run that is cold).
-std::vector<bool> which_judge(const Residuals& left, const OnAllRows& all) {
-  std::vector<bool> judges;
-  for (std::size_t i = 0; i < left.given.size(); ++i) {
-    judges.push_back(determines_all(left.given[i], all.before) &&
-                     determines_all(left.added[i], all.after));
-  }
-  return judges;
-}
-
-// The others' rows get weight 0.
-Eigen::VectorXd weights_of(const std::vector<Part>& parts, const std::vector<bool>& judges,
-                           const Eigen::VectorXd& row_weights) {
-  Eigen::VectorXd weights = row_weights;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (judges[i]) continue;
-    for (const recording::RowRange& range : parts[i]) segment(weights, range).setZero();
-  }
-  return weights;
-}
-
-Eigen::VectorXd residual_on(const model::Model& model,
-                            const std::vector<compare::RunInBlocks>& runs, bool run_offsets) {
-  std::vector<double> residual;
-  for (const compare::RunInBlocks& run : runs) {
-    const compare::Comparison comparison = compare::compare_with(model, run);
-    const double offset = run_offsets ? comparison.whole.mean_dph : 0;
-    for (const double value : comparison.residuals_dph()) residual.push_back(value - offset);
-  }
-  return Eigen::Map<const Eigen::VectorXd>(residual.data(),
-                                           static_cast<Eigen::Index>(residual.size()));
-}
-
-// Residual of the fit in its rows.
-std::vector<double> fitted_residual(const series::SignalSeries& series,
-                                    const std::vector<model::EffectTerm>& terms) {
-  Eigen::VectorXd residual = series.rows().drift_dph;
-  for (const model::EffectTerm& term : terms) {
-    const Eigen::Map<const Eigen::VectorXd> coefficients(
-        term.coefficients_dph.data(), static_cast<Eigen::Index>(term.coefficients_dph.size()));
-    residual -= series.regressors(term) * coefficients;
-  }
-  return {residual.begin(), residual.end()};
-}
-
-}  // namespace
-
-std::string out_of_sample_words(const OutOfSample& judged) {
-  const bool rises = judged.chi2_drop >= rules::kMinChi2Drop && !judged.helps();
-  return format("%s -> %s deg/h %s (gain %.1f, needed %g%s)",
-                rounded(judged.rms_before_dph).c_str(), rounded(judged.rms_after_dph).c_str(),
-                judged.how.c_str(), judged.chi2_drop, rules::kMinChi2Drop,
-                rises ? " without a rise" : "");
-}
-
-bool OutOfSample::helps() const {
-  return chi2_drop >= rules::kMinChi2Drop && rms_after_dph <= rms_before_dph;
-}
-
-OutOfSample cross_validate(const series::SignalSeries& series,
-                           const std::vector<model::EffectTerm>& before,
-                           const std::vector<model::EffectTerm>& after,
-                           const std::vector<std::size_t>& changed, const JudgedWith& with) {
-  const series::Rows& rows = series.rows();
-  KnownRegressors known(series);
-  const std::vector<model::EffectTerm> fixed_before = with_fixed_shapes(before, {});
-  const std::vector<model::EffectTerm> fixed_after = with_fixed_shapes(after, changed);
-  OnAllRows all;
-  for_each_index(2, [&](std::size_t i) {
-    (i == 0 ? all.before : all.after) =
-        leave_out(known, i == 0 ? fixed_before : fixed_after, {}, with);
-  });
-  const std::vector<recording::RowRange> runs = rows.runs();
-  if (runs.size() >= rules::kEnoughRuns) {
-    std::vector<Part> parts;
-    for (const recording::RowRange& run : runs) parts.push_back({run});
-    const Residuals left = leave_each_out(known, fixed_before, fixed_after, parts, with);
-    const std::vector<bool> judges = which_judge(left, all);
-    const auto count = static_cast<std::size_t>(std::count(judges.begin(), judges.end(), true));
-    if (count > 1 && determine_terms(left.added, all.after, known, fixed_after, changed)) {
-      OutOfSample result = judge(rows, left.before, left.after, with.noise,
-                                 weights_of(parts, judges, with.row_weights));
-      const std::string of = count < runs.size() ? std::to_string(count) + " of " : "";
-      result.how = "on " + of + counted(runs.size(), "run") + ", each left out once";
-      return result;
-    }
-  }
-  const std::vector<Part> parts =
-      parts_of(rows, stretches_of(rows, fitted_residual(series, after), with.noise));
-  const Residuals left = leave_each_out(known, fixed_before, fixed_after, parts, with);
-  const Eigen::VectorXd weights = weights_of(parts, which_judge(left, all), with.row_weights);
-  OutOfSample result =
-      judge(rows, left.before, left.after, with.noise, weights.any() ? weights : with.row_weights);
-  result.how = how_of(parts, rows);
-  result.within_runs = true;
-  return result;
-}
-
-bool others_determine(const series::SignalSeries& series,
-                      const std::vector<model::EffectTerm>& after,
-                      const std::vector<std::size_t>& changed, std::size_t run,
-                      const JudgedWith& with) {
-  KnownRegressors known(series);
-  const std::vector<model::EffectTerm> terms = with_fixed_shapes(after, changed);
-  const Fold all = leave_out(known, terms, {}, with);
-  const Fold others = leave_out(known, terms, {series.rows().runs()[run]}, with);
-  return determine_terms({others}, all, known, terms, changed);
-}
-
-OutOfSample cross_validate_learner(const series::Rows& rows, const Eigen::VectorXd& residual_dph,
-                                   const JudgedWith& with, const Learner& learner) {
-  const std::vector<Part> parts = parts_of(rows, rules::kMaxStretches);
-  Eigen::VectorXd after = residual_dph;
-  for (const Part& part : parts) {
-    Eigen::VectorXd weights = with.row_weights;
-    for (const recording::RowRange& range : part) segment(weights, range).setZero();
-    Eigen::VectorXd learnt = learner(weights);
-    for (const recording::RowRange& range : part) segment(after, range) -= segment(learnt, range);
-  }
-  OutOfSample result = judge(rows, residual_dph, after, with.noise, with.row_weights);
-  result.how = how_of(parts, rows);
-  result.within_runs = true;
-  return result;
-}
-
-std::vector<HalfTest> judge_halves(const series::SignalSeries& series,
-                                   const std::vector<model::EffectTerm>& before,
-                                   const std::vector<model::EffectTerm>& after,
-                                   const std::vector<std::size_t>& changed,
-                                   const JudgedWith& with) {
-  const series::Rows& rows = series.rows();
-  KnownRegressors known(series);
-  Part first;
-  Part second;
-  for (const recording::RowRange& run : rows.runs()) {
-    const std::size_t middle = run.first + run.size() / 2;
-    first.push_back({run.first, middle});
-    second.push_back({middle, run.end});
-  }
-  const Fold all = leave_out(known, with_fixed_shapes(after, {}), {}, with);
-  std::vector<HalfTest> tests;
-  for (const bool on_first : {true, false}) {
-    const Part& judged = on_first ? second : first;
-    const Fold without = leave_out(known, with_fixed_shapes(before, {}), judged, with);
-    const Fold added = leave_out(known, with_fixed_shapes(after, changed), judged, with);
-    HalfTest test;
-    test.identified_on = on_first ? "first" : "second";
-    test.determined = without.determined && determines_all(added, all);
-    Eigen::VectorXd weights = noise::counted_weights(rows, with.row_weights);
-    for (const recording::RowRange& range : on_first ? first : second)
-      segment(weights, range).setZero();
-    test.rms_before_dph = weighted_rms(without.residual_dph, weights);
-    test.rms_after_dph = weighted_rms(added.residual_dph, weights);
-    tests.push_back(test);
-  }
-  return tests;
-}
-
 OutOfSample judge_on_holdouts(const model::Model& before, const model::Model& after,
                               const std::vector<compare::RunInBlocks>& holdouts,
                               const noise::NoiseModel& noise, bool run_offsets) {
   series::SignalSeries series(after);
   for (const compare::RunInBlocks& run : holdouts) series.add(run.blocks);
   const series::Rows& rows = series.rows();
-  OutOfSample result = judge(rows, residual_on(before, holdouts, run_offsets),
-                             residual_on(after, holdouts, run_offsets), noise,
-                             rows.weights.cwiseProduct(noise::counted_rows(rows)));
+  OutOfSample result = judge_residuals(rows, residual_on(before, holdouts, run_offsets),
+                                       residual_on(after, holdouts, run_offsets), noise,
+                                       rows.weights.cwiseProduct(noise::counted_rows(rows)));
   result.how =
       holdouts.size() == 1 ? "on the holdout" : "on " + counted(holdouts.size(), "holdout");
   return result;
-}
-
-std::string half_words(const HalfTest& half) {
-  const std::string on = half.identified_on;
-  if (!half.determined) return "the " + on + " half alone cannot identify this model";
-  return format("identified on the %s half, judged on the %s: %s -> %s%s", on.c_str(),
-                on == "first" ? "second" : "first", rounded(half.rms_before_dph).c_str(),
-                rounded(half.rms_after_dph).c_str(),
-                half.rms_after_dph < half.rms_before_dph ? "" : ", does not hold there");
 }
 
 }  // namespace fogcomp::fit

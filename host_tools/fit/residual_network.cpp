@@ -1,5 +1,6 @@
 #include "fit/residual_network.hpp"
 
+#include "fit/cross_validation.hpp"
 #include "noise/whitening.hpp"
 
 namespace fogcomp::fit {

@@ -22,8 +22,8 @@ struct ResidualNetwork {
 
 /// Trains on `target_dph` (per row; the residual of `identified`, or that denoised), whitened with
 /// the noise of that fit. `inputs`: rows x inputs, in their units. `judge`: trains the network five
-/// more times, each time without a fifth of the rows' stretches (out_of_sample.hpp), and judges it
-/// there. Effects and input ranges are those of all rows.
+/// more times, each time without a fifth of the rows' stretches (cross_validation.hpp), and judges
+/// it there. Effects and input ranges are those of all rows.
 ResidualNetwork train_on_residual(const series::Rows& rows, const Eigen::MatrixXd& inputs,
                                   const Eigen::VectorXd& target_dph,
                                   const Identification& identified, const NetworkSettings& settings,

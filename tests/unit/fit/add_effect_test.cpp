@@ -202,6 +202,15 @@ TEST(AddEffect, IsNotJudgedWhereTheModelItselfCannotBeTold) {
   EXPECT_LT(result.out_of_sample->rms_before_dph, 0.2) << result.reason;
 }
 
+// It is over within the first of the long stretches, without which nothing is known of it.
+TEST(AddEffect, JudgesAWarmUpOfOneRunByShorterStretches) {
+  Model warming = truth();
+  warming.terms.push_back(fog::test::natural_term("warm_up", {600}, {0.06}));
+  const Addition result = add(kComplete, "warm_up", warming, {1});
+  EXPECT_TRUE(result.accepted) << result.reason;
+  EXPECT_GT(result.out_of_sample->chi2_drop, fogcomp::fit::rules::kMinChi2Drop) << result.reason;
+}
+
 // The start of one run is left out while that of the other is not.
 TEST(AddEffect, JudgesAWarmUpOfTwoRuns) {
   Model warming = truth();
