@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "diagnosis/decision_rules.hpp"
+#include "fit/cross_validation.hpp"
 #include "fit/decision_rules.hpp"
 #include "fit/effect_change.hpp"
 #include "model/catalogue.hpp"

@@ -30,7 +30,8 @@ constexpr int kFirstGridPoints = 7;
 constexpr std::size_t kMaxGridPoints = 72;  // grid points of one parameter
 constexpr double kEdgeResolution =
     0.02;  // resolution, in units of the range, of the limit of visibility
-constexpr std::array<double, 3> kOtherPlaces{0.2, 0.5, 0.8};
+// Shapes at these two explain more than 85 % of each other, whatever the further parameter.
+constexpr std::array<double, 2> kOtherPlaces{0.3, 0.7};
 constexpr std::size_t kGridParameters =
     3;  // parameters with a grid; further ones of an expression stay in the middle
 

@@ -36,6 +36,12 @@ std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
   return effect;
 }
 
+// The one to be added first or, if only a set is named, all of them.
+std::vector<std::string> named_effects(const Diagnosis& diagnosis) {
+  const std::string one = effect_to_add(diagnosis);
+  return one.empty() ? effects_together(diagnosis) : std::vector<std::string>{one};
+}
+
 std::vector<std::string> events_among(const Diagnosis& diagnosis,
                                       const std::vector<std::string>& effects) {
   std::vector<std::string> events;
@@ -106,17 +112,24 @@ bool names_twice(const std::vector<std::string>& effects) {
   return different.size() < effects.size();
 }
 
-// `named` was refused. If a random walk explains as much, sets containing it are not tried.
+// `named` was refused: other effects that are as certainly missing.
+void add_certain(const Diagnosis& diagnosis, const std::vector<std::string>& named,
+                 std::vector<Description>& descriptions) {
+  for (const CandidateFinding& finding : diagnosis.candidates) {
+    const bool is_event = model::is_event(finding.term());
+    if (finding.probability < rules::kNamed || finding.is_expression() || is_event) continue;
+    if (std::find(named.begin(), named.end(), finding.effect) != named.end()) continue;
+    descriptions.push_back({*request_of(diagnosis, {finding.effect}), finding.explained_fraction});
+  }
+}
+
+// `named` was refused. A walk is no reason to leave out sets with it: beside more of what is
+// missing there may be nothing left for a walk to explain.
 void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
-              const NextStep& next, std::vector<Description>& descriptions) {
-  const bool may_be_walk = !next.refused.empty() && next.refused[0].may_be_walk;
+              std::vector<Description>& descriptions) {
   for (const Diagnosis::Explanation& set : diagnosis.explanations) {
     if (set.effects == named || names_twice(set.effects)) continue;
     if (!events_among(diagnosis, set.effects).empty()) continue;
-    const bool is_around = std::all_of(named.begin(), named.end(), [&](const auto& effect) {
-      return std::find(set.effects.begin(), set.effects.end(), effect) != set.effects.end();
-    });
-    if (may_be_walk && is_around) continue;
     const bool is_pliable =
         set.effects.size() > kMaxWithoutOwnInput && has_no_own_input(diagnosis, set.effects);
     if (is_pliable && diagnosis.verdict == Verdict::unknown) continue;
@@ -281,8 +294,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   const JudgingRuns& runs = judge.runs();
   NextStep next;
   if (diagnosis.verdict == Verdict::none) return next;
-  std::vector<std::string> named = effects_together(diagnosis);
-  if (const std::string one = effect_to_add(diagnosis); !one.empty()) named = {one};
+  std::vector<std::string> named = named_effects(diagnosis);
   const bool is_one = diagnosis.verdict == Verdict::missing_effect && named.size() == 1;
   const bool is_little = runs.holdouts.empty() && !may_be_worth_adding(model, diagnosis);
   next.little_is_left = is_little && !is_one;
@@ -293,7 +305,8 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   if (diagnosis.verdict != Verdict::unknown) {
     if (try_named(diagnosis, named, is_one, judge, next) || is_little) return next;
     // The catalogue explains the residual: its sets, most probable first.
-    add_sets(diagnosis, named, next, descriptions);
+    add_certain(diagnosis, named, descriptions);
+    add_sets(diagnosis, named, descriptions);
     if (try_sets(std::move(descriptions), judge, next)) return next;
     descriptions.clear();
   } else {
@@ -301,7 +314,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
       descriptions.push_back(
           {*request_of(diagnosis, named), diagnosis.find(named[0])->explained_fraction, true});
     }
-    if (is_function_of_signals(diagnosis)) add_sets(diagnosis, named, next, descriptions);
+    if (is_function_of_signals(diagnosis)) add_sets(diagnosis, named, descriptions);
   }
   if (!diagnosis.walk.may_be_all()) add_singles(diagnosis, named, descriptions);
   if (is_function_of_signals(diagnosis)) {

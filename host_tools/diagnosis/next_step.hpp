@@ -34,17 +34,17 @@ struct NextStep {
   std::optional<Experiment> experiment;  ///< that would tell these apart
 };
 
-/// Tries what `diagnosis` names. If it names nothing or that is refused, tries sets of effects,
-/// single effects and formulas over the signals that vary (formulas_over()), those that explain
-/// most, and takes the one that leaves least out of sample. An accepted addition must also lower
-/// the error of the training runs and, without a holdout, by at least rules::kWorthAdding of what
-/// was removed since the fit, unless it is the one effect that is named. A bias step comes first,
-/// because the rest is judged once it is masked. A description must also be accepted on each of
-/// several runs when that run is left out. If all fail, a network of temperature and rate is tried,
-/// unless the model has one or there is only one run. Nothing but single effects is tried if most
-/// of the residual is no function of the signals (a cycle, jumps), nothing at all if it may be a
-/// random walk or nothing is missing. `data` has the rows of the training runs of `judge`, which is
-/// of `model`.
+/// Tries what `diagnosis` names; if that is refused, other effects that are as certainly missing,
+/// and sets of effects. If it names nothing or all that is refused, tries sets, single effects and
+/// formulas over the signals that vary (formulas_over()), those that explain most, and takes the
+/// one that leaves least out of sample. An accepted addition must also lower the error of the
+/// training runs and, without a holdout, by at least rules::kWorthAdding of what was removed since
+/// the fit, unless it is the one effect that is named. A bias step comes first, because the rest is
+/// judged once it is masked. A description must also be accepted on each of several runs when that
+/// run is left out. If all fail, a network of temperature and rate is tried, unless the model has
+/// one or there is only one run. Nothing but single effects is tried if most of the residual is no
+/// function of the signals (a cycle, jumps), nothing at all if it may be a random walk or nothing
+/// is missing. `data` has the rows of the training runs of `judge`, which is of `model`.
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
                         const DiagnosisData& data, AdditionJudge& judge,
                         const DiagnosisSettings& settings = {});

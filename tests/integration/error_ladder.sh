@@ -84,6 +84,19 @@ status=0
 "$fogcomp" diagnose at_once.model run1.csv --max-effects 1 -o none.model >none.txt || status=$?
 [[ $status == 0 || ( $status == 1 && ! -e none.model ) ]] || fail "exit code $status: $(cat none.txt)"
 
+# From a cubic polynomial the loop finds everything that these gyros have, and ends at their noise.
+for seed in 1 2; do
+  "$fogcomp" fit "run$seed.csv" -o cubic.model --effects bias,bias_temperature:order=3 >/dev/null
+  "$fogcomp" diagnose cubic.model "run$seed.csv" --max-effects 6 -o whole.model >whole.txt
+  grep -q '^  at the end: nothing is missing' whole.txt || fail "seed $seed: $(cat whole.txt)"
+  for effect in temperature_rate temperature_rate_product polarization_ripple warm_up; do
+    grep -q "^effect $effect " whole.model || fail "seed $seed: $effect is not found: $(cat whole.txt)"
+  done
+  "$fogcomp" compare whole.model "run$seed.csv" --json >whole.json
+  awk -v left="$(value whole.json runs 0 residual_rms_dph)" -v floor="$(value whole.json runs 0 noise_floor_dph)" \
+    'BEGIN { exit !(left < 1.03 * floor) }' || fail "seed $seed: more than the noise is left: $(cat whole.json)"
+done
+
 # What is proposed can be typed as it stands, whatever a file is called and however it was read.
 awk 'NR == 9 { print "damaged,row,here" } { print }' run1.csv >"run of monday.csv"
 proposed="fit 'run of monday.csv' -o \"monday's model\" --effects bias,bias_temperature --skip-bad-rows"
