@@ -113,14 +113,16 @@ bool names_twice(const std::vector<std::string>& effects) {
 }
 
 // `named` was refused: other effects that are as certainly missing.
-void add_certain(const Diagnosis& diagnosis, const std::vector<std::string>& named,
-                 std::vector<Description>& descriptions) {
+std::vector<Description> certain_ones(const Diagnosis& diagnosis,
+                                      const std::vector<std::string>& named) {
+  std::vector<Description> descriptions;
   for (const CandidateFinding& finding : diagnosis.candidates) {
     const bool is_event = model::is_event(finding.term());
     if (finding.probability < rules::kNamed || finding.is_expression() || is_event) continue;
     if (std::find(named.begin(), named.end(), finding.effect) != named.end()) continue;
     descriptions.push_back({*request_of(diagnosis, {finding.effect}), finding.explained_fraction});
   }
+  return descriptions;
 }
 
 // `named` was refused. A walk is no reason to leave out sets with it: beside more of what is
@@ -305,8 +307,9 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   if (diagnosis.verdict != Verdict::unknown) {
     if (try_named(diagnosis, named, is_one, judge, next) || is_little) return next;
     // The catalogue explains the residual: its sets, most probable first.
-    add_certain(diagnosis, named, descriptions);
     add_sets(diagnosis, named, descriptions);
+    if (try_sets(std::move(descriptions), judge, next)) return next;
+    descriptions = certain_ones(diagnosis, named);
     if (try_sets(std::move(descriptions), judge, next)) return next;
     descriptions.clear();
   } else {

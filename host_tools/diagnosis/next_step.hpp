@@ -34,8 +34,8 @@ struct NextStep {
   std::optional<Experiment> experiment;  ///< that would tell these apart
 };
 
-/// Tries what `diagnosis` names; if that is refused, other effects that are as certainly missing,
-/// and sets of effects. If it names nothing or all that is refused, tries sets, single effects and
+/// Tries what `diagnosis` names; if that is refused, sets of effects, and others that are as
+/// certainly missing. If it names nothing or all that is refused, tries sets, single effects and
 /// formulas over the signals that vary (formulas_over()), those that explain most, and takes the
 /// one that leaves least out of sample. An accepted addition must also lower the error of the
 /// training runs and, without a holdout, by at least rules::kWorthAdding of what was removed since

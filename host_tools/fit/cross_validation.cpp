@@ -213,16 +213,21 @@ class CrossValidation {
     return result;
   }
 
-  // `count`: of the stretches, or more.
+  // `count`: of the stretches, or more: the start of a run may be one stretch, without which
+  // nothing is known of a warm-up.
   OutOfSample on_stretches(double count) const {
     std::vector<Part> parts = parts_of(rows_, count);
     Residuals left = leave_out_each_of(parts);
-    // The start of a run is one stretch, without which nothing is known of a warm-up.
-    for (int i = 0; i < rules::kMaxShortenings && all_.after.determined; ++i) {
-      if (determine_changed(left)) break;
+    const double max = static_cast<double>(rows_.size()) / rules::kMinRowsOfShort;
+    bool is_enough = determine_changed(left) || !with_.noise.from_quiet_parts;
+    while (!is_enough && all_.after.determined && count * rules::kShorter <= max) {
       count *= rules::kShorter;
-      parts = parts_of(rows_, count);
-      left = leave_out_each_of(parts);
+      std::vector<Part> shorter = parts_of(rows_, count);
+      Residuals without = leave_out_each_of(shorter);
+      is_enough = determine_changed(without);
+      if (!is_enough) continue;
+      parts = std::move(shorter);
+      left = std::move(without);
     }
     const Eigen::VectorXd weights = weights_of(parts, which_judge(left, all_), with_.row_weights);
     OutOfSample result = judge_residuals(rows_, left.before, left.after, with_.noise,

@@ -13,9 +13,10 @@ namespace fogcomp::fit {
 /// ones not much worse than all runs do. Else leaves out stretches of time, a fifth of them at
 /// once. A stretch is three times the correlation time of noise or residual, with 10 to 50
 /// stretches in all, shorter where without one of them a changed effect is undetermined (the
-/// warm-up of a single run); parts without which even `before` is undetermined do not count.
-/// `before`, `after`: identified on all of `series`. Each fold solves for all coefficients again
-/// and for the shapes of after[i], i in `changed`; other shapes are fixed.
+/// warm-up of a single run) and the quiet parts tell the noise; parts without which even `before`
+/// is undetermined do not count. `before`, `after`: identified on all of `series`. Each fold solves
+/// for all coefficients again and for the shapes of after[i], i in `changed`; other shapes are
+/// fixed.
 OutOfSample cross_validate(const series::SignalSeries& series,
                            const std::vector<model::EffectTerm>& before,
                            const std::vector<model::EffectTerm>& after,
