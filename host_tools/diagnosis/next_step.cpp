@@ -229,6 +229,15 @@ bool try_sets(std::vector<Description> sets, AdditionJudge& judge, NextStep& nex
   return false;
 }
 
+// The catalogue explains the residual, but not by what is named: its sets, most probable first.
+bool try_instead(const Diagnosis& diagnosis, const std::vector<std::string>& named,
+                 AdditionJudge& judge, NextStep& next) {
+  std::vector<Description> sets;
+  add_sets(diagnosis, named, sets);
+  return try_sets(std::move(sets), judge, next) ||
+         try_sets(certain_ones(diagnosis, named), judge, next);
+}
+
 // Tries the first few descriptions; of those accepted the one that leaves least out of sample is
 // taken, an earlier one if that is nearly as good.
 bool describe(std::vector<Description> descriptions, AdditionJudge& judge, NextStep& next) {
@@ -306,12 +315,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   std::vector<Description> descriptions;
   if (diagnosis.verdict != Verdict::unknown) {
     if (try_named(diagnosis, named, is_one, judge, next) || is_little) return next;
-    // The catalogue explains the residual: its sets, most probable first.
-    add_sets(diagnosis, named, descriptions);
-    if (try_sets(std::move(descriptions), judge, next)) return next;
-    descriptions = certain_ones(diagnosis, named);
-    if (try_sets(std::move(descriptions), judge, next)) return next;
-    descriptions.clear();
+    if (try_instead(diagnosis, named, judge, next)) return next;
   } else {
     if (!named.empty()) {
       descriptions.push_back(

@@ -2,69 +2,20 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <map>
 #include <utility>
 
 #include "fit/decision_rules.hpp"
+#include "fit/rise_test.hpp"
 #include "fit/walk_instead.hpp"
 #include "model/shape_limits.hpp"
 #include "model/shape_parameter.hpp"
-#include "noise/autocorrelation.hpp"
 #include "support/input_error.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::fit {
 namespace {
-
-// Whether the sum of squares on the holdouts rises by more than chance does once in 100 times.
-class RiseTest {
- public:
-  /// `run_offsets`: the bias of a holdout is its own and says nothing.
-  explicit RiseTest(bool run_offsets) : run_offsets_(run_offsets) {}
-
-  void add(const compare::Comparison& before, const compare::Comparison& after) {
-    const std::size_t first = rise_.size();
-    const std::vector<double> residual_before = before.residuals_dph();
-    const std::vector<double> residual_after = after.residuals_dph();
-    const double bias_before = run_offsets_ ? before.whole.mean_dph : 0;
-    const double bias_after = run_offsets_ ? after.whole.mean_dph : 0;
-    for (std::size_t i = 0; i < before.size(); ++i) {
-      if (before.outlier[i]) continue;
-      const double weight = before.rows.weights[static_cast<Eigen::Index>(i)];
-      const double square_before = std::pow(residual_before[i] - bias_before, 2);
-      const double square_after = std::pow(residual_after[i] - bias_after, 2);
-      rise_.push_back(square_after - square_before);
-      before_ += weight * square_before;
-      after_ += weight * square_after;
-      weight_ += weight;
-    }
-    runs_.push_back({first, rise_.size()});
-  }
-  bool rose() const {
-    const auto rows = static_cast<double>(rise_.size());
-    double sum = 0;
-    double squares = 0;
-    for (const double one : rise_) {
-      sum += one;
-      squares += one * one;
-    }
-    const double variance = squares - sum * sum / std::max(1.0, rows);
-    return sum > rules::kOneIn100 * std::sqrt(variance * noise::correlated_values(rise_, runs_));
-  }
-  model::HistoryEntry::Holdout rms_dph() const {
-    return {std::sqrt(before_ / weight_), std::sqrt(after_ / weight_)};
-  }
-
- private:
-  bool run_offsets_;
-  std::vector<double> rise_;
-  std::vector<recording::RowRange> runs_;
-  double before_ = 0;
-  double after_ = 0;
-  double weight_ = 0;
-};
 
 FitSettings fit_settings(const model::Model& model, const AddSettings& settings) {
   FitSettings fit;
