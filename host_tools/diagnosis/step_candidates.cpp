@@ -23,7 +23,7 @@ std::optional<Candidate::Shape> step_shape(const series::SignalSeries& series,
   VisiblePart part = project_out_model(fit::step_column(rows, row));
   if (part.visible[0] < rules::kMinVisible) return std::nullopt;
   step.parameters[0] = rows.time_s[row];
-  step.recording = series.recordings(rows.run_at(row)).front();
+  step.recording = series.recording_of(row);
   step.identified[0] = false;
   return Candidate::Shape{std::move(step), part.columns.colwise().normalized(), row};
 }

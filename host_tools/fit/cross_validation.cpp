@@ -198,7 +198,7 @@ class CrossValidation {
   }
 
   // Nothing if the runs do not determine each other.
-  std::optional<OutOfSample> on_runs() const {
+  std::optional<OutOfSample> on_runs() {
     const std::vector<recording::RowRange> runs = rows_.runs();
     std::vector<Part> parts;
     for (const recording::RowRange& run : runs) parts.push_back({run});
@@ -215,7 +215,7 @@ class CrossValidation {
 
   // `count`: of the stretches, or more: the start of a run may be one stretch, without which
   // nothing is known of a warm-up.
-  OutOfSample on_stretches(double count) const {
+  OutOfSample on_stretches(double count) {
     std::vector<Part> parts = parts_of(rows_, count);
     Residuals left = leave_out_each_of(parts);
     const double max = static_cast<double>(rows_.size()) / rules::kMinRowsOfShort;
@@ -238,33 +238,21 @@ class CrossValidation {
   }
 
  private:
-  Residuals leave_out_each_of(const std::vector<Part>& parts) const {
+  Residuals leave_out_each_of(const std::vector<Part>& parts) {
     return leave_each_out(known_, before_, after_, parts, with_);
   }
-  bool determine_changed(const Residuals& left) const {
+  bool determine_changed(const Residuals& left) {
     return determine_terms(left.added, all_.after, known_, after_, changed_);
   }
 
   const series::Rows& rows_;
-  mutable KnownRegressors known_;
+  KnownRegressors known_;
   std::vector<model::EffectTerm> before_;
   std::vector<model::EffectTerm> after_;
   const std::vector<std::size_t>& changed_;
   const JudgedWith& with_;
   OnAllRows all_;
 };
-
-// Residual of the fit in its rows.
-std::vector<double> fitted_residual(const series::SignalSeries& series,
-                                    const std::vector<model::EffectTerm>& terms) {
-  Eigen::VectorXd residual = series.rows().drift_dph;
-  for (const model::EffectTerm& term : terms) {
-    const Eigen::Map<const Eigen::VectorXd> coefficients(
-        term.coefficients_dph.data(), static_cast<Eigen::Index>(term.coefficients_dph.size()));
-    residual -= series.regressors(term) * coefficients;
-  }
-  return {residual.begin(), residual.end()};
-}
 
 }  // namespace
 
@@ -273,11 +261,13 @@ OutOfSample cross_validate(const series::SignalSeries& series,
                            const std::vector<model::EffectTerm>& after,
                            const std::vector<std::size_t>& changed, const JudgedWith& with) {
   const series::Rows& rows = series.rows();
-  const CrossValidation validation(series, before, after, changed, with);
+  CrossValidation validation(series, before, after, changed, with);
   if (rows.runs().size() >= rules::kEnoughRuns) {
     if (auto result = validation.on_runs()) return *result;
   }
-  return validation.on_stretches(stretches_of(rows, fitted_residual(series, after), with.noise));
+  const Eigen::VectorXd residual = rows.drift_dph - series.drift_dph(after);
+  return validation.on_stretches(
+      stretches_of(rows, {residual.begin(), residual.end()}, with.noise));
 }
 
 bool others_determine(const series::SignalSeries& series,

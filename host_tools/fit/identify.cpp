@@ -156,17 +156,17 @@ void add_step(model::Model& model, Identification& result, const series::SignalS
               const noise::ChangePoint& change, model::EffectTerm step, double size_dph,
               double sigma_dph) {
   const series::Rows& rows = series.rows();
-  const std::size_t run = rows.run_at(static_cast<std::size_t>(change.row));
-  result.steps.push_back({run, change.time_s, change.time_sigma_s, size_dph, sigma_dph});
-  step.recording.reset();
-  if (!series.recordings(run).empty()) step.recording = series.recordings(run).front();
+  const auto row = static_cast<std::size_t>(change.row);
+  result.steps.push_back(
+      {rows.run_at(row), change.time_s, change.time_sigma_s, size_dph, sigma_dph});
+  step.recording = series.recording_of(row);
   step.coefficients_dph = {size_dph};
   step.sigma_dph = {sigma_dph};
   step.parameters = {change.time_s};
   step.parameter_sigma = {change.time_sigma_s};
   model.terms.push_back(std::move(step));
   result.visible_dph.push_back(rules::kVisible * sigma_dph);
-  const auto& signals = rows.signals[static_cast<std::size_t>(change.row)];
+  const auto& signals = rows.signals[row];
   if (std::abs(signals.temperature_rate) < rules::kRampDegcPerMin) return;
   result.warnings.push_back(
       format("the bias step at %.6g s lies in a ramp: an effect that this "

@@ -203,6 +203,12 @@ std::vector<model::EffectTerm> SignalSeries::acting(std::vector<model::EffectTer
   return terms;
 }
 
+std::optional<std::uint64_t> SignalSeries::recording_of(std::size_t row) const {
+  const std::vector<std::uint64_t>& recordings = runs_[rows_.run_at(row)].recordings;
+  if (recordings.empty()) return std::nullopt;
+  return recordings.front();
+}
+
 Eigen::MatrixXd SignalSeries::regressors(const model::EffectTerm& term, Reading reading) const {
   struct Part {
     std::unique_ptr<model::RealEffect> effect;

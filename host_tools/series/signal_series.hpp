@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/model.hpp"
@@ -38,10 +39,8 @@ class SignalSeries {
   const Rows& rows() const { return rows_; }
   /// Those of the terms that act on one of the runs: not the events of other recordings.
   std::vector<model::EffectTerm> acting(std::vector<model::EffectTerm> terms) const;
-  /// BlockSeries::recordings of a run.
-  const std::vector<std::uint64_t>& recordings(std::size_t run) const {
-    return runs_[run].recordings;
-  }
+  /// The first of BlockSeries::recordings of a row's run; nothing if there is none.
+  std::optional<std::uint64_t> recording_of(std::size_t row) const;
 
   /// Row means of an effect's regressors, rows x regressors; 0 in runs on which an event does not
   /// act. In Phase::zero both readings are the same.
