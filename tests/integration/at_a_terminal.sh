@@ -46,10 +46,12 @@ wait
 grep -qa 'interrupted: the best network of' screen.txt || fail "$(cat screen.txt)"
 "$fogcomp" compare gyro.model run.csv >said.txt
 
-# A search for shapes, and Ctrl-C in it.
-"$fogcomp" simulate -o long.csv --profile random_steps --rate 1 >said.txt
+# A search for shapes, and Ctrl-C in it: six runs in rows of 1 s, some thirty times what it takes until a bar shows.
+for seed in 1 2 3 4 5 6; do
+  "$fogcomp" simulate -o long$seed.csv --profile random_steps --rate 1 --seed $seed >said.txt
+done
 echo "kept" >long.model
-at_terminal "$fogcomp" fit long.csv -o long.model --average 1 \
+at_terminal "$fogcomp" fit long[1-6].csv -o long.model --average 1 \
   --effects bias,polarization_ripple,thermal_hysteresis,glass_transition,shupe --network 4
 wait_for 'fitting effects \[#* *\] +[0-9]+ %, [0-9]+ s left'
 kill -INT "$(cat pid)"
