@@ -57,7 +57,9 @@ void add_steps(Document& document, const FitOutcome& fit) {
     document.sentence(words(format("bias step of %s +- %.2g deg/h at %.6g +- %.2g s (",
                                    signed_rounded(step.size_dph).c_str(), step.size_sigma_dph,
                                    step.time_s, step.time_sigma_s)) +
-                      verbatim(fit.step_places[i]) + ")");
+                      verbatim(fit.step_places[i]) +
+                      (step.others_follow ? "); the model's bias is that after it"
+                                          : "); the model's bias is that before it"));
   }
   if (identified.masked > 0) {
     document.sentence(words(counted(identified.masked, "row") + " left out, in which a step lies"));

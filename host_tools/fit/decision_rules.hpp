@@ -47,6 +47,9 @@ constexpr double kMinSpanOfPlaceDegc = 16;
 constexpr double kMinStepChiSquare = 60;
 /// The same before the noise is estimated from a fit with the step. step_search_test.
 constexpr double kWorthALook = 8;
+/// Smallest chi^2 by which the other recordings tell that they have the bias from before a step, as
+/// one coefficient of noise has.
+constexpr double kMinLevelGain = 1;
 /// Seconds: slower changes are drift, not steps. bias_steps_test.
 constexpr double kSlowSeconds = 3600;
 

@@ -153,13 +153,15 @@ void set_shape_sigmas(std::vector<model::EffectTerm>& terms, const NoiseWeighted
 
 // Stores a step as a term of the model and as an event of its recording.
 void add_step(model::Model& model, Identification& result, const series::SignalSeries& series,
-              const noise::ChangePoint& change, model::EffectTerm step, double size_dph,
+              const LocatedStep& located, model::EffectTerm step, double size_dph,
               double sigma_dph) {
   const series::Rows& rows = series.rows();
+  const noise::ChangePoint& change = located.change;
   const auto row = static_cast<std::size_t>(change.row);
-  result.steps.push_back(
-      {rows.run_at(row), change.time_s, change.time_sigma_s, size_dph, sigma_dph});
+  result.steps.push_back({rows.run_at(row), change.time_s, change.time_sigma_s, size_dph, sigma_dph,
+                          located.others_follow});
   step.recording = series.recording_of(row);
+  step.others_follow = located.others_follow;
   step.coefficients_dph = {size_dph};
   step.sigma_dph = {sigma_dph};
   step.parameters = {change.time_s};

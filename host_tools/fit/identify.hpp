@@ -18,6 +18,7 @@ struct FoundStep {
   double time_sigma_s = 0;
   double size_dph = 0;
   double size_sigma_dph = 0;
+  bool others_follow = false;  ///< as in model::EffectTerm
 };
 
 /// Results of a fit except the coefficients, which are in the model.

@@ -9,7 +9,7 @@ constexpr Eigen::Index kMaxValues = 3'000'000;  // 24 MB: the shapes of two grid
 
 KnownRegressors::Columns KnownRegressors::operator()(const model::EffectTerm& term,
                                                      series::Reading reading) {
-  const Key key{term.name, term.parameters, term.recording, reading};
+  const Key key{term.name, term.parameters, term.recording, term.others_follow, reading};
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto found = known_.find(key);

@@ -28,8 +28,8 @@ class KnownRegressors {
                      series::Reading reading = series::Reading::of_sensor);
 
  private:
-  using Key =
-      std::tuple<std::string, std::vector<double>, std::optional<std::uint64_t>, series::Reading>;
+  using Key = std::tuple<std::string, std::vector<double>, std::optional<std::uint64_t>, bool,
+                         series::Reading>;
   using Known = std::map<Key, Columns>;
 
   const series::SignalSeries& series_;

@@ -143,11 +143,15 @@ Eigen::VectorXd step_column(const series::Rows& rows, std::size_t row) {
   return column;
 }
 
+Eigen::VectorXd run_column(const series::Rows& rows, std::size_t run) {
+  return step_column(rows, rows.run_starts[run]);
+}
+
 Eigen::MatrixXd run_offset_columns(const series::Rows& rows, bool wanted) {
   const std::size_t runs = wanted ? rows.run_starts.size() : 1;
   Eigen::MatrixXd columns(rows.size(), static_cast<Eigen::Index>(runs) - 1);
   for (std::size_t run = 1; run < runs; ++run) {
-    columns.col(static_cast<Eigen::Index>(run) - 1) = step_column(rows, rows.run_starts[run]);
+    columns.col(static_cast<Eigen::Index>(run) - 1) = run_column(rows, run);
   }
   return columns;
 }

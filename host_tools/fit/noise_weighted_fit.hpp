@@ -62,6 +62,9 @@ NoiseWeightedFit fit_determined(const series::SignalSeries& series,
 /// 1 from a row to the end of its recording, else 0.
 Eigen::VectorXd step_column(const series::Rows& rows, std::size_t row);
 
+/// 1 in a recording, from 0, else 0.
+Eigen::VectorXd run_column(const series::Rows& rows, std::size_t run);
+
 /// Rows x (recordings - 1): ones in the second, third... recording each. No columns if `wanted` is
 /// false.
 Eigen::MatrixXd run_offset_columns(const series::Rows& rows, bool wanted = true);

@@ -36,6 +36,35 @@ bool earns(const noise::ChangePoint& step, double chi_square) {
   return step.chi_square > chi_square * std::max(1.0, step.chi_square_left);
 }
 
+// A fit with one more step.
+struct Extended {
+  NoiseWeightedFit fit;
+  Eigen::MatrixXd columns;  // of all steps
+  bool others_follow = false;
+};
+
+Extended with_step(const series::SignalSeries& series, const std::vector<model::EffectTerm>& terms,
+                   const Eigen::MatrixXd& columns, std::size_t row, const RowSettings& settings) {
+  const series::Rows& rows = series.rows();
+  const Eigen::VectorXd step = step_column(rows, row);
+  const auto fitted = [&](bool others_follow, const RowSettings& with) {
+    const Eigen::VectorXd before = run_column(rows, rows.run_at(row)) - step;
+    Extended more{
+        {}, with_column(columns, others_follow ? Eigen::VectorXd(-before) : step), others_follow};
+    more.fit = fit_rows(series, terms, more.columns, with);
+    return more;
+  };
+  if (!series.recording_of(row)) return fitted(false, settings);  // it acts on all
+  Extended follow = fitted(true, settings);
+  if (rows.run_starts.size() == 1) return follow;
+  RowSettings same_noise = settings;
+  same_noise.noise = follow.fit.noise;
+  Extended precede = fitted(false, same_noise);
+  const double gain =
+      follow.fit.whitened_residual.squaredNorm() - precede.fit.whitened_residual.squaredNorm();
+  return gain > rules::kMinLevelGain ? precede : follow;
+}
+
 // Smallest chi-square drop of one of the last `steps` columns of a fit, given all others.
 double min_chi_square(const NoiseWeightedFit& fit, std::size_t steps) {
   double min = std::numeric_limits<double>::infinity();
@@ -66,16 +95,15 @@ FitWithSteps fit_with_steps(const series::SignalSeries& series,
     if (!is_determined(tried)) break;
     const auto found = locate(rows, tried, tried.linear() - 1);
     if (!found || !earns(*found, rules::kMinStepChiSquare)) break;
-    const Eigen::MatrixXd more =
-        with_column(columns, step_column(rows, static_cast<std::size_t>(found->row)));
     Eigen::VectorXd fewer = kept;
     fewer.segment(found->first, found->last - found->first + 1).setZero();
-    NoiseWeightedFit fit = fit_rows(series, terms, more, {fewer, std::nullopt, {}});
-    if (!is_determined(fit)) break;
-    if (min_chi_square(fit, result.steps.size() + 1) < rules::kMinStepChiSquare) break;
-    result.steps.push_back(*found);
-    result.fit = std::move(fit);
-    columns = more;
+    Extended more = with_step(series, terms, columns, static_cast<std::size_t>(found->row),
+                              {fewer, std::nullopt, {}});
+    if (!is_determined(more.fit)) break;
+    if (min_chi_square(more.fit, result.steps.size() + 1) < rules::kMinStepChiSquare) break;
+    result.steps.push_back({*found, more.others_follow});
+    result.fit = std::move(more.fit);
+    columns = std::move(more.columns);
     kept = fewer;
   }
   result.masked = static_cast<std::size_t>((kept.array() <= 0).count());

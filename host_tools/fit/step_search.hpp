@@ -8,20 +8,27 @@
 
 namespace fogcomp::fit {
 
+/// A bias step, as first located.
+struct LocatedStep {
+  noise::ChangePoint change;
+  bool others_follow = false;  ///< as in model::EffectTerm
+};
+
 /// A fit with the bias steps that it found; they are the last nuisance columns.
 struct FitWithSteps {
   NoiseWeightedFit fit;
-  std::vector<noise::ChangePoint>
-      steps;               ///< in the order of the columns; size and time as first located
-  std::size_t masked = 0;  ///< rows excluded because a step lies in them
+  std::vector<LocatedStep> steps;  ///< in the order of the columns
+  std::size_t masked = 0;          ///< rows excluded because a step lies in them
 };
 
 /// Fits without steps, then adds steps while the best further position lowers chi^2, in units of
 /// the remaining noise, by more than 60 (flicker noise imitates smaller ones). It must do so beside
 /// cosines over hours, so that a slow drift that the model lacks is no step; and every step must
 /// still do so in the fit with all of them. The noise that judges a step is estimated with the step
-/// removed. Rows that may contain a step have weight 0. At most `max_steps`. `progress` is called
-/// with the fraction of the first fit done, 0..1.
+/// removed. Rows that may contain a step have weight 0. At most `max_steps`. Whether the other
+/// recordings have the bias from before a step or the one that follows it is what fits better;
+/// where there are none, or each has its own bias, the last is what the gyro goes on with.
+/// `progress` is called with the fraction of the first fit done, 0..1.
 FitWithSteps fit_with_steps(const series::SignalSeries& series,
                             const std::vector<model::EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance, std::size_t max_steps,

@@ -22,10 +22,15 @@ bool EffectTerm::acts_on(const std::vector<std::uint64_t>& recordings) const {
 }
 
 Model as_it_acts_on(Model model, const std::vector<std::uint64_t>& recordings) {
+  double bias_dph = 0;
   for (EffectTerm& term : model.terms) {
-    if (!term.acts_on(recordings))
+    if (!term.acts_on(recordings)) {
       std::fill_n(term.coefficients_dph.begin(), term.coefficients_dph.size(), 0.0);
+    } else if (term.others_follow) {
+      bias_dph -= term.coefficients_dph[0];
+    }
   }
+  if (bias_dph != 0) model.terms.push_back({"bias", {}, {}, {}, {bias_dph}, {0}});
   return model;
 }
 

@@ -33,6 +33,9 @@ struct EffectTerm {
   /// Of an event that a fit has found: hash of the rows (recording::rows_hash) of the recording in
   /// which it is. Nothing: it acts on all.
   std::optional<std::uint64_t> recording{};
+  /// Of such an event: the other recordings have the bias that follows it, not the one before it.
+  /// In its own recording it then acts before its time, with the opposite sign.
+  bool others_follow = false;
 
   /// `recordings`: hashes of the rows of a run's files.
   bool acts_on(const std::vector<std::uint64_t>& recordings) const;
@@ -128,8 +131,9 @@ double natural_coefficient(const EffectTerm& term, std::size_t index);
 /// The drift as a readable equation, one line per effect.
 std::string describe(const Model& model);
 
-/// The model on one run: events of other recordings have coefficients of 0. `recordings`: as in
-/// EffectTerm::acts_on.
+/// The model on one run, as one whose events act from their time on: those of other recordings have
+/// coefficients of 0; if these follow it, the jump is taken off the bias of the event's own.
+/// `recordings`: as in EffectTerm::acts_on.
 Model as_it_acts_on(Model model, const std::vector<std::uint64_t>& recordings);
 
 }  // namespace fogcomp::model

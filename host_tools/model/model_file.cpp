@@ -185,6 +185,9 @@ void read_event_recording(ModelReader& in, Model& model) {
     in.fail(std::string("'") + kEventRecording + "' belongs behind an event");
   }
   model.terms.back().recording = in.hash();
+  if (in.at_end_of_line()) return;
+  if (in.word() != kOthersFollow) in.fail(std::string("only '") + kOthersFollow + "' may follow");
+  model.terms.back().others_follow = true;
 }
 
 // A step, then its optional properties.

@@ -57,6 +57,7 @@ class ModelReader {
     return !words_.empty();
   }
 
+  bool at_end_of_line() const { return position_ == words_.size(); }
   std::string word() {
     if (position_ == words_.size()) fail("the line is too short");
     return words_[position_++];

@@ -52,7 +52,10 @@ void write_term(ModelWriter& out, const EffectTerm& term) {
   out.numbers(term.parameters).numbers(term.identified).numbers(term.parameter_sigma);
   out.number(static_cast<double>(term.coefficients_dph.size()));
   out.numbers(term.coefficients_dph).numbers(term.sigma_dph).end_line();
-  if (term.recording) out.word(kEventRecording).hash(*term.recording).end_line();
+  if (!term.recording) return;
+  out.word(kEventRecording).hash(*term.recording);
+  if (term.others_follow) out.word(kOthersFollow);
+  out.end_line();
 }
 
 void write_network(ModelWriter& out, const RealNetwork& network) {

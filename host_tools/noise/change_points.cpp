@@ -107,14 +107,14 @@ Eigen::MatrixXd slow_columns(const series::Rows& rows, double half_period_s) {
   for (const Run& run : runs_of(rows)) {
     const double start_s = rows.time_s[static_cast<std::size_t>(run.first)];
     const double length_s = rows.time_s[static_cast<std::size_t>(run.end - 1)] - start_s;
-    const auto count = static_cast<Eigen::Index>(length_s / half_period_s);
+    const auto count = 1 + static_cast<Eigen::Index>(length_s / half_period_s);
     const Eigen::Index at = columns.cols();
     columns.conservativeResize(Eigen::NoChange, at + count);
     columns.rightCols(count).setZero();
     for (Eigen::Index k = 0; k < count; ++k) {
       for (Eigen::Index row = run.first; row < run.end; ++row) {
         const double turn = (rows.time_s[static_cast<std::size_t>(row)] - start_s) / length_s;
-        columns(row, at + k) = std::cos(kPi * static_cast<double>(k + 1) * turn);
+        columns(row, at + k) = std::cos(kPi * static_cast<double>(k) * turn);
       }
     }
   }

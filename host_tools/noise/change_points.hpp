@@ -31,8 +31,9 @@ std::optional<ChangePoint> find_change_point(const Whitening& whitening, const s
                                              const Eigen::VectorXd& whitened_residual,
                                              const Eigen::MatrixXd& whitened_columns);
 
-/// Cosines over each recording, down to this half period: rows x any number, 0 outside their
-/// recording. Among the columns they keep slow drift outside the model from counting as jumps.
+/// A constant and cosines over each recording, down to this half period: rows x any number, 0
+/// outside their recording. Among the columns they keep the bias of a recording and slow drift
+/// outside the model from counting as jumps.
 Eigen::MatrixXd slow_columns(const series::Rows& rows, double half_period_s);
 
 }  // namespace fogcomp::noise

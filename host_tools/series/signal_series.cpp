@@ -223,11 +223,13 @@ Eigen::MatrixXd SignalSeries::regressors(const model::EffectTerm& term, Reading 
                 model::follows_input_rate(term));
   const std::vector<recording::RowRange> runs = rows_.runs();
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (term.acts_on(runs_[i].recordings)) continue;
-    means
-        .middleRows(static_cast<Eigen::Index>(runs[i].first),
-                    static_cast<Eigen::Index>(runs[i].size()))
-        .setZero();
+    auto of_run = means.middleRows(static_cast<Eigen::Index>(runs[i].first),
+                                   static_cast<Eigen::Index>(runs[i].size()));
+    if (!term.acts_on(runs_[i].recordings)) {
+      of_run.setZero();
+    } else if (term.others_follow) {
+      of_run.array() -= 1;
+    }
   }
   return means;
 }

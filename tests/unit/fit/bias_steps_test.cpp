@@ -49,25 +49,61 @@ TEST(BiasSteps, BelongToTheRecordingInWhichTheyLie) {
   EXPECT_NEAR(result.identified.steps[0].size_dph, 0.2, 0.02);
 }
 
+double rms_left_dph(const fogcomp::model::Model& model,
+                    const fogcomp::recording::Recording& recording) {
+  const auto run = fogcomp::compare::run_in_blocks(recording, model.average_s);
+  return fogcomp::compare::compare_with(model, run).whole.rms_dph;
+}
+
+fogcomp::recording::Recording shifted(fogcomp::recording::Recording recording, double dph) {
+  for (double& rate : recording.rate_dph) rate += dph;
+  return recording;
+}
+
+constexpr double kJump_dph = 0.2;
+constexpr double kLittleAboveNoise_dph = 1.3 * kWhiteDph;
+
+fogcomp::recording::Recording recording_with_jump() {
+  fogcomp::recording::Recording recording = noisy_recording(5);
+  add_step(recording, 15000, kJump_dph);
+  return recording;
+}
+
 // What a fit takes for a step of one recording must not be subtracted from another.
 TEST(BiasSteps, ActOnTheirRecordingOnly) {
-  fogcomp::recording::Recording with_step = noisy_recording(5);
-  add_step(with_step, 15000, 0.2);
-  const FittedSteps result = fit({noisy_recording(4), with_step}, kStepEffects);
+  const FittedSteps result = fit({noisy_recording(4), recording_with_jump()}, kStepEffects);
   ASSERT_EQ(result.identified.steps.size(), 1U);
-  const auto left_of = [&](const fogcomp::recording::Recording& recording) {
-    const auto run = fogcomp::compare::run_in_blocks(recording, result.model.average_s);
-    return fogcomp::compare::compare_with(result.model, run).whole.rms_dph;
-  };
-  constexpr double kLittleAboveNoise_dph = 1.3 * kWhiteDph;
-  EXPECT_LT(left_of(with_step), kLittleAboveNoise_dph);
-  EXPECT_LT(left_of(noisy_recording(4)), kLittleAboveNoise_dph);
-  EXPECT_LT(left_of(noisy_recording(6)), kLittleAboveNoise_dph);
-
   fogcomp::series::SignalSeries other(result.model);
   other.add(fogcomp::series::make_blocks(noisy_recording(6)));
   EXPECT_TRUE(other.regressors(result.model.terms.back()).isZero());
   EXPECT_EQ(other.acting(result.model.terms).size(), result.model.terms.size() - 1);
+}
+
+TEST(BiasSteps, OfTheOnlyRecordingLeaveTheBiasThatFollows) {
+  const FittedSteps result = fit({recording_with_jump()}, kStepEffects);
+  ASSERT_EQ(result.identified.steps.size(), 1U);
+  EXPECT_TRUE(result.identified.steps[0].others_follow);
+  EXPECT_NEAR(result.identified.steps[0].size_dph, kJump_dph, 0.02);
+  EXPECT_LT(rms_left_dph(result.model, recording_with_jump()), kLittleAboveNoise_dph);
+  EXPECT_LT(rms_left_dph(result.model, shifted(noisy_recording(6), kJump_dph)),
+            kLittleAboveNoise_dph);
+  fogcomp::series::SignalSeries own(result.model);
+  own.add(fogcomp::series::make_blocks(recording_with_jump()));
+  const Eigen::VectorXd regressor = own.regressors(result.model.terms.back());
+  EXPECT_EQ(regressor.minCoeff(), -1);
+  EXPECT_EQ(regressor.maxCoeff(), 0);
+}
+
+TEST(BiasSteps, LeaveTheBiasThatTheOtherRecordingsHave) {
+  for (const double others_dph : {0.0, kJump_dph}) {
+    const FittedSteps result =
+        fit({recording_with_jump(), shifted(noisy_recording(4), others_dph)}, kStepEffects);
+    ASSERT_EQ(result.identified.steps.size(), 1U);
+    EXPECT_EQ(result.identified.steps[0].others_follow, others_dph != 0);
+    EXPECT_LT(rms_left_dph(result.model, recording_with_jump()), kLittleAboveNoise_dph);
+    EXPECT_LT(rms_left_dph(result.model, shifted(noisy_recording(6), others_dph)),
+              kLittleAboveNoise_dph);
+  }
 }
 
 TEST(BiasSteps, WithATimeAreNotSearchedForAndAloneAreRefused) {

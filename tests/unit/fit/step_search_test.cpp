@@ -22,15 +22,15 @@ TEST(StepSearch, FindsAStepWithItsTimeAndSize) {
   fog::test::add_step(recording, 20000, 0.2);
   const FitWithSteps result = searched(recording);
   ASSERT_EQ(result.steps.size(), 1U);
-  const noise::ChangePoint& step = result.steps[0];
+  const noise::ChangePoint& step = result.steps[0].change;
   EXPECT_NEAR(step.time_s, 20000, 30);
   EXPECT_NEAR(step.size_dph, 0.2, 4 * step.size_sigma_dph);
   EXPECT_LE(step.first, step.row);
   EXPECT_GE(step.last, step.row);
-  // Its column is the last one of the fit, and does not change the bias.
+  // Its column is the last one of the fit, and the bias is the one that follows.
   const auto& fit = result.fit;
   EXPECT_NEAR(fit.coefficients[fit.linear() - 1], 0.2, 4 * step.size_sigma_dph);
-  EXPECT_NEAR(fit.coefficients[0], fog::test::truth().terms[0].coefficients_dph[0], 0.02);
+  EXPECT_NEAR(fit.coefficients[0], fog::test::truth().terms[0].coefficients_dph[0] + 0.2, 0.02);
   EXPECT_EQ(result.masked, static_cast<std::size_t>(step.last - step.first + 1));
 }
 
