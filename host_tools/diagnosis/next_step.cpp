@@ -125,18 +125,27 @@ std::vector<Description> certain_ones(const Diagnosis& diagnosis,
   return descriptions;
 }
 
+std::vector<std::string> without_events(const Diagnosis& diagnosis,
+                                        std::vector<std::string> effects) {
+  for (const std::string& event : events_among(diagnosis, effects))
+    effects.erase(std::find(effects.begin(), effects.end(), event));
+  return effects;
+}
+
 // `named` was refused. A walk is no reason to leave out sets with it: beside more of what is
-// missing there may be nothing left for a walk to explain.
+// missing there may be nothing left for a walk to explain. Events are added one at a time and
+// found anew by each fit: a set with one is tried without it.
 void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
               std::vector<Description>& descriptions) {
+  std::set<std::vector<std::string>> seen{{}, named};
   for (const Diagnosis::Explanation& set : diagnosis.explanations) {
-    if (set.effects == named || names_twice(set.effects)) continue;
-    if (!events_among(diagnosis, set.effects).empty()) continue;
+    const std::vector<std::string> effects = without_events(diagnosis, set.effects);
+    if (names_twice(effects) || !seen.insert(effects).second) continue;
     const bool is_pliable =
-        set.effects.size() > kMaxWithoutOwnInput && has_no_own_input(diagnosis, set.effects);
+        effects.size() > kMaxWithoutOwnInput && has_no_own_input(diagnosis, effects);
     if (is_pliable && diagnosis.verdict == Verdict::unknown) continue;
-    if (auto request = request_of(diagnosis, set.effects)) {
-      descriptions.push_back({std::move(*request), set.explained_fraction, false, set.effects});
+    if (auto request = request_of(diagnosis, effects)) {
+      descriptions.push_back({std::move(*request), set.explained_fraction, false, effects});
     }
   }
 }
