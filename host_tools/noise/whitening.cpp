@@ -58,10 +58,11 @@ Whitening::Whitening(const NoiseModel& noise, const series::Rows& rows,
 
 Eigen::MatrixXd Whitening::apply(const Eigen::MatrixXd& matrix) const {
   Eigen::MatrixXd white(matrix.rows(), matrix.cols());
-  const auto fours = static_cast<std::size_t>(matrix.cols() / 4);
+  const auto eights = static_cast<std::size_t>(matrix.cols() / 8);
   for_each_index(
-      fours, [&](std::size_t i) { filter<4>(matrix, 4 * static_cast<Eigen::Index>(i), white); });
-  Eigen::Index column = 4 * static_cast<Eigen::Index>(fours);
+      eights, [&](std::size_t i) { filter<8>(matrix, 8 * static_cast<Eigen::Index>(i), white); });
+  Eigen::Index column = 8 * static_cast<Eigen::Index>(eights);
+  for (; column + 4 <= matrix.cols(); column += 4) filter<4>(matrix, column, white);
   for (; column + 2 <= matrix.cols(); column += 2) filter<2>(matrix, column, white);
   if (column < matrix.cols()) filter<1>(matrix, column, white);
   return white;
