@@ -135,13 +135,17 @@ std::vector<std::string> without_events(const Diagnosis& diagnosis,
 // `named` was refused. A walk is no reason to leave out sets with it: beside more of what is
 // missing there may be nothing left for a walk to explain. Events are added one at a time and
 // found anew by each fit: a set with one is tried without it if two effects are left (single ones
-// are tried where they help clearly).
+// are tried where they help clearly), and not beside an effect that is a certain part, which comes
+// first.
 void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
               std::vector<Description>& descriptions) {
+  const bool has_part =
+      diagnosis.verdict == Verdict::unknown && events_among(diagnosis, named).size() < named.size();
   std::set<std::vector<std::string>> seen{{}, named};
   for (const Diagnosis::Explanation& set : diagnosis.explanations) {
     const std::vector<std::string> effects = without_events(diagnosis, set.effects);
-    if (effects.size() < std::min<std::size_t>(2, set.effects.size())) continue;
+    const bool has_event = effects.size() < set.effects.size();
+    if (has_event && (has_part || effects.size() < 2)) continue;
     if (names_twice(effects) || !seen.insert(effects).second) continue;
     const bool is_pliable =
         effects.size() > kMaxWithoutOwnInput && has_no_own_input(diagnosis, effects);
