@@ -73,6 +73,10 @@ fogcomp::recording::Recording recording_with_jump() {
 TEST(BiasSteps, ActOnTheirRecordingOnly) {
   const FittedSteps result = fit({noisy_recording(4), recording_with_jump()}, kStepEffects);
   ASSERT_EQ(result.identified.steps.size(), 1U);
+  EXPECT_LT(rms_left_dph(result.model, recording_with_jump()), kLittleAboveNoise_dph);
+  EXPECT_LT(rms_left_dph(result.model, noisy_recording(4)), kLittleAboveNoise_dph);
+  EXPECT_LT(rms_left_dph(result.model, noisy_recording(6)), kLittleAboveNoise_dph);
+
   fogcomp::series::SignalSeries other(result.model);
   other.add(fogcomp::series::make_blocks(noisy_recording(6)));
   EXPECT_TRUE(other.regressors(result.model.terms.back()).isZero());
