@@ -3,7 +3,7 @@
 namespace fogcomp::fit {
 namespace {
 
-constexpr Eigen::Index kMaxValues = 3'000'000;  // 24 MB: the shapes of two grids over 6000 rows
+constexpr Eigen::Index kMaxValues = 6'000'000;  // 24 MB: the shapes of two grids over 6000 rows
 
 }  // namespace
 

@@ -154,11 +154,26 @@ WhitenedProblem::Solution WhitenedProblem::solution() const {
   return {fit.coefficients, finite_or_worst(fit.residual.squaredNorm())};
 }
 
+WhitenedProblem::Split WhitenedProblem::split_by(const model::ShapeParameter& parameter,
+                                                 const std::vector<double>& values) const {
+  model::EffectTerm term = terms_[parameter.term];
+  term.parameters[parameter.index] = values.front();
+  const KnownRegressors::Columns one = (*regressors_)(term);
+  term.parameters[parameter.index] = values.back();
+  const KnownRegressors::Columns other = (*regressors_)(term);
+  Split split;
+  for (Eigen::Index i = 0; i < one->cols(); ++i) {
+    (one->col(i) == other->col(i) ? split.still : split.moved).push_back(i);
+  }
+  return split;
+}
+
 std::vector<double> WhitenedProblem::costs(const model::ShapeParameter& parameter,
                                            const std::vector<double>& values,
                                            const std::vector<model::ShapeParameter>& others) const {
+  const Split split = split_by(parameter, values);
   std::vector<Eigen::MatrixXd> beside = left_;
-  beside[parameter.term].resize(measured_.size(), 0);
+  beside[parameter.term] = left_[parameter.term](Eigen::all, split.still).eval();
   if (!others.empty()) {
     beside.push_back(without(fixed_, derivatives(others, left_, solution().coefficients)));
   }
@@ -173,7 +188,7 @@ std::vector<double> WhitenedProblem::costs(const model::ShapeParameter& paramete
     std::vector<Eigen::MatrixXd> tried;
     for (std::size_t i = first; i < values.size() && tried.size() < kTogether; ++i) {
       moved.parameters[parameter.index] = values[i];
-      tried.push_back(*(*regressors_)(moved));
+      tried.emplace_back((*(*regressors_)(moved))(Eigen::all, split.moved));
     }
     const Eigen::MatrixXd columns = without(basis, whitening_->apply(side_by_side(tried, rows)));
     Eigen::Index at = 0;

@@ -69,6 +69,13 @@ class WhitenedProblem {
   Eigen::MatrixXd derivatives(const std::vector<model::ShapeParameter>& parameters,
                               const std::vector<Eigen::MatrixXd>& columns,
                               const Eigen::VectorXd& coefficients) const;
+  /// The columns of the parameter's term that differ between the first and the last of `values`,
+  /// and those that are the same: of two ripples a period moves only its own.
+  struct Split {
+    std::vector<Eigen::Index> moved;
+    std::vector<Eigen::Index> still;
+  };
+  Split split_by(const model::ShapeParameter& parameter, const std::vector<double>& values) const;
   static Eigen::Index first_column(const std::vector<Eigen::MatrixXd>& columns, std::size_t term);
 
   KnownRegressors* regressors_;
