@@ -9,6 +9,7 @@
 #include "fit/decision_rules.hpp"
 #include "noise/outlier_rows.hpp"
 #include "noise/whitening.hpp"
+#include "support/parallel.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp::fit {
@@ -182,30 +183,38 @@ std::vector<Level> levels_of(const ResidualStatistics& statistics, const noise::
   for (int i = 0; i < kRatios; ++i) ratios.push_back(kMinRatio * std::pow(kRatioStep, i));
   const double any = -std::log(3.0 * kRatios);
   const Eigen::MatrixXd densities = quiet_densities(noise, first_angle);
-  std::vector<Level> levels;
-  const auto add = [&](Level level, Kind lacking, double amount) {
-    level.amounts[lacking] = amount;
-    if (amount > 0) level.log_probability += any - std::log(2.0);
-    judge_by_residual(statistics, level);
-    levels.push_back(level);
-  };
+  std::vector<Level> noises;
   for (const double quiet : {0.0, 0.5, 1.0, 2.0}) {
     for (const double flicker : ratios) {
       for (const double walk : ratios) {
-        Level noises;
-        noises.amounts << quiet, flicker, walk, 0, 0;
-        noises.log_probability =
-            noise.quiet_spectrum.log_likelihood(1 + (densities * noises.amounts).array()) +
-            (flicker > 0 ? any : 0) + (walk > 0 ? any : 0);
-        add(noises, kLackingSlow, 0);
-        for (int i = 1; i <= kRatios; ++i) {
-          for (const Kind lacking : {kLackingSlow, kLackingFast}) {
-            add(noises, lacking, ratios[static_cast<std::size_t>(i)]);
-          }
-        }
+        Level level;
+        level.amounts << quiet, flicker, walk, 0, 0;
+        noises.push_back(level);
       }
     }
   }
+  constexpr std::size_t kOfEachNoise = 1 + 2 * kRatios;
+  std::vector<Level> levels(kOfEachNoise * noises.size());
+  for_each_index(noises.size(), [&](std::size_t i) {
+    Level noise_alone = noises[i];
+    const Amounts& amounts = noise_alone.amounts;
+    noise_alone.log_probability =
+        noise.quiet_spectrum.log_likelihood(1 + (densities * amounts).array()) +
+        (amounts[kFlicker] > 0 ? any : 0) + (amounts[kWalk] > 0 ? any : 0);
+    Level* level = &levels[kOfEachNoise * i];
+    const auto add = [&](Kind lacking, double amount) {
+      *level = noise_alone;
+      level->amounts[lacking] = amount;
+      if (amount > 0) level->log_probability += any - std::log(2.0);
+      judge_by_residual(statistics, *level++);
+    };
+    add(kLackingSlow, 0);
+    for (int ratio = 1; ratio <= kRatios; ++ratio) {
+      for (const Kind lacking : {kLackingSlow, kLackingFast}) {
+        add(lacking, ratios[static_cast<std::size_t>(ratio)]);
+      }
+    }
+  });
   return levels;
 }
 
