@@ -1,43 +1,81 @@
 #include "diagnosis/evidence_space.hpp"
 
+#include <algorithm>
+
 #include "diagnosis/step_candidates.hpp"
+#include "support/parallel.hpp"
 
 namespace fogcomp::diagnosis {
+namespace {
 
-EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
-                                  const std::function<void(double)>& progress) {
+// A few columns at a time: less memory than all of them.
+Eigen::MatrixXd visible_of(const Eigen::MatrixXd& columns, const Residualizer& residualizer) {
+  constexpr Eigen::Index kAtOnce = 16;
+  Eigen::MatrixXd visible(residualizer.residual().size(), columns.cols());
+  for (Eigen::Index first = 0; first < columns.cols(); first += kAtOnce) {
+    const Eigen::Index count = std::min(kAtOnce, columns.cols() - first);
+    visible.middleCols(first, count) = residualizer(columns.middleCols(first, count)).columns;
+  }
+  return visible;
+}
+
+// Columns that may explain the residual.
+struct PossibleColumns {
+  CandidateList candidates;
+  VisibleStructure smooth;
+  Eigen::MatrixXd walk_modes;
+};
+
+// All three side by side: the last two keep one thread each busy.
+PossibleColumns possible_columns(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
+                                 const Residualizer& residualizer,
+                                 const std::function<void(double)>& progress) {
   const series::SignalSeries& series = data.series();
-  Residualizer residualizer(series.rows(), fit);
   const ProjectOutModel project_out_model = [&](const Eigen::MatrixXd& columns) {
     return residualizer(columns);
   };
-  CandidateList list = find_candidates(series, fit.terms, data.offered(), data.inputs(),
-                                       project_out_model, progress);
-  refine_shape_parameters(list.testable, series, fit.terms, project_out_model,
-                          residualizer.residual());
-  VisibleStructure smooth = visible_structure(series.rows(), residualizer);
-  for (Candidate& candidate : list.testable) {
-    if (candidate.is_event()) {
-      place_steps(candidate.shapes, series, residualizer, smooth.all);
+  PossibleColumns found;
+  for_each_index(3, [&](std::size_t i) {
+    if (i == 0) {
+      found.candidates = find_candidates(series, fit.terms, data.offered(), data.inputs(),
+                                         project_out_model, progress);
+      refine_shape_parameters(found.candidates.testable, series, fit.terms, project_out_model,
+                              residualizer.residual());
+    } else if (i == 1) {
+      found.smooth = visible_structure(series.rows(), residualizer);
+    } else {
+      found.walk_modes =
+          visible_of(fit::visible_walk_modes(series.rows(), fit.noise), residualizer);
     }
+  });
+  for (Candidate& candidate : found.candidates.testable) {
+    if (!candidate.is_event()) continue;
+    place_steps(candidate.shapes, series, residualizer, found.smooth.all);
   }
+  return found;
+}
 
+}  // namespace
+
+EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
+                                  const std::function<void(double)>& progress) {
+  Residualizer residualizer(data.series().rows(), fit);
+  PossibleColumns columns = possible_columns(data, fit, residualizer, progress);
   fit::ExplainedSpace space(residualizer.residual());
   RegressorBasis regressors;
-  for (const Candidate& candidate : list.testable) {
+  for (const Candidate& candidate : columns.candidates.testable) {
     regressors.emplace_back();
     for (const Candidate::Shape& shape : candidate.shapes) {
       regressors.back().push_back(space.add(shape.basis));
     }
   }
-  const series::ColumnRange structure = space.add(smooth.all);
-  fit::WalkModes walk =
-      fit::add_walk(space, residualizer(fit::visible_walk_modes(series.rows(), fit.noise)).columns);
+  const series::ColumnRange structure = space.add(columns.smooth.all);
+  fit::WalkModes walk = fit::add_walk(space, columns.walk_modes);
   space.finish();
   return {std::move(residualizer),
-          std::move(list.testable),
-          std::move(list.untestable),
-          std::move(smooth),
+          std::move(columns.candidates.testable),
+          std::move(columns.candidates.untestable),
+          std::move(columns.smooth),
           std::move(space),
           std::move(regressors),
           structure,

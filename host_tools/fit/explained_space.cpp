@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "support/decompositions.hpp"
 #include "support/least_squares.hpp"
@@ -11,24 +12,35 @@ namespace {
 
 // Of unit columns: two that agree to 1e-8 count as one.
 constexpr double kSystemRidge = 1e-8;
+constexpr Eigen::Index kRowsAtOnce = 1024;
 
 }  // namespace
 
 series::ColumnRange ExplainedSpace::add(const Eigen::MatrixXd& columns) {
   const series::ColumnRange range{width_, columns.cols()};
   width_ += columns.cols();
-  if (width_ > columns_.cols()) {
-    columns_.conservativeResize(residual_.size(), std::max(width_, 2 * columns_.cols()));
-  }
-  columns_.middleCols(range.first, range.count) = columns;
+  parts_.push_back(&columns);
   return range;
 }
 
+// A few rows of all parts at a time.
 void ExplainedSpace::finish() {
-  columns_.conservativeResize(residual_.size(), width_);
-  gram_ = fogcomp::gram(columns_);
-  projection_ = columns_.transpose() * residual_;
-  columns_.resize(0, 0);
+  gram_.setZero(width_, width_);
+  projection_.setZero(width_);
+  Eigen::MatrixXd rows;
+  for (Eigen::Index first = 0; first < residual_.size(); first += kRowsAtOnce) {
+    const Eigen::Index count = std::min(kRowsAtOnce, residual_.size() - first);
+    rows.resize(count, width_);
+    Eigen::Index at = 0;
+    for (const Eigen::MatrixXd* const part : parts_) {
+      rows.middleCols(at, part->cols()) = part->middleRows(first, count);
+      at += part->cols();
+    }
+    add_to_gram(rows, gram_);
+    projection_ += rows.transpose() * residual_.segment(first, count);
+  }
+  gram_.triangularView<Eigen::StrictlyUpper>() = gram_.transpose();
+  parts_.clear();
 }
 
 Eigen::MatrixXd ExplainedSpace::root_of_noise(const series::ColumnRange& random,
@@ -49,6 +61,12 @@ ExplainedSpace ExplainedSpace::with_noise(const series::ColumnRange& random,
   with.gram_ -= fogcomp::gram(columns);
   with.projection_ -= columns.transpose() * residual;
   return with;
+}
+
+ExplainedSpace ExplainedSpace::without(const series::ColumnRange& part) const {
+  if (part.count == 0) return *this;
+  constexpr double kAny = std::numeric_limits<double>::infinity();
+  return with_noise(part, Eigen::VectorXd::Constant(part.count, kAny));
 }
 
 double ExplainedSpace::log_likelihood_of_noise(const series::ColumnRange& random,

@@ -14,7 +14,10 @@ class ExplainedSpace {
  public:
   explicit ExplainedSpace(Eigen::VectorXd residual) : residual_(std::move(residual)) {}
 
+  /// The columns are not copied (they are most of a diagnosis' memory): they must stay as they are
+  /// until finish().
   series::ColumnRange add(const Eigen::MatrixXd& columns);
+  series::ColumnRange add(const Eigen::MatrixXd&& columns) = delete;
   /// To be called after the last add().
   void finish();
 
@@ -26,6 +29,8 @@ class ExplainedSpace {
   /// and its own variance > 0: inner products weighted by that noise.
   ExplainedSpace with_noise(const series::ColumnRange& random,
                             const Eigen::VectorXd& variances) const;
+  /// The space with some columns projected out of the others and of the residual.
+  ExplainedSpace without(const series::ColumnRange& part) const;
   /// Logarithm of the residual's likelihood with that noise less that without.
   double log_likelihood_of_noise(const series::ColumnRange& random,
                                  const Eigen::VectorXd& variances) const;
@@ -53,7 +58,7 @@ class ExplainedSpace {
                 const Eigen::VectorXd& projection) const;
 
   Eigen::VectorXd residual_;
-  Eigen::MatrixXd columns_;  // the first width_; released by finish()
+  std::vector<const Eigen::MatrixXd*> parts_;  // until finish()
   Eigen::Index width_ = 0;
   Eigen::MatrixXd gram_;
   Eigen::VectorXd projection_;

@@ -10,6 +10,8 @@
 namespace fogcomp::fit {
 namespace {
 
+constexpr Eigen::Index kModesAtOnce = 16;  // whitened and projected: less memory than all of them
+
 bool is_possible(const noise::NoiseModel::Walk& walk) {
   return walk.log_odds >= rules::kWalkRuledOut;
 }
@@ -24,20 +26,20 @@ Eigen::MatrixXd visible_walk_modes(const series::Rows& rows, const noise::NoiseM
   return noise::random_walk_modes(rows, max / noise.white_dph());
 }
 
-WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes) {
+WalkModes add_walk(ExplainedSpace& space, Eigen::MatrixXd& modes) {
   constexpr double kVisibleMode = 1e-9;
   const Eigen::VectorXd square = modes.colwise().squaredNorm();
   const double max = square.size() > 0 ? square.maxCoeff() : 0;
-  Eigen::MatrixXd kept(modes.rows(), modes.cols());
   WalkModes walk{{}, Eigen::VectorXd(modes.cols())};
   Eigen::Index count = 0;
   for (Eigen::Index i = 0; i < modes.cols(); ++i) {
     if (square[i] <= kVisibleMode * max) continue;
-    kept.col(count) = modes.col(i) / std::sqrt(square[i]);
+    modes.col(count) = modes.col(i) / std::sqrt(square[i]);
     walk.square[count++] = square[i];
   }
   walk.square.conservativeResize(count);
-  walk.columns = space.add(kept.leftCols(count));
+  modes.conservativeResize(Eigen::NoChange, count);
+  walk.columns = space.add(modes);
   return walk;
 }
 
@@ -87,30 +89,28 @@ Eigen::MatrixXd new_directions(const Eigen::MatrixXd& columns, const Eigen::Matr
   return orthonormal(side_by_side(seen, left.rows()));
 }
 
-// Any walk in a residual, its modes without what a basis spans.
-WalkRival walk_outside(const Eigen::MatrixXd& basis, const Eigen::VectorXd& measured,
-                       const Eigen::MatrixXd& modes, const noise::NoiseModel& noise) {
-  ExplainedSpace space(projected_out(basis, measured));
-  const WalkModes walk = add_walk(space, projected_out(basis, modes));
-  space.finish();
-  return find_walk(space, walk, noise.walks);
-}
-
 }  // namespace
 
 // Beside the effect the walk's coefficient is estimated anew: with the effect taken for a walk it
 // would be too large, and the effect would seem to be nothing beside it.
 double chance_of_walk(const series::Rows& rows, const noise::NoiseModel& noise,
                       const noise::Whitening& whitening, const AddedColumns& columns) {
-  const Eigen::MatrixXd modes = whitening.apply(visible_walk_modes(rows, noise));
   const Eigen::MatrixXd before = orthonormal(columns.before);
   const Eigen::MatrixXd effect = new_directions(columns.added, before);
-  const Eigen::MatrixXd after = side_by_side({before, effect}, before.rows());
+  Eigen::MatrixXd modes = visible_walk_modes(rows, noise);
+  for (Eigen::Index first = 0; first < modes.cols(); first += kModesAtOnce) {
+    auto some = modes.middleCols(first, std::min(kModesAtOnce, modes.cols() - first));
+    some = projected_out(before, whitening.apply(some));
+  }
+  ExplainedSpace space(projected_out(before, columns.measured));
+  const WalkModes walk = add_walk(space, modes);
+  const series::ColumnRange in_effect = space.add(effect);
+  space.finish();
   const double chi2_drop = (effect.transpose() * columns.measured).squaredNorm();
   const double evidence = log_evidence(chi2_drop, static_cast<double>(effect.cols()));
-  const double beside = walk_outside(after, columns.measured, modes, noise).log_odds;
-  return chance_of_walk(walk_outside(before, columns.measured, modes, noise),
-                        {{evidence, 0}, {evidence, beside}}, {});
+  const double beside = find_walk(space.without(in_effect), walk, noise.walks).log_odds;
+  return chance_of_walk(find_walk(space, walk, noise.walks), {{evidence, 0}, {evidence, beside}},
+                        {});
 }
 
 }  // namespace fogcomp::fit

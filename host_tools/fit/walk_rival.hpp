@@ -25,9 +25,9 @@ struct WalkModes {
 /// exclude is visible.
 Eigen::MatrixXd visible_walk_modes(const series::Rows& rows, const noise::NoiseModel& noise);
 
-/// `modes`: visible_walk_modes(), whitened, model projected out. Modes within the model are left
-/// out.
-WalkModes add_walk(ExplainedSpace& space, const Eigen::MatrixXd& modes);
+/// `modes`: visible_walk_modes(), whitened, model projected out. Those within the model are
+/// removed, the others scaled to unit length; they must stay as they are then until space.finish().
+WalkModes add_walk(ExplainedSpace& space, Eigen::MatrixXd& modes);
 
 /// Most probable walk according to the quiet parts (`walks`) and `space`. Prior: a walk is as
 /// probable as none, all of `walks` equally. Walks excluded by the quiet parts are not considered.

@@ -12,18 +12,22 @@ namespace fogcomp {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-MatrixXd gram(const MatrixXd& a) {
+void add_to_gram(const MatrixXd& a, MatrixXd& lower) {
   // Panels of the lower triangle, the same for any number of threads and so of the same rounding.
   constexpr Eigen::Index kPanel = 48;
-  MatrixXd lower = MatrixXd::Zero(a.cols(), a.cols());
   const Eigen::Index panels = (a.cols() + kPanel - 1) / kPanel;
   for_each_index(static_cast<std::size_t>(panels), [&](std::size_t panel) {
     const Eigen::Index first = static_cast<Eigen::Index>(panel) * kPanel;
     const Eigen::Index count = std::min(kPanel, a.cols() - first);
     const Eigen::Index below = a.cols() - first;
-    lower.block(first, first, below, count).noalias() =
+    lower.block(first, first, below, count).noalias() +=
         a.rightCols(below).transpose() * a.middleCols(first, count);
   });
+}
+
+MatrixXd gram(const MatrixXd& a) {
+  MatrixXd lower = MatrixXd::Zero(a.cols(), a.cols());
+  add_to_gram(a, lower);
   return lower.selfadjointView<Eigen::Lower>();
 }
 

@@ -7,6 +7,8 @@ namespace fogcomp {
 
 /// A' A.
 Eigen::MatrixXd gram(const Eigen::MatrixXd& a);
+/// Adds A' A to the lower triangle, the diagonal included, of a square matrix of A's columns.
+void add_to_gram(const Eigen::MatrixXd& a, Eigen::MatrixXd& lower);
 
 /// Solves A x = b for a symmetric positive definite A by A = L L'. All results are NaN if A is not
 /// definite.

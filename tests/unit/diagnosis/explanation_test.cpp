@@ -11,6 +11,8 @@ enum class Kind { plain, event, free_shape };
 bool is_enough(std::size_t effects, Kind kind, double left, double chi_square = 10000) {
   const auto last = static_cast<Eigen::Index>(effects);
   const Eigen::MatrixXd axes = Eigen::MatrixXd::Identity(50, last + 1);
+  std::vector<Eigen::MatrixXd> columns;
+  for (const auto axis : axes.colwise()) columns.emplace_back(axis);
   Eigen::VectorXd projection = Eigen::VectorXd::Constant(
       last + 1, std::sqrt((1 - left) / static_cast<double>(effects) * chi_square));
   projection[last] = std::sqrt(left * chi_square);
@@ -18,10 +20,10 @@ bool is_enough(std::size_t effects, Kind kind, double left, double chi_square = 
   RegressorBasis regressors;
   Hypothesis hypothesis;
   for (std::size_t i = 0; i < effects; ++i) {
-    regressors.push_back({space.add(axes.col(static_cast<Eigen::Index>(i)))});
+    regressors.push_back({space.add(columns[i])});
     hypothesis.parts.push_back({i, 0});
   }
-  const series::ColumnRange structure = space.add(axes.col(last));
+  const series::ColumnRange structure = space.add(columns.back());
   space.finish();
   hypothesis.chi2_drop = space.chi2_drop(ranges_of(regressors, hypothesis));
   hypothesis.led_by_event = kind == Kind::event;

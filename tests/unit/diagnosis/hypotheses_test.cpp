@@ -21,9 +21,9 @@ std::vector<Hypothesis> hypotheses_of(const std::array<const char*, 3>& effects)
   RegressorBasis regressors;
   for (const char* effect : effects) {
     const model::EffectTerm term = model::parse_effects(effect)[0];
-    const Eigen::MatrixXd basis = axes.col(static_cast<Eigen::Index>(candidates.size()));
-    candidates.push_back({term.name, {{term, basis}}});
-    regressors.push_back({space.add(basis)});
+    const auto axis = static_cast<Eigen::Index>(candidates.size());
+    candidates.push_back({term.name, {{term, axes.col(axis)}}});
+    regressors.push_back({space.add(candidates.back().shapes[0].basis)});
   }
   space.finish();
   return find_hypotheses(space, candidates, regressors);
@@ -66,10 +66,12 @@ class Directions {
   void add(const std::string& effect, const std::vector<Eigen::VectorXd>& shapes) {
     const model::EffectTerm term = model::parse_effects(effect)[0];
     candidates_.push_back({term.name, {}});
-    regressors_.emplace_back();
     for (const Eigen::VectorXd& shape : shapes) {
       candidates_.back().shapes.push_back({term, shape.normalized()});
-      regressors_.back().push_back(space_.add(shape.normalized()));
+    }
+    regressors_.emplace_back();
+    for (const Candidate::Shape& shape : candidates_.back().shapes) {
+      regressors_.back().push_back(space_.add(shape.basis));
     }
   }
   Eigen::VectorXd axis(Eigen::Index i) const { return Eigen::VectorXd::Unit(size_, i); }

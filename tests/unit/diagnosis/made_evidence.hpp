@@ -31,14 +31,15 @@ class MadeEvidence {
     fogcomp::diagnosis::RegressorBasis regressors;
     for (const std::vector<std::string>& shapes : candidates) {
       all.emplace_back();
-      regressors.emplace_back();
       for (const std::string& shape : shapes) {
         const fogcomp::model::EffectTerm term = fogcomp::model::parse_effects(shape)[0];
-        const Eigen::MatrixXd basis =
-            fogcomp::orthonormal(residualizer(series_.regressors(term)).columns);
         all.back().effect = term.name;
-        all.back().shapes.push_back({term, basis, 0});
-        regressors.back().push_back(space.add(basis));
+        all.back().shapes.push_back(
+            {term, fogcomp::orthonormal(residualizer(series_.regressors(term)).columns), 0});
+      }
+      regressors.emplace_back();
+      for (const fogcomp::diagnosis::Candidate::Shape& shape : all.back().shapes) {
+        regressors.back().push_back(space.add(shape.basis));
       }
     }
     const fogcomp::series::ColumnRange structure = space.add(smooth.all);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -27,6 +29,10 @@ Eigen::MatrixXd noise_columns(Eigen::Index columns, std::uint64_t seed) {
 // Effects of one and two columns, several similar shapes each, and six smooth functions.
 NullTest tested(const Eigen::VectorXd& residual, std::size_t effects = 5, std::uint64_t seed = 1) {
   ExplainedSpace space(residual);
+  std::deque<Eigen::MatrixXd> columns;
+  const auto add = [&](const Eigen::MatrixXd& some) {
+    return space.add(columns.emplace_back(orthonormal(some)));
+  };
   RegressorBasis regressors;
   for (std::size_t effect = 0; effect < effects; ++effect) {
     regressors.emplace_back();
@@ -34,10 +40,10 @@ NullTest tested(const Eigen::VectorXd& residual, std::size_t effects = 5, std::u
         noise_columns(1 + static_cast<Eigen::Index>(effect) % 2, 100 + effect);
     for (std::uint64_t shape = 0; shape < 4; ++shape) {
       const Eigen::MatrixXd other = noise_columns(base.cols(), 1000 + 10 * effect + shape);
-      regressors.back().push_back(space.add(orthonormal(base + other)));
+      regressors.back().push_back(add(base + other));
     }
   }
-  const ColumnRange structure = space.add(orthonormal(noise_columns(6, 99)));
+  const ColumnRange structure = add(noise_columns(6, 99));
   space.finish();
   return test_against_noise(space, regressors, structure, kFreedom, seed);
 }

@@ -41,11 +41,12 @@ class WalkingRows {
     for (const char* const effect : {"temperature_rate", "thermal_hysteresis:radius=5", "aging",
                                      "polarization_ripple:period=9"}) {
       const model::EffectTerm term = model::parse_effects(effect)[0];
-      const Eigen::MatrixXd basis = axes_.col(axis++);
-      evidence.candidates.push_back({term.name, {{term, basis, 0}}});
-      evidence.regressors.push_back({evidence.space.add(basis)});
+      evidence.candidates.push_back({term.name, {{term, axes_.col(axis++), 0}}});
+      evidence.regressors.push_back(
+          {evidence.space.add(evidence.candidates.back().shapes[0].basis)});
     }
-    evidence.structure = evidence.space.add(axes_.middleCols(4, 2));
+    const Eigen::MatrixXd structure = axes_.middleCols(4, 2);
+    evidence.structure = evidence.space.add(structure);
     Eigen::MatrixXd modes = axes_.middleCols(6, kModes);
     for (Eigen::Index k = 0; k < kModes; ++k)
       modes.col(k) *= 30 / kWalk / static_cast<double>(k + 1);

@@ -38,6 +38,35 @@ TEST(ExplainedSpace, CountsAColumnThatIsThereTwiceOnce) {
   EXPECT_NEAR(space.chi2_drop({first, second}), space.chi2_drop({first}), 1e-5);
 }
 
+// More rows than are taken at once.
+TEST(ExplainedSpace, SumsOverAllRows) {
+  const Eigen::VectorXd residual = noise(2500, 1, 6);
+  const Eigen::MatrixXd a = noise(2500, 2, 7).colwise().normalized();
+  ExplainedSpace space(residual);
+  space.add(a);
+  space.finish();
+  EXPECT_LT((space.gram() - a.transpose() * a).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_LT((space.projection() - a.transpose() * residual).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+TEST(ExplainedSpace, ProjectsColumnsOut) {
+  const Eigen::VectorXd residual = noise(200, 1, 8);
+  const Eigen::MatrixXd a = noise(200, 2, 9).colwise().normalized();
+  const Eigen::MatrixXd b =
+      (noise(200, 3, 10) + 0.1 * a.col(0).replicate(1, 3)).colwise().normalized();
+  const Eigen::MatrixXd none(200, 0);
+  ExplainedSpace space(residual);
+  const auto in_a = space.add(a);
+  const auto in_b = space.add(b);
+  const auto in_none = space.add(none);
+  space.finish();
+  const ExplainedSpace beside = space.without(in_b);
+  EXPECT_NEAR(beside.chi2_drop({in_a}), space.chi2_drop({in_a, in_b}) - space.chi2_drop({in_b}),
+              1e-5);
+  EXPECT_NEAR(beside.chi2_drop({in_b}), 0, 1e-9);
+  EXPECT_EQ(space.without(in_none).gram(), space.gram());
+}
+
 TEST(LogEvidence, AsksForMoreThanOneUnitAColumn) {
   EXPECT_EQ(log_evidence(1.9, 2), 0);
   EXPECT_GT(log_evidence(30, 1), log_evidence(30, 4));
