@@ -8,6 +8,7 @@
 #include "diagnosis/model_fit.hpp"
 #include "diagnosis/refit.hpp"
 #include "fit/decision_rules.hpp"
+#include "support/parallel.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
@@ -65,10 +66,10 @@ std::vector<CandidateFinding> find_of_candidates(const EvidenceSpace& evidence,
                                                  const std::vector<Hypothesis>& hypotheses,
                                                  double excess, const series::SignalSeries& series,
                                                  const fit::NoiseWeightedFit& fit) {
-  std::vector<CandidateFinding> findings;
-  for (std::size_t i = 0; i < evidence.candidates.size(); ++i) {
-    findings.push_back(find_of(i, evidence, hypotheses, excess, series, fit));
-  }
+  std::vector<CandidateFinding> findings(evidence.candidates.size());
+  for_each_index(findings.size(), [&](std::size_t i) {
+    findings[i] = find_of(i, evidence, hypotheses, excess, series, fit);
+  });
   return findings;
 }
 

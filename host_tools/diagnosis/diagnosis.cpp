@@ -13,7 +13,7 @@
 #include "diagnosis/residual_place.hpp"
 #include "model/catalogue.hpp"
 #include "model/shape_limits.hpp"
-#include "support/decompositions.hpp"
+#include "support/parallel.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::diagnosis {
@@ -100,14 +100,31 @@ void decide(const model::Model& model, double slow_excess, const FastFinding& fa
   if (may_be_named && !fast_left && !diagnosis.walk.may_be_all()) name_effects(model, diagnosis);
 }
 
+struct Weighed {
+  NullTest test;
+  std::vector<Hypothesis> hypotheses;
+};
+
+// Both side by side: neither needs the other.
+Weighed weigh(const EvidenceSpace& evidence, double degrees_of_freedom, std::uint64_t seed) {
+  Weighed weighed;
+  for_each_index(2, [&](std::size_t i) {
+    if (i == 0) {
+      weighed.test = test_against_noise(evidence.space, evidence.regressors, evidence.structure,
+                                        degrees_of_freedom, seed);
+    } else {
+      weighed.hypotheses =
+          find_hypotheses(evidence.space, evidence.candidates, evidence.regressors);
+    }
+  });
+  return weighed;
+}
+
 // Tests the residual against noise, compares the hypotheses and sets the verdict.
 void judge(const model::Model& model, const EvidenceSpace& evidence,
            const series::SignalSeries& series, const fit::NoiseWeightedFit& fit, std::uint64_t seed,
            Diagnosis& diagnosis) {
-  const NullTest test = test_against_noise(evidence.space, evidence.regressors, evidence.structure,
-                                           fit.noise.degrees_of_freedom, seed);
-  const std::vector<Hypothesis> hypotheses =
-      find_hypotheses(evidence.space, evidence.candidates, evidence.regressors);
+  const auto [test, hypotheses] = weigh(evidence, fit.noise.degrees_of_freedom, seed);
   if (hypotheses.empty()) return;
   const Explanation explanation =
       explain(evidence.space, evidence.regressors, evidence.structure, hypotheses);

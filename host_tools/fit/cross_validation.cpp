@@ -68,7 +68,8 @@ Fold leave_out(KnownRegressors& known, const std::vector<model::EffectTerm>& ter
       with.run_offsets ? offsets_of_fitted(rows, weights) : Eigen::MatrixXd(rows.size(), 0);
   WhitenedProblem problem(known, whitening, terms, offsets);
   const std::vector<model::ShapeParameter> shapes = model::shape_parameters(terms);
-  search_shapes(problem, shapes, std::vector<bool>(shapes.size(), true));
+  // On all rows the shapes were found: by the fit that is judged.
+  search_shapes(problem, shapes, std::vector<bool>(shapes.size(), !left_out.empty()));
   const LinearFit fit = problem.solve();
   Fold fold;
   fold.determined = fit.rank == fit.coefficients.size();
