@@ -24,6 +24,13 @@ namespace fogcomp::diagnosis {
 enum class Verdict : std::uint8_t { none, missing_effect, ambiguous, unknown };
 const char* name_of(Verdict verdict);
 
+/// Why what a diagnosis names is something else.
+enum class Refuted {
+  no,
+  out_of_sample,  ///< it fails there, and a description leaves far less (rules::kRefutes)
+  by_formula      ///< it needs an event beside it; a formula that needs none is as certain as names
+};
+
 struct Diagnosis {
   Verdict verdict = Verdict::none;
   std::string effect;                        ///< the one named, "" unless missing_effect
@@ -51,9 +58,9 @@ struct Diagnosis {
   /// For the verdict unknown: noise alone may look like this, but an effect would lower the error
   /// clearly.
   bool faint = false;
-  /// For the verdict unknown: what was named, until it was found to fail out of sample beside a
-  /// description; else "".
+  /// For the verdict unknown: what was named until it was refuted; else "".
   std::string withdrawn;
+  Refuted refuted = Refuted::no;
   FastStructure fast;
   TwoLevels jumps;
   FastKind fast_kind = FastKind::none;  ///< the surest of these, where it is sure and counts
@@ -109,7 +116,7 @@ bool helps_clearly(const Diagnosis& diagnosis, const CandidateFinding& finding);
 bool is_mainly_fast(const Diagnosis& diagnosis);
 
 /// Takes a name back: the verdict becomes unknown.
-void withdraw_name(Diagnosis& diagnosis);
+void withdraw_name(Diagnosis& diagnosis, Refuted refuted);
 
 /// Decides whether the effects of `model` leave more than noise and, if so, which effect of the
 /// catalogue or expression of data.offered() is missing. A network is left out; a separate step

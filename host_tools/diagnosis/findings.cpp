@@ -32,7 +32,8 @@ bool is_mainly_fast(const Diagnosis& diagnosis) {
   return diagnosis.fast_share >= rules::kMainPart;
 }
 
-void withdraw_name(Diagnosis& diagnosis) {
+void withdraw_name(Diagnosis& diagnosis, Refuted refuted) {
+  diagnosis.refuted = refuted;
   diagnosis.withdrawn =
       diagnosis.confusable.empty() ? diagnosis.effect : join(diagnosis.confusable, " or ");
   diagnosis.verdict = Verdict::unknown;

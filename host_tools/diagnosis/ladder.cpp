@@ -52,7 +52,7 @@ Look look_at(const model::Model& model, const DiagnosisData& data, const Judging
   DiagnosisSettings unheard = settings;
   unheard.progress = nullptr;
   look.next = find_next_step(model, look.diagnosis, data, judge, unheard);
-  if (look.next.refutes_name) withdraw_name(look.diagnosis);
+  if (look.next.name_is != Refuted::no) withdraw_name(look.diagnosis, look.next.name_is);
   return look;
 }
 

@@ -290,6 +290,29 @@ void sort_by_explained(std::vector<Description>& descriptions) {
   });
 }
 
+// Whether the most probable set needs an event beside what is named. An event explains whatever the
+// name leaves: a formula that needs none may be the truth.
+bool needs_event(const Diagnosis& diagnosis, const std::vector<std::string>& named) {
+  if (diagnosis.explanations.empty()) return false;
+  const std::vector<std::string>& likeliest = diagnosis.explanations.front().effects;
+  const std::size_t events = events_among(diagnosis, likeliest).size();
+  return events > 0 && events < likeliest.size() && events_among(diagnosis, named).empty();
+}
+
+// Tries formulas against a name; none unless they are more certain than names have to be.
+bool try_forms(const model::Model& model, const Diagnosis& diagnosis, const DiagnosisData& data,
+               const DiagnosisSettings& settings, AdditionJudge& judge, NextStep& next) {
+  NextStep instead;
+  std::vector<Description> formulas;
+  add_formulas(model, diagnosis, data, settings, instead, formulas);
+  double probability = 0;
+  for (const Form& form : instead.forms) probability += form.share;
+  if (probability < rules::kNamed || !describe(std::move(formulas), judge, instead)) return false;
+  instead.name_is = Refuted::by_formula;
+  next = std::move(instead);
+  return true;
+}
+
 // Whether most of what is missing may be a function of the signals.
 bool is_function_of_signals(const Diagnosis& diagnosis) {
   return !is_mainly_fast(diagnosis) && !diagnosis.walk.may_be_all();
@@ -297,8 +320,9 @@ bool is_function_of_signals(const Diagnosis& diagnosis) {
 
 // Whether the first refusal, of what the diagnosis names, and the accepted description contradict
 // the name.
-bool refutes_name(const NextStep& next) {
-  if (!next.describes || next.refused.empty()) return false;
+bool refutes_name(const Diagnosis& diagnosis, const NextStep& next) {
+  if (diagnosis.verdict == Verdict::unknown || !next.describes || next.refused.empty())
+    return false;
   const TriedAddition& named = next.refused.front();
   const bool helps_hardly = named.left() > 1 - rules::kHardlyHelps && !named.may_be_walk;
   return named.rms_before_dph > 0 && helps_hardly &&
@@ -329,6 +353,8 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   if (!events.empty()) named = events;
   std::vector<Description> descriptions;
   if (diagnosis.verdict != Verdict::unknown) {
+    const bool may_be_formula = !is_little && needs_event(diagnosis, named);
+    if (may_be_formula && try_forms(model, diagnosis, data, settings, judge, next)) return next;
     if (try_named(diagnosis, named, is_one, judge, next) || is_little) return next;
     if (try_instead(diagnosis, named, judge, next)) return next;
   } else {
@@ -347,7 +373,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   sort_by_explained(descriptions);
   const bool described = describe(std::move(descriptions), judge, next);
   next.together.clear();
-  next.refutes_name = described && diagnosis.verdict != Verdict::unknown && refutes_name(next);
+  if (described && refutes_name(diagnosis, next)) next.name_is = Refuted::out_of_sample;
   if (!described && may_learn(model, diagnosis, runs)) {
     next.describes = true;
     try_out({{fit::kNetworkName}, ""}, judge, next);

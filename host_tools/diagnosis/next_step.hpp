@@ -22,10 +22,8 @@ struct NextStep {
   std::optional<TriedAddition> addition;
   /// Names, if the catalogue explains the residual and only these together are accepted.
   std::vector<std::string> together;
-  bool describes = false;  ///< the addition lowers the error, and says nothing of the cause
-  /// What the diagnosis names does not help out of sample, and the description lowers the error far
-  /// more (rules::kRefutes): it is something else.
-  bool refutes_name = false;
+  bool describes = false;         ///< the addition lowers the error, and says nothing of the cause
+  Refuted name_is = Refuted::no;  ///< what the diagnosis names
   std::vector<TriedAddition> refused;
   /// Everything left may be inexactness of the present terms, compared with what was removed:
   /// nothing is tried.

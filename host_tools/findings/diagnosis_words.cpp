@@ -35,7 +35,10 @@ Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
   if (diagnosis.faint) return {"something may be missing, too faint to be named", ""};
   if (!diagnosis.withdrawn.empty()) {
     return {"something is missing that no effect of the catalogue explains: what looks like " +
-                diagnosis.withdrawn + " does not hold out of sample",
+                diagnosis.withdrawn +
+                (diagnosis.refuted == diagnosis::Refuted::by_formula
+                     ? " needs a bias step beside it, and a formula needs none"
+                     : " does not hold out of sample"),
             ""};
   }
   const bool is_fast = diagnosis.fast_kind != diagnosis::FastKind::none;

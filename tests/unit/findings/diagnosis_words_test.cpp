@@ -68,12 +68,17 @@ TEST(DiagnosisWords, OfSomethingFaintNameNothing) {
 
 TEST(DiagnosisWords, OfAWithdrawnNameSayWhatItLookedLike) {
   diagnosis::Diagnosis found = only_together();
-  withdraw_name(found);
+  diagnosis::Diagnosis by_formula = found;
+  withdraw_name(found, diagnosis::Refuted::out_of_sample);
   EXPECT_EQ(found.verdict, diagnosis::Verdict::unknown);
   EXPECT_EQ(found.effect, "");
   EXPECT_EQ(words_of(found, {}, kFiles).verdict,
             "something is missing that no effect of the catalogue explains: what looks like aging "
             "does not hold out of sample");
+  withdraw_name(by_formula, diagnosis::Refuted::by_formula);
+  EXPECT_EQ(words_of(by_formula, {}, kFiles).verdict,
+            "something is missing that no effect of the catalogue explains: what looks like aging "
+            "needs a bias step beside it, and a formula needs none");
 }
 
 TEST(DiagnosisWords, AddWithABiasForEachRunWhereItWasJudgedSo) {

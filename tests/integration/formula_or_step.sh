@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# formula_or_step.sh FOGCOMP: strain that follows the square of the temperature rate, late, is hidden on a programme
+# on which T dT/dt with a bias step imitates it. The form is found and proposed all the same. Where T dT/dt and a step
+# are hidden, they are named.
+set -euo pipefail
+source "$(dirname "$0")/common.sh"
+fogcomp=$(realpath "${1:?usage: formula_or_step.sh FOGCOMP}")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+# gyro NAME PROFILE SEED PART...: a recording of a gyro with these parts, and the model of a gyro without.
+gyro() {
+  local name=$1 profile=$2 seed=$3 parts=() part
+  shift 3
+  for part in bias bias_temperature temperature_rate:coefficient=0.054 "$@"; do parts+=(--effect "$part"); done
+  "$fogcomp" simulate -o "$name.csv" --profile "$profile" --seed "$seed" --preset none \
+    --noise white=0.0025,flicker=0.0007 "${parts[@]}" >/dev/null
+  "$fogcomp" fit "$name.csv" -o "$name.model" --effects bias,bias_temperature:order=3,temperature_rate >/dev/null
+  "$fogcomp" diagnose "$name.model" "$name.csv" --json >"$name.json"
+}
+
+for case in 902:300:8 904:600:5; do
+  IFS=: read -r seed tau_s scale <<<"$case"
+  gyro late power_cycles "$seed" "squared_lag:tau_s=$tau_s,scale=$scale"
+  likeliest=$(value late.json explanations 0 effects | tr -d '[] \n')
+  [[ $likeliest == '"temperature_rate_product","bias_step"' ]] || fail "no imitation: $(cat late.json)"
+  [[ $(value late.json verdict) == unknown && $(value late.json forms 0 name) == 'lag(dTdt,tau)^2' ]] ||
+    fail "seed $seed: $(cat late.json)"
+  "$fogcomp" diagnose late.model late.csv >late.txt
+  grep -q 'what looks like temperature_rate_product.* needs a bias step beside it, and a formula needs none$' late.txt ||
+    fail "$(cat late.txt)"
+  eval "\"\$fogcomp\" $(sed -n 's/^  next: fogcomp //p' late.txt)" >added.txt || fail "refused: $(cat added.txt)"
+done
+
+gyro both paper 903 temperature_rate_product:scale=5 bias_step:peak=0.05
+[[ $(value both.json explanations 0 effects | tr -d '[] \n') == '"temperature_rate_product","bias_step"' &&
+  $(value both.json effect) == temperature_rate_product ]] || fail "$(cat both.json)"
