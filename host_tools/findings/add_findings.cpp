@@ -1,5 +1,6 @@
 #include "findings/add_findings.hpp"
 
+#include "findings/bias_step_words.hpp"
 #include "findings/figures.hpp"
 #include "findings/network_words.hpp"
 #include "findings/run_plots.hpp"
@@ -63,6 +64,15 @@ void add_parts(Document& document, const fit::Addition& addition) {
   document.table(std::move(table));
 }
 
+// Whose bias the model has where a step is part of it.
+void add_steps(Document& document, const fit::Addition& addition) {
+  const std::vector<model::EffectTerm> steps = found_steps(addition.model);
+  const std::vector<std::string> files = step_files(addition);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    document.sentence(bias_step_words(steps[i], files.at(i)));
+  }
+}
+
 Text before_and_after(const fit::Addition::RunError& run) {
   return "Rms " + number(run.rms_before_dph) + " deg/h before, " + number(run.rms_after_dph) +
          " after.";
@@ -90,6 +100,14 @@ void add_run(Document& document, const fit::Addition::RunError& run, const std::
 
 }  // namespace
 
+std::vector<std::string> step_files(const fit::Addition& addition) {
+  std::vector<std::string> files;
+  for (const fit::FoundStep& step : addition.fit.identified.steps) {
+    files.push_back(addition.runs.at(step.run).file);
+  }
+  return files;
+}
+
 Document add_findings(const fit::Addition& addition, const std::string& model,
                       const std::string& written) {
   model::Model changed;
@@ -111,6 +129,7 @@ Document add_findings(const fit::Addition& addition, const std::string& model,
   for (const std::string& warning : addition.fit.identified.warnings) {
     document.sentence("note: " + words(warning, names));
   }
+  add_steps(document, addition);
   if (addition.fit.network_judged) document.sentence(words(network_verdict(addition.fit)));
   if (!addition.parts.empty()) add_parts(document, addition);
   if (!changed.terms.empty()) document.listing(model::describe(changed));

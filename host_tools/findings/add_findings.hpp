@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "findings/document.hpp"
 #include "fit/add_effect.hpp"
@@ -11,5 +12,8 @@ namespace fogcomp::findings {
 /// model; `written`: the new file, "" if none was written.
 Document add_findings(const fit::Addition& addition, const std::string& model,
                       const std::string& written);
+
+/// The recording of each bias step that the fit of an addition found, in their order.
+std::vector<std::string> step_files(const fit::Addition& addition);
 
 }  // namespace fogcomp::findings

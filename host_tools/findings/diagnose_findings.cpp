@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compare/comparison.hpp"
+#include "findings/bias_step_words.hpp"
 #include "findings/figures.hpp"
 #include "findings/labels.hpp"
 #include "findings/next_export.hpp"
@@ -115,7 +116,18 @@ void add_untestable(Document& document, const diagnosis::Diagnosis& diagnosis) {
   document.sentence(words("not visible in these recordings: " + list));
 }
 
-void add_ladder(Document& document, const diagnosis::Ladder& ladder, const DiagnosedFiles& files,
+// File of the recording in which a step was found; "" where there is only one.
+std::string file_of(const model::EffectTerm& step, const diagnosis::DiagnosisData& data,
+                    const std::vector<std::string>& runs) {
+  const std::vector<recording::RowRange> ranges = data.series().rows().runs();
+  for (std::size_t i = 0; i < ranges.size() && ranges.size() > 1; ++i) {
+    if (data.series().recording_of(ranges[i].first) == step.recording) return runs[i];
+  }
+  return "";
+}
+
+void add_ladder(Document& document, const diagnosis::Ladder& ladder,
+                const diagnosis::DiagnosisData& data, const DiagnosedFiles& files,
                 const std::vector<std::string>& names) {
   document.heading("Error ladder");
   Table table;
@@ -140,6 +152,9 @@ void add_ladder(Document& document, const diagnosis::Ladder& ladder, const Diagn
   document.table(std::move(table));
   document.sentence(words(end_words(ladder), names));
   if (ladder.steps.empty()) return;
+  for (const model::EffectTerm& step : found_steps(ladder.model)) {
+    document.sentence(bias_step_words(step, file_of(step, data, files.runs)));
+  }
   document.sentence("the same, step by step:");
   document.listing("  " + join(ladder_commands(ladder, files), "\n  ") + "\n");
 }
@@ -364,7 +379,7 @@ Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
   add_explanations(document, diagnosis);
   add_candidates(document, diagnosis);
   add_untestable(document, diagnosis);
-  if (loop_wanted) add_ladder(document, ladder, files, names);
+  if (loop_wanted) add_ladder(document, ladder, data, files, names);
   add_where(document, diagnosis, data, files.runs);
   const std::vector<recording::RowRange> ranges = data.series().rows().runs();
   for (std::size_t i = 0; i < ranges.size(); ++i) {

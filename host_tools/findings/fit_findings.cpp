@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "findings/bias_step_words.hpp"
 #include "findings/compare_words.hpp"
 #include "findings/figures.hpp"
 #include "findings/history_findings.hpp"
@@ -52,14 +53,9 @@ void add_rows(Document& document, const FitOutcome& fit) {
 
 void add_steps(Document& document, const FitOutcome& fit) {
   const fit::Identification& identified = fit.result.identified;
-  for (std::size_t i = 0; i < identified.steps.size(); ++i) {
-    const fit::FoundStep& step = identified.steps[i];
-    document.sentence(words(format("bias step of %s +- %.2g deg/h at %.6g +- %.2g s (",
-                                   signed_rounded(step.size_dph).c_str(), step.size_sigma_dph,
-                                   step.time_s, step.time_sigma_s)) +
-                      verbatim(fit.step_places[i]) +
-                      (step.others_follow ? "); the model's bias is that after it"
-                                          : "); the model's bias is that before it"));
+  const std::vector<model::EffectTerm> steps = found_steps(fit.model);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    document.sentence(bias_step_words(steps[i], fit.step_places.at(i)));
   }
   if (identified.masked > 0) {
     document.sentence(words(counted(identified.masked, "row") + " left out, in which a step lies"));

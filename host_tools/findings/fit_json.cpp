@@ -1,5 +1,5 @@
+#include "findings/bias_step_words.hpp"
 #include "findings/json.hpp"
-
 #include "findings/network_words.hpp"
 
 namespace fogcomp::findings {
@@ -19,17 +19,12 @@ Json terms_json(const model::Model& model) {
 }
 
 Json steps_json(const FitOutcome& fit) {
-  Json steps = Json::array();
-  for (std::size_t i = 0; i < fit.result.identified.steps.size(); ++i) {
-    const fit::FoundStep& step = fit.result.identified.steps[i];
-    steps.push(Json::object()
-                   .set("place", fit.step_places[i])
-                   .set("time_s", step.time_s)
-                   .set("time_sigma_s", step.time_sigma_s)
-                   .set("size_dph", step.size_dph)
-                   .set("size_sigma_dph", step.size_sigma_dph));
+  const std::vector<model::EffectTerm> steps = found_steps(fit.model);
+  Json json = Json::array();
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    json.push(bias_step_json(steps[i], fit.step_places.at(i)));
   }
-  return steps;
+  return json;
 }
 
 }  // namespace

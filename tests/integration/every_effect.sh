@@ -66,7 +66,15 @@ awk -F, -v OFS=, '/^[0-9]/ && $1 >= 26000 { $3 += 0.3 } { print }' warm.csv >ste
 "$fogcomp" fit step.csv -o step.model --effects bias,warm_up:tau=3600,bias_step >step.txt
 grep -Eq "^  bias step of \+0\.(29|30|31)[0-9]* \+- 0\.0[0-9]+ deg/h at (259|260)[0-9]{2}" step.txt ||
   { cat step.txt >&2; exit 1; }
-grep -q "(step.csv, soak 20)" step.txt
+grep -q "(step.csv, soak 20); the model's bias is that after it$" step.txt
+# Whose bias a board will have is said wherever a step is added.
+"$fogcomp" fit step.csv -o stepless.model --effects bias,warm_up:tau=3600 >/dev/null
+"$fogcomp" add stepless.model bias_step step.csv -o added.model >added.txt
+"$fogcomp" diagnose stepless.model step.csv --max-effects 1 -o ladder.model >ladder.txt
+for said in added.txt ladder.txt; do
+  grep -Eq "^  bias step of \+0\.[0-9]+ .* s( \(step\.csv\))?; the model's bias is that after it$" "$said" ||
+    { cat "$said" >&2; exit 1; }
+done
 "$fogcomp" export step.model -o fog_model.h | grep "^note: bias_step is left out" >/dev/null
 [[ $refused == " aging" ]] || { echo "refused:$refused" >&2; exit 1; }
 echo "$count effects fitted, printed, compared and exported; warm-up $early deg/h, begun late $late deg/h"

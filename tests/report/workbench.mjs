@@ -464,6 +464,20 @@ const steady = async (browser) => {
   bench.silent();
 };
 
+// Whose bias the model has where a bias step is found, as `fit` says it.
+const stepped = async (browser) => {
+  const bench = await Bench.open(browser, "stepped.html");
+  await bench.state(0);
+  await bench.click("#effect_bias_step");
+  await bench.state(1);
+  const side = "; the model's bias is that after it.";
+  for (const place of ["notes", "effects"]) {
+    const text = await bench.tab.evaluate(`document.getElementById("${place}").textContent`);
+    check("stepped", text.includes(side), `${place} say nothing of the model's bias: ${text}`);
+  }
+  bench.silent();
+};
+
 // A recording too large for the memory is refused, and the next one is read.
 const memory = async (browser) => {
   const bench = await Bench.open(
@@ -713,8 +727,8 @@ const files = async (browser) => {
 const browser = new Browser(program);
 try {
   for (const part of only
-    ? [{ loop, keyboard, session, trouble, steady, memory, escape, rate_table, report, long, files }[only]]
-    : [loop, keyboard, session, trouble, steady, memory, escape, rate_table, report, long, files]) {
+    ? [{ loop, keyboard, session, trouble, steady, stepped, memory, escape, rate_table, report, long, files }[only]]
+    : [loop, keyboard, session, trouble, steady, stepped, memory, escape, rate_table, report, long, files]) {
     const begin = Date.now();
     await part(browser);
     console.log(`${part.name}: done in ${((Date.now() - begin) / 1000).toFixed(1)} s`);

@@ -28,6 +28,9 @@ cp "$example" mems.csv
 effects=bias,bias_temperature:order=2,temperature_rate,temperature_rate_product
 "$fogcomp" fit run.csv -o steady.model --effects $effects >/dev/null
 "$fogcomp" workbench steady.model run.csv -o steady.html >/dev/null
+awk -F, -v OFS=, '/^[0-9]/ && $1 >= 26000 { $3 += 0.3 } { print }' run.csv >stepped.csv
+"$fogcomp" fit stepped.csv -o stepped.model --effects $effects >/dev/null
+"$fogcomp" workbench stepped.model stepped.csv -o stepped.html >/dev/null
 hostile='<img src=x onerror=document.title="gone">.csv'
 awk -F, -v OFS=, '/^time_s/ { print "time_s", "temperature_degc", "<b>rate</b> [deg/h]"; next } 1' mems.csv >"$hostile"
 "$fogcomp" workbench "$hostile" -o hostile.html --columns 'rate=<b>rate</b> [deg/h]' >/dev/null

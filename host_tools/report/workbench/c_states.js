@@ -112,6 +112,8 @@ const diagnose_words = (model, masks) => [
 ];
 
 const words_of_terms = (view) => view.terms.map((term) => term.words);
+// Sentences about the bias steps that were found.
+const steps_of = (view) => view.terms.map((term) => term.step).filter(Boolean);
 const effects_of = (view) =>
   view.terms
     .filter((term) => !term.is_expression)

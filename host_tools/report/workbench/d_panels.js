@@ -76,7 +76,7 @@ const shape_control = (term, parameter, change) => {
 // A name that may break after its underscores.
 const breakable = (name) => name.split(/(?<=_)/).flatMap((part, i) => (i > 0 ? [make("wbr"), part] : [part]));
 
-// Details of a term of the model: coefficients, shape parameters, doubts and notes.
+// Details of a term of the model: coefficients, shape parameters, whose bias it leaves, doubts and notes.
 const about_term = (term, notes, change) => {
   const rows = term.coefficients.map(({ symbol, value, sigma, unit }) =>
     make(
@@ -92,7 +92,7 @@ const about_term = (term, notes, change) => {
     ...(term.is_expression
       ? []
       : term.parameters.filter((one) => one.max > one.min).map((one) => shape_control(term, one, change))),
-    ...[term.doubt, ...notes.filter((note) => note.includes(`‘${term.effect}’`))]
+    ...[term.step, term.doubt, ...notes.filter((note) => note.includes(`‘${term.effect}’`))]
       .filter(Boolean)
       .map((text) => make("p", { textContent: text })),
   ];

@@ -184,7 +184,7 @@
         words,
         label,
         masks,
-        notes: [...fitted.remarks, fitted.no_step].filter(Boolean),
+        notes: [...fitted.remarks, fitted.no_step, ...steps_of(fitted)].filter(Boolean),
         view: await view_of(model, masks),
       });
     });
@@ -208,7 +208,7 @@
         label: `+ ${answer.add.effects.join(", ")}`,
         masks,
         judged: { good: answer.add.accepted, reason: answer.reason },
-        notes: answer.remarks,
+        notes: [...answer.remarks, ...steps_of(answer)],
         view: await view_of(model, masks),
       });
     });

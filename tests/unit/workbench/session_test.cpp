@@ -32,7 +32,8 @@ class Workbench : public testing::Test {
 
   static std::string path(const std::string& name) { return recording::temporary_path(name); }
 
-  static void write_run(const std::string& name, double swing) {
+  // `jump_dph`: of the bias, at 8000 s.
+  static void write_run(const std::string& name, double swing, double jump_dph = 0) {
     std::ofstream file(path(name));
     file << "time_s,temperature_degc,rate_dph\n";
     std::uint32_t draw = 12345;
@@ -40,7 +41,8 @@ class Workbench : public testing::Test {
       const double phase = swing * row / 100.0;
       draw = draw * 1664525U + 1013904223U;
       const double noise = draw / 4294967296.0 - 0.5;
-      const double rate = 0.5 + 0.01 * std::sin(phase) + 0.2 * std::cos(phase) + 0.02 * noise;
+      const double bias = 0.5 + (row >= 800 ? jump_dph : 0);
+      const double rate = bias + 0.01 * std::sin(phase) + 0.2 * std::cos(phase) + 0.02 * noise;
       file << format("%d,%.5f,%.6f\n", 10 * row, 20 + 30 * std::sin(phase), rate);
     }
   }
@@ -150,6 +152,24 @@ TEST_F(Workbench, SaysThatNoBiasStepIsFound) {
   EXPECT_TRUE(holds(fit("bias,temperature_rate,bias_step"),
                     "\"no_step\":\"No bias step stands out of the noise (χ² above 60).\""));
   EXPECT_TRUE(holds(fit("bias,temperature_rate"), "\"no_step\":\"\""));
+}
+
+// Of a fit, of `add`, and of the model whenever it is shown.
+TEST_F(Workbench, SaysWhoseBiasTheModelHasBesideABiasStep) {
+  write_run("jump.csv", 0.7, 0.3);
+  const std::string side = "; the model's bias is that after it.\"";
+  const std::string effects = "bias,temperature_rate";
+  const auto fit = [&](const std::string& list, const std::string& model) {
+    return ask({"fit", path("jump.csv"), "--effects", list, "--mask", "0..300", "-o", path(model)});
+  };
+  const std::string fitted = fit(effects + ",bias_step", "jump.model");
+  EXPECT_TRUE(holds(fitted, "\"step\":\"Bias step of +0.")) << fitted;
+  EXPECT_TRUE(holds(fitted, side)) << fitted;
+  EXPECT_TRUE(holds(ask({"compare", path("jump.model"), path("jump.csv")}), side));
+  EXPECT_FALSE(holds(fit(effects, "flat.model"), side));
+  EXPECT_TRUE(holds(ask({"add", path("flat.model"), "bias_step", path("jump.csv"), "--mask",
+                         "0..300", "-o", path("stepped.model")}),
+                    side));
 }
 
 TEST_F(Workbench, AppliesAndExportsAsTheCommandsDo) {

@@ -1,0 +1,47 @@
+#include "findings/bias_step_words.hpp"
+
+#include "findings/figures.hpp"
+#include "model/catalogue.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+// Whose bias the model has.
+const char* side_of(const model::EffectTerm& step) {
+  return step.others_follow ? "after" : "before";
+}
+
+}  // namespace
+
+bool is_found_step(const model::EffectTerm& term) {
+  return model::is_event(term) && term.identified[0] && !term.coefficients_dph.empty();
+}
+
+std::vector<model::EffectTerm> found_steps(const model::Model& model) {
+  std::vector<model::EffectTerm> steps;
+  for (const model::EffectTerm& term : model.terms) {
+    if (is_found_step(term)) steps.push_back(term);
+  }
+  return steps;
+}
+
+Text bias_step_words(const model::EffectTerm& step, const std::string& place) {
+  Text text = words(format("bias step of %s +- %.2g deg/h at %.6g +- %.2g s",
+                           signed_rounded(step.coefficients_dph[0]).c_str(), step.sigma_dph[0],
+                           step.parameters[0], step.parameter_sigma[0]));
+  if (!place.empty()) text += " (" + verbatim(place) + ")";
+  return text + words(format("; the model's bias is that %s it", side_of(step)));
+}
+
+Json bias_step_json(const model::EffectTerm& step, const std::string& place) {
+  return Json::object()
+      .set("place", place.empty() ? Json() : Json(place))
+      .set("time_s", step.parameters[0])
+      .set("time_sigma_s", step.parameter_sigma[0])
+      .set("size_dph", step.coefficients_dph[0])
+      .set("size_sigma_dph", step.sigma_dph[0])
+      .set("model_bias", side_of(step));
+}
+
+}  // namespace fogcomp::findings
