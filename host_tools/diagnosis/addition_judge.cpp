@@ -8,6 +8,7 @@
 #include "fit/decision_rules.hpp"
 #include "fit/effect_change.hpp"
 #include "model/catalogue.hpp"
+#include "model/shape_limits.hpp"
 #include "support/input_error.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
@@ -39,6 +40,16 @@ std::string objection_to(const model::Model& grown, bool may_be_little) {
   }
   return "its gain is so small that it may only correct inexact terms of the model: let a run "
          "that was not fitted decide, with --holdout";
+}
+
+// Whether it is refused for a shape at the bound where an effect becomes a line in time.
+bool is_refused_as_line(const fit::Addition& addition) {
+  for (const std::size_t term : addition.changed) {
+    for (const model::ShapeDoubt& doubt : model::shape_doubts(addition.model.terms[term])) {
+      if (doubt.instead == model::kLineInTime && doubt.sentence == addition.reason) return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -121,6 +132,7 @@ TriedAddition AdditionJudge::tried(AdditionRequest request,
         addition->accepted ? objection_to(addition->model, may_be_little) : "";
     trial.accepted = addition->accepted && objection.empty();
     trial.may_be_walk = addition->chance_of_walk.value_or(0) >= fit::rules::kMaxChanceOfWalk;
+    trial.may_be_line = is_refused_as_line(*addition);
     trial.reason = objection.empty() ? addition->reason : objection;
     if (addition->out_of_sample) {
       trial.rms_before_dph = addition->out_of_sample->rms_before_dph;

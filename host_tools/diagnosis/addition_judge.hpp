@@ -26,6 +26,7 @@ struct TriedAddition {
   AdditionRequest request;
   bool accepted = false;
   bool may_be_walk = false;  ///< a random walk of the bias would explain as much
+  bool may_be_line = false;  ///< refused because a line in time would do as well
   std::string reason;        ///< one line: why it is accepted or not
   double rms_after_dph = 0;  ///< out of sample; both 0 for an event, which nothing else can judge
   double rms_before_dph = 0;

@@ -12,6 +12,7 @@
 #include "diagnosis/diagnosis_data.hpp"
 #include "diagnosis/experiment.hpp"
 #include "diagnosis/fast_finding.hpp"
+#include "diagnosis/line_in_time.hpp"
 #include "diagnosis/network_learnt.hpp"
 #include "diagnosis/residual_place.hpp"
 #include "diagnosis/walk_finding.hpp"
@@ -67,6 +68,10 @@ struct Diagnosis {
   double fast_share = 0;                ///< its fraction of the excess; 0 if it does not count
   /// Where that is most of it: the ripple over a late temperature that may make it, for `add`.
   std::optional<std::string> late_ripple;
+
+  /// What is refused as an effect, because one run cannot tell ageing from other slow changes: only
+  /// if significant. Set by stepwise_selection().
+  std::optional<LineInTime> line;
 
   double residual_rms_dph = 0;  ///< of a row, the model refitted to these runs
   /// Error of the given model on these runs, network included: what `compare` prints.

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <utility>
 
+#include "diagnosis/model_fit.hpp"
 #include "support/parallel.hpp"
 
 namespace fogcomp::diagnosis {
@@ -31,6 +32,17 @@ model::Model with_network(const model::Model& before, const TriedAddition& addit
   return try_to_add(before, addition.request, runs).model;
 }
 
+// The line in time for which an effect was refused, if it is significant. Several runs show by
+// themselves whether it goes on from one to the next.
+std::optional<LineInTime> refused_line(const model::Model& model, const DiagnosisData& data,
+                                       const JudgingRuns& runs, const NextStep& next,
+                                       const std::optional<noise::NoiseModel>& noise) {
+  const std::size_t count = runs.training.runs.size() + runs.holdouts.size();
+  if (count > 1 || !next.refused_line()) return std::nullopt;
+  const auto line = find_line_in_time(data, fit_for_diagnosis(model, data, noise));
+  return line && line->is_significant() ? line : std::nullopt;
+}
+
 // A diagnosis of a model and, if that is wanted, what to do next.
 struct Look {
   Diagnosis diagnosis;
@@ -53,6 +65,7 @@ Look look_at(const model::Model& model, const DiagnosisData& data, const Judging
   unheard.progress = nullptr;
   look.next = find_next_step(model, look.diagnosis, data, judge, unheard);
   if (look.next.name_is != Refuted::no) withdraw_name(look.diagnosis, look.next.name_is);
+  look.diagnosis.line = refused_line(model, data, runs, look.next, settings.noise);
   return look;
 }
 

@@ -338,6 +338,11 @@ bool may_learn(const model::Model& model, const Diagnosis& diagnosis, const Judg
 
 }  // namespace
 
+bool NextStep::refused_line() const {
+  return std::any_of(refused.begin(), refused.end(),
+                     [](const TriedAddition& one) { return one.may_be_line; });
+}
+
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
                         const DiagnosisData& data, AdditionJudge& judge,
                         const DiagnosisSettings& settings) {

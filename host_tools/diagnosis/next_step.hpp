@@ -30,6 +30,9 @@ struct NextStep {
   bool little_is_left = false;
   std::vector<Form> forms;               ///< best first
   std::optional<Experiment> experiment;  ///< that would tell these apart
+
+  /// Whether an effect of time was refused because a line in time would do as well.
+  bool refused_line() const;
 };
 
 /// Tries what `diagnosis` names; if that is refused, sets of effects, and others that are as

@@ -166,6 +166,11 @@ Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::Next
                                       .set("coefficient", diagnosis.walk.coefficient)
                                       .set("chance", diagnosis.walk.chance)
                                 : Json());
+  const std::optional<diagnosis::LineInTime>& line = diagnosis.line;
+  result.set(
+      "line_in_time",
+      line ? Json::object().set("slope_dphh", line->slope_dphh).set("sigma_dphh", line->sigma_dphh)
+           : Json());
   result.set("network", network_json(diagnosis.network));
   result.set("chance", diagnosis.chance).set("faint", diagnosis.faint);
   result.set("notes", diagnosis.notes);

@@ -135,6 +135,8 @@ void add_what_is_left(DiagnosisWords& words, const diagnosis::Diagnosis& diagnos
   if (next.describes) {
     for (const std::string& line : description_words(next)) words.findings.push_back(line);
   }
+  const std::string line = line_words(diagnosis.line);
+  if (!line.empty()) words.findings.push_back(line);
   add_next(words, next, files);
 }
 

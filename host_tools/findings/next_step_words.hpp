@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,9 @@ std::string refusal_words(const diagnosis::TriedAddition& refused);
 /// Why nothing is proposed; "" if nothing was tried. The first trial was the named effect or the
 /// best description.
 std::string nothing_holds_words(const diagnosis::NextStep& next);
+
+/// A drift that is linear in time, and what would tell its cause; "" without one.
+std::string line_words(const std::optional<diagnosis::LineInTime>& line);
 
 /// A step of the selection: "+ temperature_rate (or shupe)".
 std::string step_words(const diagnosis::Ladder::Step& step);

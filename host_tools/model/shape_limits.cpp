@@ -16,13 +16,13 @@ std::string with_unit(const char* pattern, double value, const std::string& unit
   return format(pattern, value) + (unit.empty() ? "" : " " + unit);
 }
 
-std::string bound_words(const TermInfo::Parameter& parameter, bool upper, double value) {
-  const char* instead = upper ? parameter.at_most : parameter.at_least;
+std::string bound_words(const TermInfo::Parameter& parameter, bool upper, double value,
+                        const std::string& instead) {
   return parameter.name + " is at its " + (upper ? "upper" : "lower") + " bound " +
          with_unit("%.5g", value, parameter.unit) + ": " +
-         (instead != nullptr ? instead + std::string(" would do as well")
-                             : std::string("these data would have it ") +
-                                   (upper ? "larger" : "smaller") + " still");
+         (instead.empty()
+              ? std::string("these data would have it ") + (upper ? "larger" : "smaller") + " still"
+              : instead + " would do as well");
 }
 
 bool is_at_bound(const ShapeParameter& shape, double value) {
@@ -40,14 +40,18 @@ std::vector<ShapeDoubt> shape_doubts(const EffectTerm& term) {
     const double value = term.parameters[shape.index];
     const double sigma = term.parameter_sigma[shape.index];
     std::string words;
+    std::string instead;
     if (is_at_bound(shape, value)) {
-      words = bound_words(parameter, shape.to_unit(value) > 0.5, value);
+      const bool upper = shape.to_unit(value) > 0.5;
+      const char* const becomes = upper ? parameter.at_most : parameter.at_least;
+      if (becomes != nullptr) instead = becomes;
+      words = bound_words(parameter, upper, value, instead);
     } else if (sigma >= std::abs(shape.slope(value))) {
       words = format("%s is not determined: %.5g +- %.2g", parameter.name.c_str(), value, sigma) +
               with_unit(", anywhere from %.5g", shape.min, "") +
               with_unit(" to %.5g", shape.max, parameter.unit);
     }
-    if (!words.empty()) doubts.push_back({shape.index, "`" + term.name + "`: " + words});
+    if (!words.empty()) doubts.push_back({shape.index, "`" + term.name + "`: " + words, instead});
   }
   return doubts;
 }

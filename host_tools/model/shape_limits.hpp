@@ -7,10 +7,14 @@
 
 namespace fogcomp::model {
 
+/// The catalogue's words for what an effect of time alone becomes at its slowest shape.
+inline constexpr const char* kLineInTime = "a line in time";
+
 /// A shape parameter that the data determine too little.
 struct ShapeDoubt {
   std::size_t parameter = 0;
-  std::string sentence;  ///< e.g. "`aging`: t0 is at its upper bound 2e+06 s: a line in time ..."
+  std::string sentence;   ///< e.g. "`aging`: t0 is at its upper bound 2e+06 s: a line in time ..."
+  std::string instead{};  ///< simpler form that would do as well, e.g. kLineInTime; "": none
 };
 
 /// Identified parameters that ended at a bound of their search, beyond which the data might fit

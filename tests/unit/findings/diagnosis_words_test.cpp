@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "findings/json.hpp"
 #include "model/effect_list.hpp"
 #include "support/text.hpp"
 
@@ -155,6 +156,23 @@ TEST(DiagnosisWords, SayWhyNothingCanBeAdded) {
   EXPECT_EQ(words.next,
             "nothing to add: aging was tried and refused, gain 3.1, needed 10; so were: shupe and "
             "warm_up; warm_up");
+}
+
+TEST(DiagnosisWords, SayHowLargeADriftIsThatNoEffectMayTake) {
+  diagnosis::Diagnosis found = only_together();
+  const DiagnosedFiles files{"x.model", {"run.csv"}};
+  const auto said = [&] { return join(words_of(found, {}, files).findings, "\n"); };
+  EXPECT_EQ(said().find("deg/h/h"), std::string::npos);
+  EXPECT_NE(diagnosis_json(found, {}, files).text().find("\"line_in_time\":null"),
+            std::string::npos);
+  found.line = diagnosis::LineInTime{0.01183, 0.00042};
+  EXPECT_NE(said().find("the residual drifts by +0.01183 +- 0.00042 deg/h/h over the run"),
+            std::string::npos)
+      << said();
+  EXPECT_NE(diagnosis_json(found, {}, files)
+                .text()
+                .find("\"line_in_time\":{\"slope_dphh\":0.01183,\"sigma_dphh\":0.00042}"),
+            std::string::npos);
 }
 
 TEST(DiagnosisWords, SayWhyTheNamedEffectIsNotWhatIsAdded) {

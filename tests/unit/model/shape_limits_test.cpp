@@ -38,6 +38,15 @@ TEST(ShapeLimits, NameTheBoundAndWhatDoesAsWell) {
             "`x`: k is at its upper bound 1e-11: these data would have it larger still");
 }
 
+TEST(ShapeLimits, KnowWhereAnEffectIsALineInTime) {
+  for (const EffectTerm& term : {fitted("aging", 2e6, 1e5), fitted("warm_up", 18000, 100)}) {
+    ASSERT_EQ(shape_doubts(term).size(), 1U);
+    EXPECT_EQ(shape_doubts(term)[0].instead, kLineInTime);
+  }
+  EXPECT_EQ(shape_doubts(fitted("thermal_lag", 5, 1))[0].instead, "temperature_rate");
+  EXPECT_EQ(shape_doubts(fitted("warm_up", 9000, 1e6))[0].instead, "");  // anywhere
+}
+
 TEST(ShapeLimits, KnowWhereOnlyATailOfAnEffectIsSeen) {
   EXPECT_TRUE(only_tail_is_seen(fitted("glass_transition:tg=?[-35,65]", -35, 1)));
   EXPECT_FALSE(only_tail_is_seen(fitted("glass_transition:tg=?[-35,65]", -20, 1)));
