@@ -31,6 +31,13 @@ workflow::DiagnoseRequest DiagnoseCommand::request() const {
   return request;
 }
 
+std::vector<std::string> DiagnoseCommand::options_of_noise() const {
+  std::vector<std::string> given;
+  if (at_rest.given()) given = {"--static", at_rest.value()};
+  if (average.given()) given.insert(given.end(), {"--average", average.text()});
+  return given;
+}
+
 int DiagnoseCommand::run() const {
   const bool loop_wanted = max_effects.value() > 0;
   if (output.given() && !loop_wanted) {
@@ -41,8 +48,12 @@ int DiagnoseCommand::run() const {
   ReportFile page(report);
   const workflow::DiagnoseOutcome found = workflow::diagnose(request(), Watch().observer());
   const bool written = model_file && !found.ladder.steps.empty();
-  const findings::DiagnosedFiles files{arguments[0], found.runs, holdouts.value(),
-                                       recording.given_words(), written ? output.value() : ""};
+  const findings::DiagnosedFiles files{arguments[0],
+                                       found.runs,
+                                       holdouts.value(),
+                                       recording.given_words(),
+                                       written ? output.value() : "",
+                                       options_of_noise()};
   findings::Document document =
       findings::diagnose_findings(found.ladder, loop_wanted, found.data, files);
   document.read_with(recording.given_words());

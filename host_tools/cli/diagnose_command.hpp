@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "cli/command.hpp"
 #include "cli/recording_options.hpp"
@@ -33,6 +35,8 @@ struct DiagnoseCommand : Command {
                 "fogcomp diagnose gyro.model run.csv --max-effects 4") {}
   /// The request of the options. Throws InputError for values out of range.
   workflow::DiagnoseRequest request() const;
+  /// `--static` and `--average`, as given: what decides the noise beside the recordings.
+  std::vector<std::string> options_of_noise() const;
   int run() const override;
 };
 

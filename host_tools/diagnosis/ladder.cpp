@@ -16,7 +16,8 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 
 Ladder::Step step_of(const NextStep& next, const Diagnosis& before) {
   const model::HistoryEntry& entry = next.addition->model->history.back();
-  Ladder::Step step{*next.addition, next.describes, {}, entry.rms_before_dph, entry.rms_after_dph};
+  Ladder::Step step{*next.addition,       next.describes,      {},
+                    entry.rms_before_dph, entry.rms_after_dph, entry.holdout};
   if (before.verdict != Verdict::ambiguous) return step;
   const std::vector<std::string> names = step.addition.request.names();
   for (const std::string& rival : before.confusable) {
@@ -103,7 +104,8 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
     const TriedAddition& addition = ladder.steps.back().addition;
     const bool is_network = addition.request.is_network();
     ladder.model = with_network(ladder.model, addition, runs);
-    look = look_at(ladder.model, data, runs, each, !is_network && done < max_steps);
+    ladder.is_cut_off = !is_network && done == max_steps;
+    look = look_at(ladder.model, data, runs, each, !is_network && !ladder.is_cut_off);
     ladder.last = std::move(look.diagnosis);
     const std::vector<TriedAddition> refused = std::move(ladder.last_next.refused);
     ladder.last_next = std::move(look.next);

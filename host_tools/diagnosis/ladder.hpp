@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,13 +20,16 @@ struct Ladder {
     /// latter is smaller, or the addition would not be proposed.
     double rms_before_dph = 0;
     double rms_after_dph = 0;
+    /// The same of the holdouts; nothing without any.
+    std::optional<model::HistoryEntry::Holdout> holdout{};
   };
   Diagnosis first;     ///< of the model as it came
   NextStep next;       ///< after it
   Diagnosis last;      ///< of the model at the end of the loop
   NextStep last_next;  ///< after it; empty where the loop may add no more
   std::vector<Step> steps;
-  model::Model model;  ///< at the end, as the commands `add` of the steps make it
+  bool is_cut_off = false;  ///< the last step was the last allowed: last_next was not looked for
+  model::Model model;       ///< at the end, as the commands `add` of the steps make it
 
   /// Names of the additions in their order, each once: added() were named as missing, described()
   /// only describe the residual.

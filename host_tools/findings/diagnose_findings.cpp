@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "compare/comparison.hpp"
-#include "findings/bias_step_words.hpp"
 #include "findings/figures.hpp"
 #include "findings/labels.hpp"
+#include "findings/ladder_findings.hpp"
 #include "findings/next_export.hpp"
 #include "findings/run_plots.hpp"
 #include "model/input_value.hpp"
@@ -114,50 +114,6 @@ void add_untestable(Document& document, const diagnosis::Diagnosis& diagnosis) {
   }
   if (list.empty()) return;
   document.sentence(words("not visible in these recordings: " + list));
-}
-
-// File of the recording in which a step was found; "" where there is only one.
-std::string file_of(const model::EffectTerm& step, const diagnosis::DiagnosisData& data,
-                    const std::vector<std::string>& runs) {
-  const std::vector<recording::RowRange> ranges = data.series().rows().runs();
-  for (std::size_t i = 0; i < ranges.size() && ranges.size() > 1; ++i) {
-    if (data.series().recording_of(ranges[i].first) == step.recording) return runs[i];
-  }
-  return "";
-}
-
-void add_ladder(Document& document, const diagnosis::Ladder& ladder,
-                const diagnosis::DiagnosisData& data, const DiagnosedFiles& files,
-                const std::vector<std::string>& names) {
-  document.heading("Error ladder");
-  Table table;
-  table.caption = "everything refitted at each step";
-  table.columns = {"step", {"rms left", "residual"}, "out of sample"};
-  table.quantity = "rms left, deg/h";
-  table.floor = ladder.first.noise_floor_dph;
-  const double first_dph =
-      ladder.steps.empty() ? ladder.first.residual_rms_dph : ladder.steps.front().rms_before_dph;
-  Table::Row first{"the model, refitted", {number(first_dph), first_dph}, ""};
-  first.colour = "measured";
-  table.rows.push_back(std::move(first));
-  for (const diagnosis::Ladder::Step& step : ladder.steps) {
-    const diagnosis::TriedAddition& tried = step.addition;
-    const bool judged = tried.rms_before_dph > 0;
-    table.rows.push_back({words(step_words(step), names),
-                          {number(step.rms_after_dph), step.rms_after_dph},
-                          judged
-                              ? number(tried.rms_before_dph) + " -> " + number(tried.rms_after_dph)
-                              : Text("an event, masked")});
-  }
-  document.table(std::move(table));
-  document.sentence(words(end_words(ladder), names));
-  if (ladder.steps.empty()) return;
-  document.sentence(words(line_words(ladder.last.line)));
-  for (const model::EffectTerm& step : found_steps(ladder.model)) {
-    document.sentence(bias_step_words(step, file_of(step, data, files.runs)));
-  }
-  document.sentence("the same, step by step:");
-  document.listing("  " + join(ladder_commands(ladder, files), "\n  ") + "\n");
 }
 
 // Names of the segments, which several runs may share.
@@ -370,9 +326,7 @@ Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
   if (files.output.empty()) {
     add_next(document, said, ladder, files.model);
   } else {
-    const std::string& judge = files.holdouts.empty() ? files.runs[0] : files.holdouts[0];
-    document.next("see what the loop's model leaves",
-                  std::vector<std::string>{"fogcomp", "compare", files.output, judge});
+    next_after_ladder(document, ladder, data, files);
   }
   document.sentence(words(said.certainty, names));
   for (const std::string& line : said.findings) document.sentence(words(line, names));

@@ -7,10 +7,14 @@
 
 namespace fogcomp::findings {
 
+bool can_be_exported(const model::Model& model, const std::string& file) {
+  return workflow::export_refusal(model, file, true).empty();
+}
+
 void next_export(Document& document, Text why, const model::Model& model, const std::string& file) {
   std::vector<std::string> command{"fogcomp", "export", file, "-o", "fog_model.h"};
   std::string refusal = workflow::export_refusal(model, file, false);
-  if (!refusal.empty() && workflow::export_refusal(model, file, true).empty()) {
+  if (!refusal.empty() && can_be_exported(model, file)) {
     command.emplace_back("--extension");
     refusal.clear();
   }

@@ -16,6 +16,7 @@ struct DiagnosedFiles {
   std::vector<std::string> holdouts{};
   std::vector<std::string> reading{};  ///< options for reading the recordings
   std::string output{};                ///< model at the end of the selection; "": not written
+  std::vector<std::string> options{};  ///< of the diagnosis itself, for another one like it
 };
 
 /// The command line for the requested addition to `model`.

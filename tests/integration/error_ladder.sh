@@ -76,8 +76,24 @@ for start in "static.model" "static.model --holdout run2.csv" "network.model"; d
   mv loop.model at_once.model
   sed -n 's/^ *fogcomp add /add /p' loop.txt | grep -v NEW >steps.txt
   [[ $(wc -l <steps.txt) == 2 ]] || fail "two steps expected: $(cat loop.txt)"
+  # More is missing than two steps add: what it proposes goes on with its model, and is accepted.
+  going_on="diagnose loop.model run1.csv${judge:+ $judge}"
+  grep -qx "  next: fogcomp $going_on" loop.txt || fail "$start: not to go on: $(cat loop.txt)"
+  cp at_once.model loop.model
+  # shellcheck disable=SC2086
+  "$fogcomp" $going_on >/dev/null || fail "refused: $going_on"
   while read -ra step; do taskset -c "$one_core" "$fogcomp" "${step[@]}" >step.txt || fail "$(cat step.txt)"; done <steps.txt
   cmp loop.model at_once.model || fail "$start: another model than that of $(cat steps.txt)"
+done
+# On a holdout each step has the error that `history` prints.
+"$fogcomp" diagnose static.model run1.csv --max-effects 2 -o loop.model --holdout run2.csv --json >loop.json
+"$fogcomp" history loop.model --json >loop_history.json
+for step in 0 1; do
+  for when in before after; do
+    key=holdout_rms_${when}_dph
+    [[ $(value loop.json ladder $step $key) == "$(value loop_history.json steps $((step + 1)) $key)" ]] ||
+      fail "$key of step $step: $(cat loop.json)"
+  done
 done
 # With nothing to add there is no model to write.
 status=0
@@ -89,6 +105,7 @@ for seed in 1 2; do
   "$fogcomp" fit "run$seed.csv" -o cubic.model --effects bias,bias_temperature:order=3 >/dev/null
   "$fogcomp" diagnose cubic.model "run$seed.csv" --max-effects 6 -o whole.model >whole.txt
   grep -q '^  at the end: nothing is missing' whole.txt || fail "seed $seed: $(cat whole.txt)"
+  grep -qx '  next: fogcomp export whole.model -o fog_model.h' whole.txt || fail "seed $seed: $(cat whole.txt)"
   for effect in temperature_rate temperature_rate_product polarization_ripple warm_up; do
     grep -q "^effect $effect " whole.model || fail "seed $seed: $effect is not found: $(cat whole.txt)"
   done

@@ -47,6 +47,7 @@ TEST(Ladder, AddsNoMoreThanItMayAndSaysWhatAStepBrought) {
   };
   const Ladder ladder = stepwise_selection(model, data, runs, 1, settings);
   ASSERT_EQ(ladder.steps.size(), 1U);
+  EXPECT_TRUE(ladder.is_cut_off);
   const Ladder::Step& step = ladder.steps[0];
   EXPECT_EQ(ladder.added(), Names{effect_to_add(ladder.first)});
   EXPECT_FALSE(step.describes);
@@ -71,6 +72,8 @@ TEST(Ladder, AddsWhatIsNamedHoweverSmallBesideWhatWasAdded) {
   data.add(runs.training.runs[0]);
   const Ladder ladder = stepwise_selection(model, data, runs, 3, {});
   EXPECT_EQ(ladder.added(), (Names{"temperature_rate", "polarization_ripple"}));
+  EXPECT_FALSE(ladder.is_cut_off);
+  EXPECT_FALSE(ladder.steps[0].holdout);
 }
 
 }  // namespace

@@ -1,0 +1,91 @@
+#include "findings/ladder_findings.hpp"
+
+#include "findings/bias_step_words.hpp"
+#include "findings/diagnosis_words.hpp"
+#include "findings/figures.hpp"
+#include "findings/next_export.hpp"
+#include "findings/run_section.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::findings {
+namespace {
+
+// File of the recording in which a step was found; "" where there is only one.
+std::string file_of(const model::EffectTerm& step, const diagnosis::DiagnosisData& data,
+                    const std::vector<std::string>& runs) {
+  const std::vector<recording::RowRange> ranges = data.series().rows().runs();
+  for (std::size_t i = 0; i < ranges.size() && ranges.size() > 1; ++i) {
+    if (data.series().recording_of(ranges[i].first) == step.recording) return runs[i];
+  }
+  return "";
+}
+
+// The same diagnosis of the selection's model, with the expressions that are not yet in it.
+std::vector<std::string> go_on_command(const diagnosis::Ladder& ladder,
+                                       const diagnosis::DiagnosisData& data,
+                                       const DiagnosedFiles& files) {
+  std::vector<std::string> command = diagnose_command(files.output, files.runs);
+  for (const std::string& holdout : files.holdouts) {
+    command.insert(command.end(), {"--holdout", holdout});
+  }
+  command.insert(command.end(), files.options.begin(), files.options.end());
+  for (const model::EffectTerm& offered : data.offered()) {
+    if (ladder.model.find(offered.name) != nullptr) continue;
+    const model::Expression& expression = offered.expression->expression;
+    command.insert(command.end(), {"--effect-expr", expression.name + " = " + expression.text});
+  }
+  return command;
+}
+
+}  // namespace
+
+void add_ladder(Document& document, const diagnosis::Ladder& ladder,
+                const diagnosis::DiagnosisData& data, const DiagnosedFiles& files,
+                const std::vector<std::string>& names) {
+  document.heading("Error ladder");
+  Table table;
+  table.caption = "everything refitted at each step";
+  table.columns = {"step", {"rms left", "residual"}, "out of sample"};
+  table.quantity = "rms left, deg/h";
+  table.floor = ladder.first.noise_floor_dph;
+  const double first_dph =
+      ladder.steps.empty() ? ladder.first.residual_rms_dph : ladder.steps.front().rms_before_dph;
+  Table::Row first{"the model, refitted", {number(first_dph), first_dph}, ""};
+  first.colour = "measured";
+  table.rows.push_back(std::move(first));
+  for (const diagnosis::Ladder::Step& step : ladder.steps) {
+    const diagnosis::TriedAddition& tried = step.addition;
+    const bool judged = tried.rms_before_dph > 0;
+    table.rows.push_back({words(step_words(step), names),
+                          {number(step.rms_after_dph), step.rms_after_dph},
+                          judged
+                              ? number(tried.rms_before_dph) + " -> " + number(tried.rms_after_dph)
+                              : Text("an event, masked")});
+  }
+  document.table(std::move(table));
+  document.sentence(words(end_words(ladder), names));
+  if (ladder.steps.empty()) return;
+  document.sentence(words(line_words(ladder.last.line)));
+  for (const model::EffectTerm& step : found_steps(ladder.model)) {
+    document.sentence(bias_step_words(step, file_of(step, data, files.runs)));
+  }
+  document.sentence("the same, step by step:");
+  document.listing("  " + join(ladder_commands(ladder, files), "\n  ") + "\n");
+}
+
+void next_after_ladder(Document& document, const diagnosis::Ladder& ladder,
+                       const diagnosis::DiagnosisData& data, const DiagnosedFiles& files) {
+  const bool is_complete = ladder.last.verdict == diagnosis::Verdict::none;
+  if (is_complete && can_be_exported(ladder.model, files.output)) {
+    next_export(document, "make the board's header", ladder.model, files.output);
+  } else if (!is_complete && ladder.is_cut_off) {
+    document.next("the loop may add no more; ask what is still missing",
+                  go_on_command(ladder, data, files));
+  } else {
+    const std::string& judge = files.holdouts.empty() ? files.runs[0] : files.holdouts[0];
+    document.next("see what the loop's model leaves",
+                  std::vector<std::string>{"fogcomp", "compare", files.output, judge});
+  }
+}
+
+}  // namespace fogcomp::findings
