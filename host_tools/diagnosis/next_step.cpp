@@ -7,6 +7,7 @@
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/forms.hpp"
 #include "model/catalogue.hpp"
+#include "model/shape_limits.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
 
