@@ -254,9 +254,16 @@ bool try_instead(const Diagnosis& diagnosis, const std::vector<std::string>& nam
          try_sets(certain_ones(diagnosis, named), judge, next);
 }
 
+// Whether no other description could leave clearly less than this one.
+bool leaves_noise(const TriedAddition& tried, double noise_floor_dph, const JudgingRuns& runs) {
+  return tried.accepted && runs.holdouts.empty() &&
+         rules::kClearlyLess * tried.rms_after_dph <= noise_floor_dph;
+}
+
 // Tries the first few descriptions; of those accepted the one that leaves least out of sample is
 // taken, an earlier one if that is nearly as good.
-bool describe(std::vector<Description> descriptions, AdditionJudge& judge, NextStep& next) {
+bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
+              AdditionJudge& judge, NextStep& next) {
   if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
   std::vector<TriedAddition> tried(descriptions.size());
   const auto judge_one = [&](std::size_t i) {
@@ -264,8 +271,12 @@ bool describe(std::vector<Description> descriptions, AdditionJudge& judge, NextS
     tried[i] = descriptions[i].is_part ? judge(std::move(request))
                                        : judge.of_description(std::move(request));
   };
-  judge.prepare();
-  for_each_index(tried.size(), judge_one);
+  if (!tried.empty()) judge_one(0);  // with all threads: often it is the one
+  if (!tried.empty() && leaves_noise(tried[0], diagnosis.noise_floor_dph, judge.runs())) {
+    tried.resize(1);
+  } else if (!tried.empty()) {
+    for_each_index(tried.size() - 1, [&](std::size_t i) { judge_one(i + 1); });
+  }
   std::size_t best = tried.size();
   for (std::size_t i = 0; i < tried.size(); ++i) {
     if (!tried[i].accepted) continue;
@@ -308,7 +319,8 @@ bool try_forms(const model::Model& model, const Diagnosis& diagnosis, const Diag
   add_formulas(model, diagnosis, data, settings, instead, formulas);
   double probability = 0;
   for (const Form& form : instead.forms) probability += form.share;
-  if (probability < rules::kNamed || !describe(std::move(formulas), judge, instead)) return false;
+  if (probability < rules::kNamed || !describe(diagnosis, std::move(formulas), judge, instead))
+    return false;
   instead.name_is = Refuted::by_formula;
   next = std::move(instead);
   return true;
@@ -377,7 +389,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
     descriptions.push_back({{{}, *diagnosis.late_ripple}, diagnosis.fast_share});
   }
   sort_by_explained(descriptions);
-  const bool described = describe(std::move(descriptions), judge, next);
+  const bool described = describe(diagnosis, std::move(descriptions), judge, next);
   next.together.clear();
   if (described && refutes_name(diagnosis, next)) next.name_is = Refuted::out_of_sample;
   if (!described && may_learn(model, diagnosis, runs)) {
