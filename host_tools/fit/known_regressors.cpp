@@ -3,7 +3,8 @@
 namespace fogcomp::fit {
 namespace {
 
-constexpr Eigen::Index kMaxValues = 6'000'000;  // 24 MB: the shapes of two grids over 6000 rows
+// 48 MB: the shapes of two grids of two ripples over 6000 rows.
+constexpr Eigen::Index kMaxValues = 6'000'000;
 
 }  // namespace
 
