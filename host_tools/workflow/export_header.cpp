@@ -27,7 +27,12 @@ std::vector<std::string> left_out(const model::Model& model,
   std::vector<std::string> notes;
   for (const model::EffectTerm& term : model.terms) {
     const char* reason = model::info_of(term).host_only;
-    if (reason != nullptr) notes.push_back(term.name + " is left out: " + reason);
+    if (reason == nullptr) continue;
+    notes.push_back(term.name + " is left out: " + reason);
+    if (!model::is_event(term) || term.coefficients_dph.empty()) continue;
+    notes.back() += format("; the board has the bias %s the step of %+.2g deg/h at %.6g s",
+                           term.others_follow ? "after" : "before", term.coefficients_dph[0],
+                           term.parameters[0]);
   }
   const fog::AcquisitionParameters& board = parameters.acquisition;
   const double step_dps = std::ldexp(board.rate.step.raw(), -fog::RateStep::fractional_bits) / 3600;

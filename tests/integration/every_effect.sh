@@ -75,6 +75,8 @@ for said in added.txt ladder.txt; do
   grep -Eq "^  bias step of \+0\.[0-9]+ .* s( \(step\.csv\))?; the model's bias is that after it$" "$said" ||
     { cat "$said" >&2; exit 1; }
 done
-"$fogcomp" export step.model -o fog_model.h | grep "^note: bias_step is left out" >/dev/null
+"$fogcomp" export step.model -o fog_model.h >export.txt
+grep -Eq "^note: bias_step is left out: .*; the board has the bias after the step of \+0\.[0-9]+ deg/h at [0-9]+ s$" \
+  export.txt || { cat export.txt >&2; exit 1; }
 [[ $refused == " aging" ]] || { echo "refused:$refused" >&2; exit 1; }
 echo "$count effects fitted, printed, compared and exported; warm-up $early deg/h, begun late $late deg/h"
