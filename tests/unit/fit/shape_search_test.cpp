@@ -106,6 +106,24 @@ TEST_F(ShapeSearch, CostsOfAGridAreThoseOfItsValues) {
   }
 }
 
+// The columns of the other ripple stay.
+TEST_F(ShapeSearch, CostsOfAGridAreThoseOfItsValuesBesideWhatDoesNotMove) {
+  std::vector<model::EffectTerm> terms = model::parse_effects("bias,polarization_ripple:period2=?");
+  terms[1].parameters[0] = 11;
+  terms[1].parameters[1] = 29;
+  const WhitenedProblem start = problem(terms);
+  ASSERT_EQ(shapes(start).size(), 2U);
+  const std::vector<double> values{5, 8, 17, 23};
+  for (const model::ShapeParameter& period : shapes(start)) {
+    const std::vector<double> costs = start.costs(period, values, {});
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      WhitenedProblem moved = start;
+      moved.set({period}, {values[i]});
+      EXPECT_NEAR(costs[i], moved.solution().cost, 1e-9 * moved.solution().cost);
+    }
+  }
+}
+
 TEST_F(ShapeSearch, StepPromisesWhatItBringsNearTheBestPlace) {
   WhitenedProblem near = problem(850);
   const double before = near.solution().cost;
