@@ -1,73 +1,20 @@
 #include "diagnosis/next_step.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
+#include <iterator>
 
 #include "diagnosis/decision_rules.hpp"
-#include "diagnosis/forms.hpp"
-#include "model/catalogue.hpp"
-#include "model/shape_limits.hpp"
 #include "support/parallel.hpp"
-#include "support/text.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
 
-// Limit for sets of effects of temperature and time alone if the catalogue does not explain the
-// residual: on one programme three of them can imitate nearly everything.
-constexpr std::size_t kMaxWithoutOwnInput = 2;
 constexpr std::size_t kMaxTried = 6;  // descriptions; each needs a fit and a cross-validation
-constexpr std::size_t kMaxSingles = 3;
-
-// The argument for `fogcomp add`, including the changed parameter if the effect is already in the
-// model.
-std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
-  const CandidateFinding* finding = diagnosis.find(effect);
-  const auto own = std::find_if(diagnosis.terms.begin(), diagnosis.terms.end(),
-                                [&](const model::EffectTerm& term) { return term.name == effect; });
-  if (own == diagnosis.terms.end() || finding == nullptr) return effect;
-  if (model::is_event(*own)) return effect;  // one more event
-  const model::CatalogueEntry& entry = model::find_effect(effect);
-  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-    if (finding->term().parameters[i] == own->parameters[i]) continue;
-    return format("%s:%s=%.4g", effect.c_str(), entry.parameters[i].name,
-                  finding->term().parameters[i]);
-  }
-  return effect;
-}
 
 // The one to be added first or, if only a set is named, all of them.
 std::vector<std::string> named_effects(const Diagnosis& diagnosis) {
   const std::string one = effect_to_add(diagnosis);
   return one.empty() ? effects_together(diagnosis) : std::vector<std::string>{one};
-}
-
-std::vector<std::string> events_among(const Diagnosis& diagnosis,
-                                      const std::vector<std::string>& effects) {
-  std::vector<std::string> events;
-  for (const std::string& name : effects) {
-    const CandidateFinding* const finding = diagnosis.find(name);
-    if (finding != nullptr && model::is_event(finding->term())) events.push_back(name);
-  }
-  return events;
-}
-
-// An expression must be the only addition: `add` takes effects, or one expression.
-std::optional<AdditionRequest> request_of(const Diagnosis& diagnosis,
-                                          const std::vector<std::string>& effects) {
-  AdditionRequest request;
-  for (const std::string& effect : effects) {
-    const CandidateFinding* const finding = diagnosis.find(effect);
-    if (finding == nullptr || !finding->is_expression()) {
-      request.effects.push_back(to_add(diagnosis, effect));
-      continue;
-    }
-    if (effects.size() > 1) return std::nullopt;
-    const model::Expression& expression = finding->term().expression->expression;
-    request.expression = expression.name + " = " + expression.text;
-  }
-  return request;
 }
 
 // Whether an addition could be worth it if it removed everything above the noise.
@@ -88,139 +35,6 @@ bool try_out(AdditionRequest request, AdditionJudge& judge, NextStep& next) {
     next.refused.push_back(std::move(addition));
   }
   return accepted;
-}
-
-// A possible description of the residual and the fraction it explains.
-struct Description {
-  AdditionRequest request;
-  double explained_fraction = 0;
-  bool is_part = false;  // a certain part of the missing drift, the rest being unknown
-  std::vector<std::string> effects{};  // names of a set
-};
-
-// Whether all of them are functions of temperature and time alone.
-bool has_no_own_input(const Diagnosis& diagnosis, const std::vector<std::string>& effects) {
-  return std::none_of(effects.begin(), effects.end(), [&](const std::string& effect) {
-    const CandidateFinding* const finding = diagnosis.find(effect);
-    return finding != nullptr && model::has_own_input(finding->term());
-  });
-}
-
-// `add` takes an effect once per call: two ripples are two parts of one effect, added one after the
-// other.
-bool names_twice(const std::vector<std::string>& effects) {
-  const std::set<std::string> different(effects.begin(), effects.end());
-  return different.size() < effects.size();
-}
-
-// `named` was refused: other effects that are as certainly missing.
-std::vector<Description> certain_ones(const Diagnosis& diagnosis,
-                                      const std::vector<std::string>& named) {
-  std::vector<Description> descriptions;
-  for (const CandidateFinding& finding : diagnosis.candidates) {
-    const bool is_event = model::is_event(finding.term());
-    if (finding.probability < rules::kNamed || finding.is_expression() || is_event) continue;
-    if (std::find(named.begin(), named.end(), finding.effect) != named.end()) continue;
-    descriptions.push_back({*request_of(diagnosis, {finding.effect}), finding.explained_fraction});
-  }
-  return descriptions;
-}
-
-std::vector<std::string> without_events(const Diagnosis& diagnosis,
-                                        std::vector<std::string> effects) {
-  for (const std::string& event : events_among(diagnosis, effects))
-    effects.erase(std::find(effects.begin(), effects.end(), event));
-  return effects;
-}
-
-// `named` was refused. A walk is no reason to leave out sets with it: beside more of what is
-// missing there may be nothing left for a walk to explain. Events are added one at a time and
-// found anew by each fit: a set with one is tried without it if two effects are left (single ones
-// are tried where they help clearly), and not beside an effect that is a certain part, which comes
-// first.
-void add_sets(const Diagnosis& diagnosis, const std::vector<std::string>& named,
-              std::vector<Description>& descriptions) {
-  const bool has_part =
-      diagnosis.verdict == Verdict::unknown && events_among(diagnosis, named).size() < named.size();
-  std::set<std::vector<std::string>> seen{{}, named};
-  for (const Diagnosis::Explanation& set : diagnosis.explanations) {
-    const std::vector<std::string> effects = without_events(diagnosis, set.effects);
-    const bool has_event = effects.size() < set.effects.size();
-    if (has_event && (has_part || effects.size() < 2)) continue;
-    if (names_twice(effects) || !seen.insert(effects).second) continue;
-    const bool is_pliable =
-        effects.size() > kMaxWithoutOwnInput && has_no_own_input(diagnosis, effects);
-    if (is_pliable && diagnosis.verdict == Verdict::unknown) continue;
-    if (auto request = request_of(diagnosis, effects)) {
-      descriptions.push_back({std::move(*request), set.explained_fraction, false, effects});
-    }
-  }
-}
-
-// Fraction of the mean square above the noise floor that an effect alone takes out.
-double removed_alone(const Diagnosis& diagnosis, const CandidateFinding& finding) {
-  const double now = std::pow(diagnosis.residual_rms_dph, 2);
-  const double above = now - std::pow(diagnosis.noise_floor_dph, 2);
-  return above > 0 ? std::min(1.0, (now - std::pow(finding.rms_after_dph, 2)) / above) : 0;
-}
-
-// Effects that alone lower the error clearly, whatever their share of what is missing.
-void add_singles(const Diagnosis& diagnosis, const std::vector<std::string>& named,
-                 std::vector<Description>& descriptions) {
-  std::vector<const CandidateFinding*> singles;
-  for (const CandidateFinding& finding : diagnosis.candidates) {
-    if (helps_clearly(diagnosis, finding) && !finding.is_expression() &&
-        !model::only_tail_is_seen(finding.term()) &&
-        named != std::vector<std::string>{finding.effect}) {
-      singles.push_back(&finding);
-    }
-  }
-  const auto less = [](const CandidateFinding* a, const CandidateFinding* b) {
-    return a->rms_after_dph < b->rms_after_dph;
-  };
-  std::stable_sort(singles.begin(), singles.end(), less);
-  if (singles.size() > kMaxSingles) singles.resize(kMaxSingles);
-  for (const CandidateFinding* const single : singles) {
-    descriptions.push_back(
-        {*request_of(diagnosis, {single->effect}), removed_alone(diagnosis, *single)});
-  }
-}
-
-// Coil temperature, its rate, and the one other input on which the residual depends, if any. Each
-// further input would double the number of formulas, and inputs that hardly vary look alike.
-fog::InputMask signals_of_formulas(const Diagnosis& diagnosis) {
-  const fog::InputDescription* best = nullptr;
-  double max = rules::kMinShareOfInput;
-  for (const NamedShare& variable : diagnosis.variables) {
-    for (const fog::InputDescription& input : fog::kInputTable) {
-      const bool beside = fog::beside_temperature(bit_of(input.input)) != 0;
-      if (!beside || variable.name != input.column || variable.share < max) continue;
-      max = variable.share;
-      best = &input;
-    }
-  }
-  fog::InputMask mask = bit_of(fog::Input::temperature) | bit_of(fog::Input::temperature_rate);
-  if (best != nullptr) mask |= bit_of(best->input);
-  return mask;
-}
-
-void add_formulas(const model::Model& model, const Diagnosis& diagnosis, const DiagnosisData& data,
-                  const DiagnosisSettings& settings, NextStep& next,
-                  std::vector<Description>& descriptions) {
-  const std::vector<model::EffectTerm> formulas =
-      formulas_over(data.series(), signals_of_formulas(diagnosis));
-  const Diagnosis offered = diagnose(model, data.with_offered(formulas), settings);
-  if (!diagnosis.experiment) next.experiment = offered.experiment;
-  double explained_fraction = 1;
-  for (const CandidateFinding& finding : offered.candidates) {
-    if (!finding.is_expression() || finding.lead < rules::kConfusable) continue;
-    const AdditionRequest request = *request_of(offered, {finding.effect});
-    next.forms.push_back(
-        {form_text(finding.term().expression->expression), request.expression, finding.lead});
-    // a parameter more always explains a little more
-    explained_fraction = std::min(explained_fraction, finding.explained_fraction);
-    descriptions.push_back({request, explained_fraction});
-  }
 }
 
 // Tries what the diagnosis names. `is_one`: it names a single effect and no rival.
@@ -248,9 +62,7 @@ bool try_sets(std::vector<Description> sets, AdditionJudge& judge, NextStep& nex
 // The catalogue explains the residual, but not by what is named: its sets, most probable first.
 bool try_instead(const Diagnosis& diagnosis, const std::vector<std::string>& named,
                  AdditionJudge& judge, NextStep& next) {
-  std::vector<Description> sets;
-  add_sets(diagnosis, named, sets);
-  return try_sets(std::move(sets), judge, next) ||
+  return try_sets(sets_of_effects(diagnosis, named), judge, next) ||
          try_sets(certain_ones(diagnosis, named), judge, next);
 }
 
@@ -296,10 +108,8 @@ bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
   return true;
 }
 
-void sort_by_explained(std::vector<Description>& descriptions) {
-  std::stable_sort(descriptions.begin(), descriptions.end(), [](const auto& a, const auto& b) {
-    return a.explained_fraction > b.explained_fraction;
-  });
+void append(std::vector<Description> more, std::vector<Description>& all) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
 // Whether the most probable set needs an event beside what is named. An event explains whatever the
@@ -314,13 +124,16 @@ bool needs_event(const Diagnosis& diagnosis, const std::vector<std::string>& nam
 // Tries formulas against a name; none unless they are more certain than names have to be.
 bool try_forms(const model::Model& model, const Diagnosis& diagnosis, const DiagnosisData& data,
                const DiagnosisSettings& settings, AdditionJudge& judge, NextStep& next) {
-  NextStep instead;
-  std::vector<Description> formulas;
-  add_formulas(model, diagnosis, data, settings, instead, formulas);
+  LikelyFormulas formulas = likely_formulas(model, diagnosis, data, settings);
   double probability = 0;
-  for (const Form& form : instead.forms) probability += form.share;
-  if (probability < rules::kNamed || !describe(diagnosis, std::move(formulas), judge, instead))
+  for (const Form& form : formulas.forms) probability += form.share;
+  NextStep instead;
+  instead.forms = std::move(formulas.forms);
+  instead.experiment = std::move(formulas.experiment);
+  if (probability < rules::kNamed ||
+      !describe(diagnosis, std::move(formulas.descriptions), judge, instead)) {
     return false;
+  }
   instead.name_is = Refuted::by_formula;
   next = std::move(instead);
   return true;
@@ -329,6 +142,36 @@ bool try_forms(const model::Model& model, const Diagnosis& diagnosis, const Diag
 // Whether most of what is missing may be a function of the signals.
 bool is_function_of_signals(const Diagnosis& diagnosis) {
   return !is_mainly_fast(diagnosis) && !diagnosis.walk.may_be_all();
+}
+
+// What may describe the residual, those that explain most first. `named`: a certain part of what is
+// missing, or refused.
+std::vector<Description> possible_descriptions(const model::Model& model,
+                                               const Diagnosis& diagnosis,
+                                               const std::vector<std::string>& named,
+                                               const DiagnosisData& data,
+                                               const DiagnosisSettings& settings, NextStep& next) {
+  std::vector<Description> all;
+  const bool is_unknown = diagnosis.verdict == Verdict::unknown;
+  const bool is_function = is_function_of_signals(diagnosis);
+  if (is_unknown && !named.empty()) {
+    all.push_back(
+        {*request_of(diagnosis, named), diagnosis.find(named[0])->explained_fraction, true});
+  }
+  if (is_unknown && is_function) append(sets_of_effects(diagnosis, named), all);
+  if (!diagnosis.walk.may_be_all()) append(single_effects(diagnosis, named), all);
+  if (is_function) {
+    LikelyFormulas formulas = likely_formulas(model, diagnosis, data, settings);
+    next.forms = std::move(formulas.forms);
+    next.experiment = std::move(formulas.experiment);
+    append(std::move(formulas.descriptions), all);
+  } else if (diagnosis.late_ripple) {
+    all.push_back({{{}, *diagnosis.late_ripple}, diagnosis.fast_share});
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Description& a, const Description& b) {
+    return a.explained_fraction > b.explained_fraction;
+  });
+  return all;
 }
 
 // Whether the first refusal, of what the diagnosis names, and the accepted description contradict
@@ -369,27 +212,14 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   if (next.little_is_left) return next;
   const std::vector<std::string> events = events_among(diagnosis, named);
   if (!events.empty()) named = events;
-  std::vector<Description> descriptions;
   if (diagnosis.verdict != Verdict::unknown) {
     const bool may_be_formula = !is_little && needs_event(diagnosis, named);
     if (may_be_formula && try_forms(model, diagnosis, data, settings, judge, next)) return next;
     if (try_named(diagnosis, named, is_one, judge, next) || is_little) return next;
     if (try_instead(diagnosis, named, judge, next)) return next;
-  } else {
-    if (!named.empty()) {
-      descriptions.push_back(
-          {*request_of(diagnosis, named), diagnosis.find(named[0])->explained_fraction, true});
-    }
-    if (is_function_of_signals(diagnosis)) add_sets(diagnosis, named, descriptions);
   }
-  if (!diagnosis.walk.may_be_all()) add_singles(diagnosis, named, descriptions);
-  if (is_function_of_signals(diagnosis)) {
-    add_formulas(model, diagnosis, data, settings, next, descriptions);
-  } else if (diagnosis.late_ripple) {
-    descriptions.push_back({{{}, *diagnosis.late_ripple}, diagnosis.fast_share});
-  }
-  sort_by_explained(descriptions);
-  const bool described = describe(diagnosis, std::move(descriptions), judge, next);
+  const bool described = describe(
+      diagnosis, possible_descriptions(model, diagnosis, named, data, settings, next), judge, next);
   next.together.clear();
   if (described && refutes_name(diagnosis, next)) next.name_is = Refuted::out_of_sample;
   if (!described && may_learn(model, diagnosis, runs)) {

@@ -5,16 +5,10 @@
 #include <vector>
 
 #include "diagnosis/addition_judge.hpp"
+#include "diagnosis/descriptions.hpp"
 #include "diagnosis/diagnosis.hpp"
 
 namespace fogcomp::diagnosis {
-
-/// A formula that may describe the residual.
-struct Form {
-  std::string text;        ///< as a reader wants it: lag(dTdt^2,tau)
-  std::string expression;  ///< `NAME = EXPRESSION` with the bounds of its parameters, for `add`
-  double share = 0;        ///< how likely it is the largest part
-};
 
 /// Action proposed after a diagnosis.
 struct NextStep {

@@ -1,0 +1,189 @@
+#include "diagnosis/descriptions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "diagnosis/decision_rules.hpp"
+#include "diagnosis/forms.hpp"
+#include "model/catalogue.hpp"
+#include "model/shape_limits.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::diagnosis {
+namespace {
+
+// Limit for sets of effects of temperature and time alone if the catalogue does not explain the
+// residual: on one programme three of them can imitate nearly everything.
+constexpr std::size_t kMaxWithoutOwnInput = 2;
+constexpr std::size_t kMaxSingles = 3;
+
+// The argument for `fogcomp add`, including the changed parameter if the effect is already in the
+// model.
+std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
+  const CandidateFinding* finding = diagnosis.find(effect);
+  const auto own = std::find_if(diagnosis.terms.begin(), diagnosis.terms.end(),
+                                [&](const model::EffectTerm& term) { return term.name == effect; });
+  if (own == diagnosis.terms.end() || finding == nullptr) return effect;
+  if (model::is_event(*own)) return effect;  // one more event
+  const model::CatalogueEntry& entry = model::find_effect(effect);
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    if (finding->term().parameters[i] == own->parameters[i]) continue;
+    return format("%s:%s=%.4g", effect.c_str(), entry.parameters[i].name,
+                  finding->term().parameters[i]);
+  }
+  return effect;
+}
+
+// Whether all of them are functions of temperature and time alone.
+bool has_no_own_input(const Diagnosis& diagnosis, const std::vector<std::string>& effects) {
+  return std::none_of(effects.begin(), effects.end(), [&](const std::string& effect) {
+    const CandidateFinding* const finding = diagnosis.find(effect);
+    return finding != nullptr && model::has_own_input(finding->term());
+  });
+}
+
+// `add` takes an effect once per call: two ripples are two parts of one effect, added one after the
+// other.
+bool names_twice(const std::vector<std::string>& effects) {
+  const std::set<std::string> different(effects.begin(), effects.end());
+  return different.size() < effects.size();
+}
+
+std::vector<std::string> without_events(const Diagnosis& diagnosis,
+                                        std::vector<std::string> effects) {
+  for (const std::string& event : events_among(diagnosis, effects))
+    effects.erase(std::find(effects.begin(), effects.end(), event));
+  return effects;
+}
+
+// Fraction of the mean square above the noise floor that an effect alone takes out.
+double removed_alone(const Diagnosis& diagnosis, const CandidateFinding& finding) {
+  const double now = std::pow(diagnosis.residual_rms_dph, 2);
+  const double above = now - std::pow(diagnosis.noise_floor_dph, 2);
+  return above > 0 ? std::min(1.0, (now - std::pow(finding.rms_after_dph, 2)) / above) : 0;
+}
+
+// Coil temperature, its rate, and the one other input on which the residual depends, if any. Each
+// further input would double the number of formulas, and inputs that hardly vary look alike.
+fog::InputMask signals_of_formulas(const Diagnosis& diagnosis) {
+  const fog::InputDescription* best = nullptr;
+  double max = rules::kMinShareOfInput;
+  for (const NamedShare& variable : diagnosis.variables) {
+    for (const fog::InputDescription& input : fog::kInputTable) {
+      const bool beside = fog::beside_temperature(bit_of(input.input)) != 0;
+      if (!beside || variable.name != input.column || variable.share < max) continue;
+      max = variable.share;
+      best = &input;
+    }
+  }
+  fog::InputMask mask = bit_of(fog::Input::temperature) | bit_of(fog::Input::temperature_rate);
+  if (best != nullptr) mask |= bit_of(best->input);
+  return mask;
+}
+
+}  // namespace
+
+std::vector<std::string> events_among(const Diagnosis& diagnosis,
+                                      const std::vector<std::string>& effects) {
+  std::vector<std::string> events;
+  for (const std::string& name : effects) {
+    const CandidateFinding* const finding = diagnosis.find(name);
+    if (finding != nullptr && model::is_event(finding->term())) events.push_back(name);
+  }
+  return events;
+}
+
+std::optional<AdditionRequest> request_of(const Diagnosis& diagnosis,
+                                          const std::vector<std::string>& effects) {
+  AdditionRequest request;
+  for (const std::string& effect : effects) {
+    const CandidateFinding* const finding = diagnosis.find(effect);
+    if (finding == nullptr || !finding->is_expression()) {
+      request.effects.push_back(to_add(diagnosis, effect));
+      continue;
+    }
+    if (effects.size() > 1) return std::nullopt;
+    const model::Expression& expression = finding->term().expression->expression;
+    request.expression = expression.name + " = " + expression.text;
+  }
+  return request;
+}
+
+std::vector<Description> certain_ones(const Diagnosis& diagnosis,
+                                      const std::vector<std::string>& named) {
+  std::vector<Description> descriptions;
+  for (const CandidateFinding& finding : diagnosis.candidates) {
+    const bool is_event = model::is_event(finding.term());
+    if (finding.probability < rules::kNamed || finding.is_expression() || is_event) continue;
+    if (std::find(named.begin(), named.end(), finding.effect) != named.end()) continue;
+    descriptions.push_back({*request_of(diagnosis, {finding.effect}), finding.explained_fraction});
+  }
+  return descriptions;
+}
+
+std::vector<Description> sets_of_effects(const Diagnosis& diagnosis,
+                                         const std::vector<std::string>& named) {
+  std::vector<Description> descriptions;
+  const bool has_part =
+      diagnosis.verdict == Verdict::unknown && events_among(diagnosis, named).size() < named.size();
+  std::set<std::vector<std::string>> seen{{}, named};
+  for (const Diagnosis::Explanation& set : diagnosis.explanations) {
+    const std::vector<std::string> effects = without_events(diagnosis, set.effects);
+    const bool has_event = effects.size() < set.effects.size();
+    if (has_event && (has_part || effects.size() < 2)) continue;
+    if (names_twice(effects) || !seen.insert(effects).second) continue;
+    const bool is_pliable =
+        effects.size() > kMaxWithoutOwnInput && has_no_own_input(diagnosis, effects);
+    if (is_pliable && diagnosis.verdict == Verdict::unknown) continue;
+    if (auto request = request_of(diagnosis, effects)) {
+      descriptions.push_back({std::move(*request), set.explained_fraction, false, effects});
+    }
+  }
+  return descriptions;
+}
+
+std::vector<Description> single_effects(const Diagnosis& diagnosis,
+                                        const std::vector<std::string>& named) {
+  std::vector<const CandidateFinding*> singles;
+  for (const CandidateFinding& finding : diagnosis.candidates) {
+    if (helps_clearly(diagnosis, finding) && !finding.is_expression() &&
+        !model::only_tail_is_seen(finding.term()) &&
+        named != std::vector<std::string>{finding.effect}) {
+      singles.push_back(&finding);
+    }
+  }
+  const auto less = [](const CandidateFinding* a, const CandidateFinding* b) {
+    return a->rms_after_dph < b->rms_after_dph;
+  };
+  std::stable_sort(singles.begin(), singles.end(), less);
+  if (singles.size() > kMaxSingles) singles.resize(kMaxSingles);
+  std::vector<Description> descriptions;
+  for (const CandidateFinding* const single : singles) {
+    descriptions.push_back(
+        {*request_of(diagnosis, {single->effect}), removed_alone(diagnosis, *single)});
+  }
+  return descriptions;
+}
+
+LikelyFormulas likely_formulas(const model::Model& model, const Diagnosis& diagnosis,
+                               const DiagnosisData& data, const DiagnosisSettings& settings) {
+  const std::vector<model::EffectTerm> formulas =
+      formulas_over(data.series(), signals_of_formulas(diagnosis));
+  const Diagnosis offered = diagnose(model, data.with_offered(formulas), settings);
+  LikelyFormulas likely;
+  if (!diagnosis.experiment) likely.experiment = offered.experiment;
+  double explained_fraction = 1;
+  for (const CandidateFinding& finding : offered.candidates) {
+    if (!finding.is_expression() || finding.lead < rules::kConfusable) continue;
+    const AdditionRequest request = *request_of(offered, {finding.effect});
+    likely.forms.push_back(
+        {form_text(finding.term().expression->expression), request.expression, finding.lead});
+    // a parameter more always explains a little more
+    explained_fraction = std::min(explained_fraction, finding.explained_fraction);
+    likely.descriptions.push_back({request, explained_fraction});
+  }
+  return likely;
+}
+
+}  // namespace fogcomp::diagnosis

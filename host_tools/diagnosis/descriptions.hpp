@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/addition_judge.hpp"
+#include "diagnosis/diagnosis.hpp"
+
+namespace fogcomp::diagnosis {
+
+/// A formula that may describe the residual.
+struct Form {
+  std::string text;        ///< as a reader wants it: lag(dTdt^2,tau)
+  std::string expression;  ///< `NAME = EXPRESSION` with the bounds of its parameters, for `add`
+  double share = 0;        ///< how likely it is the largest part
+};
+
+/// A possible description of the residual and the fraction it explains.
+struct Description {
+  AdditionRequest request;
+  double explained_fraction = 0;
+  bool is_part = false;  ///< a certain part of the missing drift, the rest being unknown
+  std::vector<std::string> effects{};  ///< names of a set
+};
+
+/// Those of the named effects that are events.
+std::vector<std::string> events_among(const Diagnosis& diagnosis,
+                                      const std::vector<std::string>& effects);
+
+/// The request for `add`; nothing for an expression together with others: `add` takes effects, or
+/// one expression.
+std::optional<AdditionRequest> request_of(const Diagnosis& diagnosis,
+                                          const std::vector<std::string>& effects);
+
+/// Effects that are as certainly missing as `named`, which was refused.
+std::vector<Description> certain_ones(const Diagnosis& diagnosis,
+                                      const std::vector<std::string>& named);
+
+/// Sets of effects, most probable first, but for `named`, which was refused. A walk is no reason to
+/// leave out sets with it: beside more of what is missing there may be nothing left for a walk to
+/// explain. Events are added one at a time and found anew by each fit: a set with one is given
+/// without it if two effects are left (single ones are tried where they help clearly), and not
+/// beside an effect that is a certain part, which comes first.
+std::vector<Description> sets_of_effects(const Diagnosis& diagnosis,
+                                         const std::vector<std::string>& named);
+
+/// Effects but for `named` that alone lower the error clearly, whatever their share of what is
+/// missing; a few of those that leave least.
+std::vector<Description> single_effects(const Diagnosis& diagnosis,
+                                        const std::vector<std::string>& named);
+
+/// Formulas that may be what is missing.
+struct LikelyFormulas {
+  std::vector<Form> forms;                ///< best first
+  std::vector<Description> descriptions;  ///< of the same
+  std::optional<Experiment> experiment;   ///< that would tell these apart
+};
+/// Diagnoses again, with all formulas over temperature, its rate and the one other input on which
+/// the residual depends (formulas_over()) beside the catalogue.
+LikelyFormulas likely_formulas(const model::Model& model, const Diagnosis& diagnosis,
+                               const DiagnosisData& data, const DiagnosisSettings& settings);
+
+}  // namespace fogcomp::diagnosis
