@@ -13,6 +13,7 @@
 #include "support/input_error.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp::fit {
 namespace {
@@ -253,7 +254,10 @@ void accept_steps(const std::string& name, const model::Model& before, Addition&
   const auto has_name = [&](const model::EffectTerm& term) { return term.name == name; };
   const auto known = std::count_if(before.terms.begin(), before.terms.end(), has_name);
   if (steps.size() <= static_cast<std::size_t>(known)) {
-    throw InputError(name, "is not found: no jump of these recordings stands out of their noise");
+    throw InputError(name,
+                     format("is not found: no jump of these recordings stands out of their noise "
+                            "and of drift over %.3g h; a smaller one cannot be masked",
+                            rules::kSlowSeconds / kSecondsPerHour));
   }
   result.changed.clear();
   for (std::size_t i = 0; i < steps.size(); ++i) {
