@@ -28,7 +28,8 @@ const char* name_of(Verdict verdict);
 /// Why what a diagnosis names is something else.
 enum class Refuted {
   no,
-  out_of_sample,  ///< it fails there, and a description leaves far less (rules::kRefutes)
+  out_of_sample,  ///< it fails there: a description leaves far less (rules::kRefutes), or it raises
+                  ///< the error and nothing lowers it
   by_formula      ///< it needs an event beside it; a formula that needs none is as certain as names
 };
 

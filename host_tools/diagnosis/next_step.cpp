@@ -174,14 +174,14 @@ std::vector<Description> possible_descriptions(const model::Model& model,
   return all;
 }
 
-// Whether the first refusal, of what the diagnosis names, and the accepted description contradict
-// the name.
-bool refutes_name(const Diagnosis& diagnosis, const NextStep& next) {
-  if (diagnosis.verdict == Verdict::unknown || !next.describes || next.refused.empty())
-    return false;
+// Whether the first refusal, of what the diagnosis names, contradicts the name: a description
+// leaves far less out of sample or, without one, the only name raises the error there.
+bool refutes_name(const Diagnosis& diagnosis, bool described, const NextStep& next) {
+  if (diagnosis.verdict == Verdict::unknown || next.refused.empty()) return false;
   const TriedAddition& named = next.refused.front();
-  const bool helps_hardly = named.left() > 1 - rules::kHardlyHelps && !named.may_be_walk;
-  return named.rms_before_dph > 0 && helps_hardly &&
+  if (named.rms_before_dph <= 0 || named.may_be_walk) return false;
+  if (!described) return diagnosis.verdict == Verdict::missing_effect && named.left() > 1;
+  return named.left() > 1 - rules::kHardlyHelps &&
          next.addition->left() < rules::kRefutes * named.left();
 }
 
@@ -221,7 +221,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   const bool described = describe(
       diagnosis, possible_descriptions(model, diagnosis, named, data, settings, next), judge, next);
   next.together.clear();
-  if (described && refutes_name(diagnosis, next)) next.name_is = Refuted::out_of_sample;
+  if (refutes_name(diagnosis, described, next)) next.name_is = Refuted::out_of_sample;
   if (!described && may_learn(model, diagnosis, runs)) {
     next.describes = true;
     try_out({{fit::kNetworkName}, ""}, judge, next);
