@@ -1,6 +1,7 @@
 #include "diagnosis/next_step.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 
 #include "diagnosis/decision_rules.hpp"
@@ -76,6 +77,8 @@ bool leaves_noise(const TriedAddition& tried, double noise_floor_dph, const Judg
 // taken, an earlier one if that is nearly as good.
 bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
               AdditionJudge& judge, NextStep& next) {
+  next.describes = true;
+  if (descriptions.empty()) return false;
   if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
   std::vector<TriedAddition> tried(descriptions.size());
   const auto judge_one = [&](std::size_t i) {
@@ -83,10 +86,10 @@ bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
     tried[i] = descriptions[i].is_part ? judge(std::move(request))
                                        : judge.of_description(std::move(request));
   };
-  if (!tried.empty()) judge_one(0);  // with all threads: often it is the one
-  if (!tried.empty() && leaves_noise(tried[0], diagnosis.noise_floor_dph, judge.runs())) {
+  judge_one(0);  // with all threads: often it is the one
+  if (leaves_noise(tried[0], diagnosis.noise_floor_dph, judge.runs())) {
     tried.resize(1);
-  } else if (!tried.empty()) {
+  } else {
     for_each_index(tried.size() - 1, [&](std::size_t i) { judge_one(i + 1); });
   }
   std::size_t best = tried.size();
@@ -99,10 +102,7 @@ bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
   for (std::size_t i = 0; i < tried.size(); ++i) {
     if (!tried[i].accepted) next.refused.push_back(std::move(tried[i]));
   }
-  if (best == tried.size()) {
-    next.describes = true;
-    return false;
-  }
+  if (best == tried.size()) return false;
   next.describes = !descriptions[best].is_part;
   next.addition = std::move(tried[best]);
   return true;
@@ -121,17 +121,22 @@ bool needs_event(const Diagnosis& diagnosis, const std::vector<std::string>& nam
   return events > 0 && events < likeliest.size() && events_among(diagnosis, named).empty();
 }
 
+// Diagnoses with formulas when first asked: that takes as long as the first diagnosis.
+using AskFormulas = std::function<const LikelyFormulas&()>;
+
+void tell(const LikelyFormulas& formulas, NextStep& next) {
+  next.forms = formulas.forms;
+  next.experiment = formulas.experiment;
+}
+
 // Tries formulas against a name; none unless they are more certain than names have to be.
-bool try_forms(const model::Model& model, const Diagnosis& diagnosis, const DiagnosisData& data,
-               const DiagnosisSettings& settings, AdditionJudge& judge, NextStep& next) {
-  LikelyFormulas formulas = likely_formulas(model, diagnosis, data, settings);
+bool try_forms(const Diagnosis& diagnosis, const LikelyFormulas& formulas, AdditionJudge& judge,
+               NextStep& next) {
   double probability = 0;
   for (const Form& form : formulas.forms) probability += form.share;
   NextStep instead;
-  instead.forms = std::move(formulas.forms);
-  instead.experiment = std::move(formulas.experiment);
-  if (probability < rules::kNamed ||
-      !describe(diagnosis, std::move(formulas.descriptions), judge, instead)) {
+  tell(formulas, instead);
+  if (probability < rules::kNamed || !describe(diagnosis, formulas.descriptions, judge, instead)) {
     return false;
   }
   instead.name_is = Refuted::by_formula;
@@ -146,11 +151,9 @@ bool is_function_of_signals(const Diagnosis& diagnosis) {
 
 // What may describe the residual, those that explain most first. `named`: a certain part of what is
 // missing, or refused.
-std::vector<Description> possible_descriptions(const model::Model& model,
-                                               const Diagnosis& diagnosis,
+std::vector<Description> possible_descriptions(const Diagnosis& diagnosis,
                                                const std::vector<std::string>& named,
-                                               const DiagnosisData& data,
-                                               const DiagnosisSettings& settings, NextStep& next) {
+                                               const AskFormulas& formulas, NextStep& next) {
   std::vector<Description> all;
   const bool is_unknown = diagnosis.verdict == Verdict::unknown;
   const bool is_function = is_function_of_signals(diagnosis);
@@ -161,10 +164,8 @@ std::vector<Description> possible_descriptions(const model::Model& model,
   if (is_unknown && is_function) append(sets_of_effects(diagnosis, named), all);
   if (!diagnosis.walk.may_be_all()) append(single_effects(diagnosis, named), all);
   if (is_function) {
-    LikelyFormulas formulas = likely_formulas(model, diagnosis, data, settings);
-    next.forms = std::move(formulas.forms);
-    next.experiment = std::move(formulas.experiment);
-    append(std::move(formulas.descriptions), all);
+    tell(formulas(), next);
+    append(formulas().descriptions, all);
   } else if (diagnosis.late_ripple) {
     all.push_back({{{}, *diagnosis.late_ripple}, diagnosis.fast_share});
   }
@@ -212,14 +213,19 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   if (next.little_is_left) return next;
   const std::vector<std::string> events = events_among(diagnosis, named);
   if (!events.empty()) named = events;
+  std::optional<LikelyFormulas> likely;
+  const AskFormulas formulas = [&]() -> const LikelyFormulas& {
+    if (!likely) likely = likely_formulas(model, diagnosis, data, settings);
+    return *likely;
+  };
   if (diagnosis.verdict != Verdict::unknown) {
     const bool may_be_formula = !is_little && needs_event(diagnosis, named);
-    if (may_be_formula && try_forms(model, diagnosis, data, settings, judge, next)) return next;
+    if (may_be_formula && try_forms(diagnosis, formulas(), judge, next)) return next;
     if (try_named(diagnosis, named, is_one, judge, next) || is_little) return next;
     if (try_instead(diagnosis, named, judge, next)) return next;
   }
-  const bool described = describe(
-      diagnosis, possible_descriptions(model, diagnosis, named, data, settings, next), judge, next);
+  const bool described =
+      describe(diagnosis, possible_descriptions(diagnosis, named, formulas, next), judge, next);
   next.together.clear();
   if (refutes_name(diagnosis, described, next)) next.name_is = Refuted::out_of_sample;
   if (!described && may_learn(model, diagnosis, runs)) {
