@@ -64,15 +64,6 @@ void add_parts(Document& document, const fit::Addition& addition) {
   document.table(std::move(table));
 }
 
-// Whose bias the model has where a step is part of it.
-void add_steps(Document& document, const fit::Addition& addition) {
-  const std::vector<model::EffectTerm> steps = found_steps(addition.model);
-  const std::vector<std::string> files = step_files(addition);
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    document.sentence(bias_step_words(steps[i], files.at(i)));
-  }
-}
-
 Text before_and_after(const fit::Addition::RunError& run) {
   return "Rms " + number(run.rms_before_dph) + " deg/h before, " + number(run.rms_after_dph) +
          " after.";
@@ -129,7 +120,9 @@ Document add_findings(const fit::Addition& addition, const std::string& model,
   for (const std::string& warning : addition.fit.identified.warnings) {
     document.sentence("note: " + words(warning, names));
   }
-  add_steps(document, addition);
+  for (Text& step : bias_steps_words(addition.model, step_files(addition))) {
+    document.sentence(std::move(step));
+  }
   if (addition.fit.network_judged) document.sentence(words(network_verdict(addition.fit)));
   if (!addition.parts.empty()) add_parts(document, addition);
   if (!changed.terms.empty()) document.listing(model::describe(changed));

@@ -54,16 +54,6 @@ Json added_terms_json(const fit::Addition& addition) {
   return terms;
 }
 
-Json steps_json(const fit::Addition& addition) {
-  const std::vector<model::EffectTerm> steps = found_steps(addition.model);
-  const std::vector<std::string> files = step_files(addition);
-  Json json = Json::array();
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    json.push(bias_step_json(steps[i], files.at(i)));
-  }
-  return json;
-}
-
 Json runs_json(const std::vector<fit::Addition::RunError>& runs) {
   return json_array(runs, [&](const fit::Addition::RunError& run) {
     return Json::object()
@@ -100,7 +90,7 @@ Json add_json(const fit::Addition& addition, const std::string& written) {
       .set("chance_of_walk", addition.chance_of_walk)
       .set("runs", runs_json(addition.runs))
       .set("halves", halves_json(addition.halves))
-      .set("steps", steps_json(addition))
+      .set("steps", bias_steps_json(addition.model, step_files(addition)))
       .set("parameters", is_network ? Json::object() : parameters_json(term))
       .set("coefficients", is_network ? Json::object() : coefficients_json(term))
       .set("notes", std::move(notes))

@@ -44,4 +44,23 @@ Json bias_step_json(const model::EffectTerm& step, const std::string& place) {
       .set("model_bias", side_of(step));
 }
 
+std::vector<Text> bias_steps_words(const model::Model& model,
+                                   const std::vector<std::string>& places) {
+  const std::vector<model::EffectTerm> steps = found_steps(model);
+  std::vector<Text> all;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    all.push_back(bias_step_words(steps[i], places.empty() ? "" : places.at(i)));
+  }
+  return all;
+}
+
+Json bias_steps_json(const model::Model& model, const std::vector<std::string>& places) {
+  const std::vector<model::EffectTerm> steps = found_steps(model);
+  Json all = Json::array();
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    all.push(bias_step_json(steps[i], places.empty() ? "" : places.at(i)));
+  }
+  return all;
+}
+
 }  // namespace fogcomp::findings

@@ -23,4 +23,9 @@ Text bias_step_words(const model::EffectTerm& step, const std::string& place = "
 /// `model_bias` (`before` or `after`).
 Json bias_step_json(const model::EffectTerm& step, const std::string& place = "");
 
+/// Both for all found steps of a model. `places`: one for each, or none if they need not be said.
+std::vector<Text> bias_steps_words(const model::Model& model,
+                                   const std::vector<std::string>& places = {});
+Json bias_steps_json(const model::Model& model, const std::vector<std::string>& places = {});
+
 }  // namespace fogcomp::findings

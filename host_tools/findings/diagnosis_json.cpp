@@ -196,9 +196,7 @@ Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files) {
   Json result = diagnosis_json(ladder.first, ladder.next, files);
   result.set("added", ladder.added()).set("described", ladder.described());
   result.set("ladder", std::move(steps));
-  Json found = json_array(found_steps(ladder.model),
-                          [](const model::EffectTerm& step) { return bias_step_json(step); });
-  result.set("bias_steps", std::move(found));
+  result.set("bias_steps", bias_steps_json(ladder.model));
   result.set("commands", ladder_commands(ladder, files));
   result.set("model", files.output.empty() ? Json() : Json(files.output));
   result.set("last", diagnosis_json(ladder.last, {}, files));

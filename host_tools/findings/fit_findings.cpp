@@ -53,10 +53,8 @@ void add_rows(Document& document, const FitOutcome& fit) {
 
 void add_steps(Document& document, const FitOutcome& fit) {
   const fit::Identification& identified = fit.result.identified;
-  const std::vector<model::EffectTerm> steps = found_steps(fit.model);
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    document.sentence(bias_step_words(steps[i], fit.step_places.at(i)));
-  }
+  for (Text& step : bias_steps_words(fit.model, fit.step_places))
+    document.sentence(std::move(step));
   if (identified.masked > 0) {
     document.sentence(words(counted(identified.masked, "row") + " left out, in which a step lies"));
   }

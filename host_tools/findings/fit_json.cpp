@@ -18,15 +18,6 @@ Json terms_json(const model::Model& model) {
   });
 }
 
-Json steps_json(const FitOutcome& fit) {
-  const std::vector<model::EffectTerm> steps = found_steps(fit.model);
-  Json json = Json::array();
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    json.push(bias_step_json(steps[i], fit.step_places.at(i)));
-  }
-  return json;
-}
-
 }  // namespace
 
 Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
@@ -51,7 +42,8 @@ Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
                    .set("value_s", lag.value_s)
                    .set("sigma_s", lag.sigma_s);
              }));
-  result.set("steps", steps_json(fit)).set("masked_rows", identified.masked);
+  result.set("steps", bias_steps_json(fit.model, fit.step_places))
+      .set("masked_rows", identified.masked);
   result.set("effects", terms_json(fit.model));
   result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));
   const std::optional<double> determined = fit.determined_weights();
