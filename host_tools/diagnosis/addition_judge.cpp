@@ -7,8 +7,8 @@
 #include "fit/cross_validation.hpp"
 #include "fit/decision_rules.hpp"
 #include "fit/effect_change.hpp"
+#include "fit/possible_gain.hpp"
 #include "model/catalogue.hpp"
-#include "model/shape_limits.hpp"
 #include "support/input_error.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
@@ -40,16 +40,6 @@ std::string objection_to(const model::Model& grown, bool may_be_little) {
   }
   return "its gain is so small that it may only correct inexact terms of the model: let a run "
          "that was not fitted decide, with --holdout";
-}
-
-// Whether it is refused for a shape at the bound where an effect becomes a line in time.
-bool is_refused_as_line(const fit::Addition& addition) {
-  for (const std::size_t term : addition.changed) {
-    for (const model::ShapeDoubt& doubt : model::shape_doubts(addition.model.terms[term])) {
-      if (doubt.instead == model::kLineInTime && doubt.sentence == addition.reason) return true;
-    }
-  }
-  return false;
 }
 
 }  // namespace
@@ -97,8 +87,15 @@ bool is_worth_adding(double before_dph, double after_dph, double fitted_dph) {
 }
 
 AdditionJudge::AdditionJudge(const model::Model& model, const JudgingRuns& runs, bool run_offsets)
-    : model_(model), runs_(runs), run_offsets_(run_offsets) {
+    : runs_(runs), run_offsets_(run_offsets) {
+  go_on_from(model);
+}
+
+void AdditionJudge::go_on_from(const model::Model& model) {
+  model_ = model;
   model_.network = {};
+  refitted_.reset();
+  failure_.clear();
 }
 
 void AdditionJudge::prepare() {
@@ -106,7 +103,8 @@ void AdditionJudge::prepare() {
   try {
     fit::AddSettings settings;
     settings.run_offsets = run_offsets_;
-    refitted_ = fit::refitted(model_, runs_.training, settings);
+    if (!series_) series_ = std::make_shared<fit::TrainingSeries>(model_, runs_.training);
+    refitted_ = fit::refitted(model_, runs_.training, settings, series_);
   } catch (const InputError& error) {
     failure_ = error.what();
   }
@@ -115,6 +113,16 @@ void AdditionJudge::prepare() {
 TriedAddition AdditionJudge::operator()(AdditionRequest request) {
   std::optional<fit::Addition> addition;
   return tried(std::move(request), addition);
+}
+
+bool AdditionJudge::may_help(const AdditionRequest& request) {
+  prepare();
+  if (!refitted_) return false;
+  const std::vector<model::EffectTerm>& before = refitted_->model.terms;
+  const double gain = fit::possible_gain(series_->known(), before,
+                                         fit::change_effects(before, request.effects).terms,
+                                         {refitted_->noise, refitted_->row_weights, run_offsets_});
+  return gain >= fit::rules::kVisible * fit::rules::kVisible;
 }
 
 TriedAddition AdditionJudge::tried(AdditionRequest request,
@@ -132,7 +140,7 @@ TriedAddition AdditionJudge::tried(AdditionRequest request,
         addition->accepted ? objection_to(addition->model, may_be_little) : "";
     trial.accepted = addition->accepted && objection.empty();
     trial.may_be_walk = addition->chance_of_walk.value_or(0) >= fit::rules::kMaxChanceOfWalk;
-    trial.may_be_line = is_refused_as_line(*addition);
+    trial.may_be_line = addition->may_be_line;
     trial.reason = objection.empty() ? addition->reason : objection;
     if (addition->out_of_sample) {
       trial.rms_before_dph = addition->out_of_sample->rms_before_dph;
@@ -188,10 +196,8 @@ bool AdditionJudge::others_show(const fit::Addition& on_all, std::size_t run) co
     if (model::has_own_input(on_all.model.terms[term])) of_own_input.push_back(term);
   }
   if (of_own_input.empty()) return true;
-  series::SignalSeries series(on_all.model);
-  for (const compare::RunInBlocks& one : runs_.training.runs) series.add(one.blocks);
   const fit::Identification& fit = on_all.fit.identified;
-  return fit::others_determine(series, on_all.model.terms, of_own_input, run,
+  return fit::others_determine(series_->known(), on_all.model.terms, of_own_input, run,
                                {fit.noise, fit.row_weights, run_offsets_});
 }
 

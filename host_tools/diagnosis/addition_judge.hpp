@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ struct AdditionRequest {
   bool run_offsets = false;          ///< with a bias of its own for each run
   /// The diagnosis names it, having allowed for inexact terms of the model.
   bool may_be_little = false;
+  bool refines = false;  ///< frees what the formulas of the model's own effects leave out
 
   std::vector<std::string> names() const;  ///< without their parameters
   bool is_network() const;
@@ -61,7 +63,7 @@ double error_when_fitted(const model::Model& model, double now_dph);
 bool is_worth_adding(double before_dph, double after_dph, double fitted_dph);
 
 /// Tries additions as `add` would judge them, without the model's network. The model is refitted
-/// once for all of them.
+/// once for all of them, and the regressors of the runs are remembered from model to model.
 class AdditionJudge {
  public:
   /// `runs` must outlive the judge. `run_offsets`: with a bias of its own for each run.
@@ -69,11 +71,18 @@ class AdditionJudge {
 
   const JudgingRuns& runs() const { return runs_; }
 
+  /// The next trials start from this model, which has the same averaging and derivative.
+  void go_on_from(const model::Model& model);
+
   /// Refits the model without a change, if that has not been done; before calls from several
   /// threads.
   void prepare();
 
   TriedAddition operator()(AdditionRequest request);
+
+  /// Whether a change of shapes would be certainly visible in the runs of the fit
+  /// (fit::possible_gain(), fit::rules::kVisible). A trial takes a hundred times as long.
+  bool may_help(const AdditionRequest& request);
 
   /// For a description without physics also requires every run: stretches left out of a run have
   /// the temperatures of their neighbours, another run has not. A run that alone moves an input of
@@ -90,6 +99,7 @@ class AdditionJudge {
   model::Model model_;
   const JudgingRuns& runs_;
   bool run_offsets_;
+  std::shared_ptr<const fit::TrainingSeries> series_;  // of runs_, once it is needed
   std::optional<fit::RefittedModel> refitted_;
   std::string failure_;  // why there is none
 };

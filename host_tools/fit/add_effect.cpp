@@ -10,6 +10,7 @@
 #include "fit/walk_instead.hpp"
 #include "model/shape_limits.hpp"
 #include "model/shape_parameter.hpp"
+#include "series/required_inputs.hpp"
 #include "support/input_error.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
@@ -42,7 +43,7 @@ model::Model without_network(model::Model model) {
 
 // Data needed to compare two models out of sample.
 struct Judge {
-  const series::SignalSeries& series;
+  const KnownRegressors& known;
   const std::vector<compare::RunInBlocks>& holdouts;
   JudgedWith with;
 
@@ -50,7 +51,7 @@ struct Judge {
   OutOfSample operator()(const model::Model& before, const model::Model& after,
                          const std::vector<std::size_t>& changed) const {
     if (holdouts.empty()) {
-      return cross_validate(series, before.terms, after.terms, changed, with);
+      return cross_validate(known, before.terms, after.terms, changed, with);
     }
     return judge_on_holdouts(without_network(before), without_network(after), holdouts, with.noise,
                              with.run_offsets);
@@ -62,9 +63,9 @@ class PartsOfSet {
  public:
   /// `given`: the terms that were changed; a fit may move steps elsewhere.
   PartsOfSet(const std::vector<model::EffectTerm>& given, const model::Model& before,
-             const model::Model& after, const EffectChange& change,
-             const series::SignalSeries& series, const AddSettings& settings)
-      : given_(given), change_(change), series_(series), settings_(settings) {
+             const model::Model& after, const EffectChange& change, const KnownRegressors& known,
+             const AddSettings& settings)
+      : given_(given), change_(change), known_(known), settings_(settings) {
     take({}, before);
     take(change.changed, after);
   }
@@ -83,7 +84,7 @@ class PartsOfSet {
       }
     }
     FitSettings fitting = fit_settings(model, settings_);
-    fit_model(model, series_, fitting);
+    fit_model(model, known_, fitting);
     return fitted_[chosen] = std::move(model);
   }
 
@@ -95,7 +96,7 @@ class PartsOfSet {
 
   const std::vector<model::EffectTerm>& given_;
   const EffectChange& change_;
-  const series::SignalSeries& series_;
+  const KnownRegressors& known_;
   const AddSettings& settings_;
   std::map<std::vector<std::size_t>, model::Model> fitted_;
 };
@@ -146,21 +147,21 @@ std::vector<Addition::Part> judge_parts(const EffectChange& change, const Judge&
 
 // Judges the effects alone, on data that were not fitted.
 void judge_out_of_sample(const std::vector<model::EffectTerm>& given, const model::Model& before,
-                         const EffectChange& change, const series::SignalSeries& series,
+                         const EffectChange& change, const KnownRegressors& known,
                          const std::vector<compare::RunInBlocks>& holdouts,
                          const AddSettings& settings, Addition& result) {
   const Identification& identified = result.fit.identified;
   const Judge judge{
-      series, holdouts, {identified.noise, identified.row_weights, settings.run_offsets}};
+      known, holdouts, {identified.noise, identified.row_weights, settings.run_offsets}};
   result.changed = places_of(change, change.changed, result.model);
   std::optional<double> chance_of_walk;
   const auto ask_walk = [&] {
     if (!identified.noise.from_quiet_parts) return;
-    chance_of_walk = chance_of_walk_instead(before.terms, result.model.terms, result.changed,
-                                            series, judge.with);
+    chance_of_walk =
+        chance_of_walk_instead(before.terms, result.model.terms, result.changed, known, judge.with);
   };
   // Few runs are judged by their stretches, and then a walk is asked for: both at once.
-  const bool few = holdouts.empty() && series.rows().runs().size() < rules::kEnoughRuns;
+  const bool few = holdouts.empty() && known.series().rows().runs().size() < rules::kEnoughRuns;
   std::atomic<bool> has_failed{false};
   for_each_index(few ? 2 : 1, [&](std::size_t i) {
     if (i == 1 && !has_failed) ask_walk();
@@ -170,12 +171,12 @@ void judge_out_of_sample(const std::vector<model::EffectTerm>& given, const mode
   });
   if (has_failed) return;
   if (change.changed.size() > 1) {
-    PartsOfSet models(given, before, result.model, change, series, settings);
+    PartsOfSet models(given, before, result.model, change, known, settings);
     result.parts = judge_parts(change, judge, models, settings.verdict_only);
   }
   if (!settings.verdict_only) {
     result.halves =
-        judge_halves(series, before.terms, result.model.terms, result.changed, judge.with);
+        judge_halves(known, before.terms, result.model.terms, result.changed, judge.with);
   }
   if (!result.out_of_sample->within_runs) return;
   if (!few) ask_walk();
@@ -192,38 +193,49 @@ void judge_network(const std::vector<compare::RunInBlocks>& holdouts, bool run_o
                                            result.fit.identified.noise, run_offsets);
 }
 
-// Reason not to accept a new part of a term although it helps; "" if there is none.
-std::string doubt_of(const model::EffectTerm& term, const model::Model& before) {
+// Reason not to accept a new part of a term although it helps.
+struct Doubt {
+  std::string sentence;  // "" if there is none
+  bool may_be_line = false;
+};
+Doubt doubt_of(const model::EffectTerm& term, const model::Model& before) {
   const model::EffectTerm* own = before.find(term.name);
   for (const model::ShapeDoubt& doubt : model::shape_doubts(term)) {
-    if (own == nullptr || !own->identified[doubt.parameter]) return doubt.sentence;
+    if (own != nullptr && own->identified[doubt.parameter]) continue;
+    return {doubt.sentence, doubt.instead == model::kLineInTime};
   }
   // With a free shape the coefficient may be uncertain although the curve is known well: for t <<
   // t0 the logarithm of aging is a line with the slope coefficient / t0.
   const bool judged = own == nullptr && model::shape_parameters({term}).empty();
-  return judged ? model::coefficient_doubt(term) : "";
+  return {judged ? model::coefficient_doubt(term) : ""};
+}
+
+// That of the refitted model, if `model` can be fitted to it.
+std::shared_ptr<const TrainingSeries> series_for(const model::Model& model,
+                                                 const TrainingRuns& training,
+                                                 const AddSettings& settings) {
+  if (settings.before == nullptr) return std::make_shared<TrainingSeries>(model, training);
+  for (const compare::RunInBlocks& run : training.runs) series::require_inputs(model, run.blocks);
+  return settings.before->series;
 }
 
 // Refitting the model without the change is half of the work.
 void refit_both(model::Model& before, Addition& after, int network_hidden,
-                const series::SignalSeries& series, const AddSettings& settings) {
+                const KnownRegressors& known, const AddSettings& settings) {
   FitSettings fitting = fit_settings(before, settings);
   double half = 0;
   fitting.network.training.go_on = [&](double done) {
     if (settings.progress) settings.progress((half + done) / 2);
     return true;
   };
-  const RefittedModel* const known = settings.before;
-  const Eigen::VectorXd& drift_dph = series.rows().drift_dph;
-  if (known != nullptr && known->drift_dph.size() == drift_dph.size() &&
-      known->drift_dph == drift_dph) {
-    before = known->model;
+  if (settings.before != nullptr) {
+    before = settings.before->model;
   } else {
-    fit_model(before, series, fitting);
+    fit_model(before, known, fitting);
   }
   half = 1;
   if (network_hidden > 0) fitting.network.hidden = network_hidden;
-  after.fit = fit_model(after.model, series, fitting);
+  after.fit = fit_model(after.model, known, fitting);
 }
 
 // Errors on all runs, the holdouts last; returns the change on the holdouts.
@@ -283,17 +295,18 @@ void decide(const model::Model& model, const std::optional<model::HistoryEntry::
              result.changed.empty() ? "it takes the residual" : "the effects alone leave",
              out_of_sample_words(judged).c_str());
   if (!judged.helps()) return;
-  std::string doubt;
+  Doubt doubt;
   for (const std::size_t i : result.changed) {
-    if (doubt.empty()) doubt = doubt_of(result.model.terms[i], model);
+    if (doubt.sentence.empty()) doubt = doubt_of(result.model.terms[i], model);
   }
   const auto needless = std::find_if(result.parts.begin(), result.parts.end(), is_needless);
   if (risen) {
     result.reason =
         format("makes the whole model worse on the holdouts: %s -> %s deg/h",
                rounded(risen->rms_before_dph).c_str(), rounded(risen->rms_after_dph).c_str());
-  } else if (!doubt.empty()) {
-    result.reason = doubt;
+  } else if (!doubt.sentence.empty()) {
+    result.reason = doubt.sentence;
+    result.may_be_line = doubt.may_be_line;
   } else if (result.model.uncertain && !model.uncertain) {
     result.reason = format(
         "with it these runs do not determine the drift: in a soak it is known to +- %.2g "
@@ -321,13 +334,14 @@ std::vector<std::string> Addition::names() const {
 }
 
 RefittedModel refitted(const model::Model& model, const TrainingRuns& training,
-                       const AddSettings& settings) {
-  RefittedModel result{{}, model};
+                       const AddSettings& settings, std::shared_ptr<const TrainingSeries> series) {
+  if (series == nullptr) series = std::make_shared<TrainingSeries>(model, training);
+  RefittedModel result{std::move(series), model};
   result.model.noise_dph_rthz = training.noise_dph_rthz;
-  series::SignalSeries series(result.model);
-  for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
-  fit_model(result.model, series, fit_settings(result.model, settings));
-  result.drift_dph = series.rows().drift_dph;
+  FitResult fit =
+      fit_model(result.model, result.series->known(), fit_settings(result.model, settings));
+  result.noise = fit.identified.noise;
+  result.row_weights = std::move(fit.identified.row_weights);
   return result;
 }
 
@@ -339,9 +353,8 @@ Addition add_effect(const model::Model& model, const EffectChange& change,
   before.noise_dph_rthz = training.noise_dph_rthz;
   result.model = before;
   result.model.terms = change.terms;
-  series::SignalSeries series(result.model);
-  for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
-  refit_both(before, result, change.network_hidden, series, settings);
+  const std::shared_ptr<const TrainingSeries> series = series_for(result.model, training, settings);
+  refit_both(before, result, change.network_hidden, series->known(), settings);
   const bool is_event =
       !change.changed.empty() && searches_steps({change.terms[change.changed.front()]});
   if (is_event) {
@@ -349,7 +362,7 @@ Addition add_effect(const model::Model& model, const EffectChange& change,
   } else if (change.network_hidden > 0) {
     judge_network(holdouts, settings.run_offsets, result);
   } else {
-    judge_out_of_sample(model.terms, before, change, series, holdouts, settings, result);
+    judge_out_of_sample(model.terms, before, change, series->known(), holdouts, settings, result);
   }
   const RiseTest on_holdouts = compare_on_runs(before, training.runs, holdouts, settings, result);
   model::HistoryEntry step{"add " + change.what, training.data_hash, before.residual_rms_dph,

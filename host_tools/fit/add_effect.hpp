@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,13 +12,16 @@
 #include "fit/effect_change.hpp"
 #include "fit/fit_model.hpp"
 #include "fit/training_runs.hpp"
+#include "fit/training_series.hpp"
 
 namespace fogcomp::fit {
 
-/// The model without the change, refitted to some rows.
+/// The model without the change, refitted to the training runs.
 struct RefittedModel {
-  Eigen::VectorXd drift_dph;  ///< of the rows
+  std::shared_ptr<const TrainingSeries> series;  ///< of these runs
   model::Model model;
+  noise::NoiseModel noise{};  ///< as Identification has them
+  Eigen::VectorXd row_weights{};
 };
 
 struct AddSettings {
@@ -65,14 +69,17 @@ struct Addition {
   std::optional<double> chance_of_walk;
   std::vector<HalfTest> halves;  ///< the same on the halves of the training runs; for information
   bool accepted = false;
-  std::string reason;  ///< one line: why it is accepted or not
+  std::string reason;        ///< one line: why it is accepted or not
+  bool may_be_line = false;  ///< refused because a line in time would do as well
 
   std::vector<std::string> names() const;  ///< of the additions and changes
 };
 
-/// `model` refitted to the training runs without any change. Throws InputError like add_effect().
+/// `model` refitted to the training runs without any change. `series`: theirs, if there is one of a
+/// model with the same averaging and derivative. Throws InputError like add_effect().
 RefittedModel refitted(const model::Model& model, const TrainingRuns& training,
-                       const AddSettings& settings);
+                       const AddSettings& settings,
+                       std::shared_ptr<const TrainingSeries> series = nullptr);
 
 /// Applies `change` to `model`, for whose terms it was made, and refits everything on `training`:
 /// all effects together, then, if the model has a network, a new one of the same size on their

@@ -58,7 +58,7 @@ void take_out_unknown_offsets(const series::Rows& rows, const Eigen::VectorXd& f
   }
 }
 
-Fold leave_out(KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
+Fold leave_out(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
                const Part& left_out, const JudgedWith& with) {
   const series::Rows& rows = known.series().rows();
   Eigen::VectorXd weights = with.row_weights;
@@ -116,7 +116,7 @@ struct Residuals {
   std::vector<Fold> added;  // of `after`
 };
 
-Residuals leave_each_out(KnownRegressors& known, const std::vector<model::EffectTerm>& before,
+Residuals leave_each_out(const KnownRegressors& known, const std::vector<model::EffectTerm>& before,
                          const std::vector<model::EffectTerm>& after,
                          const std::vector<Part>& parts, const JudgedWith& with) {
   Residuals residuals{Eigen::VectorXd(known.series().rows().size()),
@@ -137,7 +137,7 @@ Residuals leave_each_out(KnownRegressors& known, const std::vector<model::Effect
 }
 
 // Whether every fold determines the coefficients of some terms.
-bool determine_terms(const std::vector<Fold>& folds, const Fold& all, KnownRegressors& known,
+bool determine_terms(const std::vector<Fold>& folds, const Fold& all, const KnownRegressors& known,
                      const std::vector<model::EffectTerm>& terms,
                      const std::vector<std::size_t>& asked) {
   Eigen::Index first = 0;
@@ -184,11 +184,11 @@ Eigen::VectorXd weights_of(const std::vector<Part>& parts, const std::vector<boo
 // rows and judged there.
 class CrossValidation {
  public:
-  CrossValidation(const series::SignalSeries& series, const std::vector<model::EffectTerm>& before,
+  CrossValidation(const KnownRegressors& known, const std::vector<model::EffectTerm>& before,
                   const std::vector<model::EffectTerm>& after,
                   const std::vector<std::size_t>& changed, const JudgedWith& with)
-      : rows_(series.rows()),
-        known_(series),
+      : rows_(known.series().rows()),
+        known_(known),
         before_(with_fixed_shapes(before, {})),
         after_(with_fixed_shapes(after, changed)),
         changed_(changed),
@@ -247,7 +247,7 @@ class CrossValidation {
   }
 
   const series::Rows& rows_;
-  KnownRegressors known_;
+  const KnownRegressors& known_;
   std::vector<model::EffectTerm> before_;
   std::vector<model::EffectTerm> after_;
   const std::vector<std::size_t>& changed_;
@@ -257,28 +257,26 @@ class CrossValidation {
 
 }  // namespace
 
-OutOfSample cross_validate(const series::SignalSeries& series,
+OutOfSample cross_validate(const KnownRegressors& known,
                            const std::vector<model::EffectTerm>& before,
                            const std::vector<model::EffectTerm>& after,
                            const std::vector<std::size_t>& changed, const JudgedWith& with) {
-  const series::Rows& rows = series.rows();
-  CrossValidation validation(series, before, after, changed, with);
+  const series::Rows& rows = known.series().rows();
+  CrossValidation validation(known, before, after, changed, with);
   if (rows.runs().size() >= rules::kEnoughRuns) {
     if (auto result = validation.on_runs()) return *result;
   }
-  const Eigen::VectorXd residual = rows.drift_dph - series.drift_dph(after);
+  const Eigen::VectorXd residual = rows.drift_dph - known.series().drift_dph(after);
   return validation.on_stretches(
       stretches_of(rows, {residual.begin(), residual.end()}, with.noise));
 }
 
-bool others_determine(const series::SignalSeries& series,
-                      const std::vector<model::EffectTerm>& after,
+bool others_determine(const KnownRegressors& known, const std::vector<model::EffectTerm>& after,
                       const std::vector<std::size_t>& changed, std::size_t run,
                       const JudgedWith& with) {
-  KnownRegressors known(series);
   const std::vector<model::EffectTerm> terms = with_fixed_shapes(after, changed);
   const Fold all = leave_out(known, terms, {}, with);
-  const Fold others = leave_out(known, terms, {series.rows().runs()[run]}, with);
+  const Fold others = leave_out(known, terms, {known.series().rows().runs()[run]}, with);
   return determine_terms({others}, all, known, terms, changed);
 }
 
@@ -298,13 +296,12 @@ OutOfSample cross_validate_learner(const series::Rows& rows, const Eigen::Vector
   return result;
 }
 
-std::vector<HalfTest> judge_halves(const series::SignalSeries& series,
+std::vector<HalfTest> judge_halves(const KnownRegressors& known,
                                    const std::vector<model::EffectTerm>& before,
                                    const std::vector<model::EffectTerm>& after,
                                    const std::vector<std::size_t>& changed,
                                    const JudgedWith& with) {
-  const series::Rows& rows = series.rows();
-  KnownRegressors known(series);
+  const series::Rows& rows = known.series().rows();
   Part first;
   Part second;
   for (const recording::RowRange& run : rows.runs()) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/known_regressors.hpp"
 #include "fit/out_of_sample.hpp"
 
 namespace fogcomp::fit {
@@ -17,15 +18,14 @@ namespace fogcomp::fit {
 /// is undetermined do not count. `before`, `after`: identified on all of `series`. Each fold solves
 /// for all coefficients again and for the shapes of after[i], i in `changed`; other shapes are
 /// fixed.
-OutOfSample cross_validate(const series::SignalSeries& series,
+OutOfSample cross_validate(const KnownRegressors& known,
                            const std::vector<model::EffectTerm>& before,
                            const std::vector<model::EffectTerm>& after,
                            const std::vector<std::size_t>& changed, const JudgedWith& with);
 
 /// Whether the runs but one determine the coefficients of after[i], i in `changed`, not much worse
 /// than all runs do: only then can that one judge them. `after`: identified on all of `series`.
-bool others_determine(const series::SignalSeries& series,
-                      const std::vector<model::EffectTerm>& after,
+bool others_determine(const KnownRegressors& known, const std::vector<model::EffectTerm>& after,
                       const std::vector<std::size_t>& changed, std::size_t run,
                       const JudgedWith& with);
 
@@ -52,7 +52,7 @@ struct HalfTest {
 std::string half_words(const HalfTest& half);
 
 /// First and second half, each left out once.
-std::vector<HalfTest> judge_halves(const series::SignalSeries& series,
+std::vector<HalfTest> judge_halves(const KnownRegressors& known,
                                    const std::vector<model::EffectTerm>& before,
                                    const std::vector<model::EffectTerm>& after,
                                    const std::vector<std::size_t>& changed, const JudgedWith& with);

@@ -42,12 +42,13 @@ model::RealNetwork as_model(const TrainedNetwork& trained, std::vector<model::Re
 
 }  // namespace
 
-FitResult fit_model(model::Model& model, const series::SignalSeries& series,
+FitResult fit_model(model::Model& model, const KnownRegressors& known,
                     const FitSettings& settings) {
+  const series::SignalSeries& series = known.series();
   const series::Rows& rows = series.rows();
   FitResult result;
   model.network = model::RealNetwork();
-  result.identified = identify(model, series, settings.identify);
+  result.identified = identify(model, known, settings.identify);
   result.raw_std_dph =
       weighted_std(rows.drift_dph, noise::counted_weights(rows, result.identified.row_weights));
   result.effects_rms_dph = model.residual_rms_dph;

@@ -6,6 +6,7 @@
 #include "compare/run_in_blocks.hpp"
 #include "denoise/denoise.hpp"
 #include "fit/identify.hpp"
+#include "fit/known_regressors.hpp"
 #include "fit/residual_network.hpp"
 
 namespace fogcomp::fit {
@@ -33,7 +34,6 @@ struct FitResult {
 /// network on their residual, which is kept if it helps out of sample (residual_network.hpp).
 /// Replaces the model's network, trained range and residual; the caller updates its history. Throws
 /// InputError like identify().
-FitResult fit_model(model::Model& model, const series::SignalSeries& series,
-                    const FitSettings& settings);
+FitResult fit_model(model::Model& model, const KnownRegressors& known, const FitSettings& settings);
 
 }  // namespace fogcomp::fit

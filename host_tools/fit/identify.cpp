@@ -101,13 +101,14 @@ SoughtSteps take_out_steps(std::vector<model::EffectTerm>& terms, std::size_t ma
   return sought;
 }
 
-FitWithSteps fit_all(const series::SignalSeries& series,
-                     const std::vector<model::EffectTerm>& terms, std::size_t max_steps,
-                     const Eigen::MatrixXd& offsets, const IdentifySettings& settings) {
-  if (max_steps > 0) return fit_with_steps(series, terms, offsets, max_steps, settings.progress);
+FitWithSteps fit_all(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
+                     std::size_t max_steps, const Eigen::MatrixXd& offsets,
+                     const IdentifySettings& settings) {
+  if (max_steps > 0) return fit_with_steps(known, terms, offsets, max_steps, settings.progress);
   FitWithSteps found;
-  found.fit = fit_determined(series, terms, offsets, Eigen::VectorXd::Ones(series.rows().size()),
-                             settings.progress);
+  found.fit =
+      fit_determined(known, terms, offsets, Eigen::VectorXd::Ones(known.series().rows().size()),
+                     settings.progress);
   return found;
 }
 
@@ -216,15 +217,16 @@ bool searches_steps(const std::vector<model::EffectTerm>& terms) {
   return std::any_of(terms.begin(), terms.end(), is_sought);
 }
 
-Identification identify(model::Model& model, const series::SignalSeries& series,
+Identification identify(model::Model& model, const KnownRegressors& known,
                         const IdentifySettings& settings) {
+  const series::SignalSeries& series = known.series();
   const series::Rows& rows = series.rows();
   const SoughtSteps sought = take_out_steps(model.terms, settings.max_new_steps);
   require_varying_input_rate(model.terms, rows);
   set_references(model.terms, series);
   set_expression_ranges(model.terms, series);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
-  const FitWithSteps found = fit_all(series, model.terms, sought.max, offsets, settings);
+  const FitWithSteps found = fit_all(known, model.terms, sought.max, offsets, settings);
   const NoiseWeightedFit& fit = found.fit;
   model.terms = fit.terms;
 

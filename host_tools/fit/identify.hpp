@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fit/known_regressors.hpp"
 #include "model/model.hpp"
 #include "noise/noise_model.hpp"
 #include "series/signal_series.hpp"
@@ -60,7 +61,7 @@ struct IdentifySettings {
 /// Replaces an event without a time by any number of found steps (step_search.hpp), each fitted to
 /// its own recording. Throws InputError for too few rows, and for effects that the recordings do
 /// not determine.
-Identification identify(model::Model& model, const series::SignalSeries& series,
+Identification identify(model::Model& model, const KnownRegressors& known,
                         const IdentifySettings& settings = {});
 
 }  // namespace fogcomp::fit

@@ -1,16 +1,49 @@
 #include "fit/known_regressors.hpp"
 
+#include "model/catalogue.hpp"
+#include "support/least_squares.hpp"
+
 namespace fogcomp::fit {
 namespace {
 
-// 48 MB: the shapes of two grids of two ripples over 6000 rows.
-constexpr Eigen::Index kMaxValues = 6'000'000;
+// 24 MB: the shapes of two grids of ripples over 6000 rows.
+constexpr Eigen::Index kMaxValues = 3'000'000;
+
+// Two expressions may have one name, and an expression two scales.
+std::string meaning_of(const model::EffectTerm& term) {
+  if (!term.expression) return term.name;
+  return term.name + " = " + term.expression->expression.text + " / 2^" +
+         std::to_string(term.expression->scale_log2);
+}
+
+// An effect with a second part, which is like the first, as two effects without: of two ripples a
+// search moves one at a time.
+std::vector<model::EffectTerm> parts_of(const model::EffectTerm& term) {
+  if (term.expression) return {term};
+  const auto& parameters = model::find_effect(term.name).parameters;
+  for (std::size_t i = 1; i < parameters.size(); ++i) {
+    if (!model::is_optional_part(parameters[i]) || term.parameters[i] == 0) continue;
+    std::vector<model::EffectTerm> parts(2, term);
+    parts[1].parameters[i - 1] = term.parameters[i];
+    for (model::EffectTerm& part : parts) part.parameters[i] = 0;
+    return parts;
+  }
+  return {term};
+}
 
 }  // namespace
 
 KnownRegressors::Columns KnownRegressors::operator()(const model::EffectTerm& term,
-                                                     series::Reading reading) {
-  const Key key{term.name, term.parameters, term.recording, term.others_follow, reading};
+                                                     series::Reading reading) const {
+  const std::vector<model::EffectTerm> parts = parts_of(term);
+  if (parts.size() == 1) return of_part(term, reading);
+  return std::make_shared<const Eigen::MatrixXd>(side_by_side(
+      {*of_part(parts[0], reading), *of_part(parts[1], reading)}, series_.rows().size()));
+}
+
+KnownRegressors::Columns KnownRegressors::of_part(const model::EffectTerm& term,
+                                                  series::Reading reading) const {
+  const Key key{meaning_of(term), term.parameters, term.recording, term.others_follow, reading};
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto found = known_.find(key);

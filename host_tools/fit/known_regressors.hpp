@@ -14,29 +14,33 @@
 
 namespace fogcomp::fit {
 
-/// Regressors of the terms of one fit, kept as long as there is room: rounds, starts and folds of a
-/// search come back to the same shapes. Several threads may ask at once.
+/// A series and the regressors of its terms, kept as long as there is room: rounds, starts and
+/// folds of a search come back to the same shapes, and so do fits of one series. Several threads
+/// may ask at once. A fit takes a series as well, which it then remembers for itself alone.
 class KnownRegressors {
  public:
   using Columns = std::shared_ptr<const Eigen::MatrixXd>;
 
-  explicit KnownRegressors(const series::SignalSeries& series) : series_(series) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): see above
+  KnownRegressors(const series::SignalSeries& series) : series_(series) {}
 
   const series::SignalSeries& series() const { return series_; }
-  /// As SignalSeries::regressors(). A name means the same effect or expression in every call.
+  /// As SignalSeries::regressors().
   Columns operator()(const model::EffectTerm& term,
-                     series::Reading reading = series::Reading::of_sensor);
+                     series::Reading reading = series::Reading::of_sensor) const;
 
  private:
   using Key = std::tuple<std::string, std::vector<double>, std::optional<std::uint64_t>, bool,
                          series::Reading>;
   using Known = std::map<Key, Columns>;
 
+  Columns of_part(const model::EffectTerm& term, series::Reading reading) const;
+
   const series::SignalSeries& series_;
-  std::mutex mutex_;  // guards all below
-  Known known_;
-  std::queue<Known::iterator> oldest_first_;
-  Eigen::Index values_ = 0;  // in all of them
+  mutable std::mutex mutex_;  // guards all below
+  mutable Known known_;
+  mutable std::queue<Known::iterator> oldest_first_;
+  mutable Eigen::Index values_ = 0;  // in all of them
 };
 
 }  // namespace fogcomp::fit

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kRounds = 3;  // iterations of noise and solution
 
-Eigen::MatrixXd all_columns(KnownRegressors& regressors,
+Eigen::MatrixXd all_columns(const KnownRegressors& regressors,
                             const std::vector<model::EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance) {
   std::vector<Eigen::MatrixXd> parts;
@@ -74,22 +74,20 @@ double NoiseWeightedFit::birge_ratio() const {
   return std::sqrt(whitened_residual.squaredNorm() / std::max(1.0, degrees_of_freedom));
 }
 
-NoiseWeightedFit fit_rows(const series::SignalSeries& series,
-                          const std::vector<model::EffectTerm>& terms,
+NoiseWeightedFit fit_rows(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
                           const Eigen::MatrixXd& nuisance, const RowSettings& settings) {
-  const series::Rows& rows = series.rows();
+  const series::Rows& rows = known.series().rows();
   const Eigen::VectorXd kept =
       settings.kept.size() > 0 ? settings.kept : Eigen::VectorXd::Ones(rows.size());
   const Eigen::VectorXd counted = noise::counted_rows(rows);
   const std::vector<recording::RowRange> quiet = noise::quiet_ranges(rows);
-  KnownRegressors regressors(series);
   NoiseWeightedFit fit;
   fit.robust = kept.cwiseProduct(counted);
   fit.outliers = static_cast<std::size_t>((counted.array() <= 0 && kept.array() > 0).count());
   fit.row_weights = rows.weights.cwiseProduct(fit.robust);
   fit.terms = terms;
   fit.shapes = model::shape_parameters(terms);
-  fit.columns = all_columns(regressors, terms, nuisance);
+  fit.columns = all_columns(known, terms, nuisance);
   const LinearFit first =
       solve_linear(fit.robust.asDiagonal() * fit.columns, fit.robust.cwiseProduct(rows.drift_dph));
   fit.residual_dph = rows.drift_dph - fit.columns * first.coefficients;
@@ -97,7 +95,7 @@ NoiseWeightedFit fit_rows(const series::SignalSeries& series,
   for (int round = 0; round < kRounds; ++round) {
     set_noise(rows, quiet, settings.noise, fit);
     const noise::Whitening whitening(fit.noise, rows, fit.row_weights);
-    WhitenedProblem problem(regressors, whitening, fit.terms, nuisance);
+    WhitenedProblem problem(known, whitening, fit.terms, nuisance);
     const auto progress = [&](double done) {
       if (settings.progress) settings.progress((round + done) / kRounds);
     };
@@ -111,18 +109,18 @@ NoiseWeightedFit fit_rows(const series::SignalSeries& series,
     fit.whitened_measured = problem.measured();
     fit.whitened_residual = solved.residual;
     if (last) fit.covariance = problem.solve(fit.shapes).covariance;
-    if (!fit.shapes.empty()) fit.columns = all_columns(regressors, fit.terms, nuisance);
+    if (!fit.shapes.empty()) fit.columns = all_columns(known, fit.terms, nuisance);
     fit.residual_dph = rows.drift_dph - fit.columns * fit.coefficients;
   }
   return fit;
 }
 
-NoiseWeightedFit fit_determined(const series::SignalSeries& series,
+NoiseWeightedFit fit_determined(const KnownRegressors& known,
                                 const std::vector<model::EffectTerm>& terms,
                                 const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept,
                                 const std::function<void(double)>& progress) {
-  const series::Rows& rows = series.rows();
-  NoiseWeightedFit fit = fit_rows(series, terms, nuisance, {kept, std::nullopt, false, progress});
+  const series::Rows& rows = known.series().rows();
+  NoiseWeightedFit fit = fit_rows(known, terms, nuisance, {kept, std::nullopt, false, progress});
   const Eigen::Index unknowns = fit.linear() + static_cast<Eigen::Index>(fit.shapes.size());
   if (rows.size() <= unknowns) {
     throw InputError(

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "fit/known_regressors.hpp"
 #include "fit/shape_search.hpp"
 #include "noise/noise_model.hpp"
 #include "series/signal_series.hpp"
@@ -48,13 +49,12 @@ struct RowSettings {
 /// the shape parameters that the terms mark. Three iterations of: noise from the quiet parts of the
 /// residual, shapes by variable projection. Outliers have weight 0. Linearly dependent columns are
 /// allowed: see `covariance`.
-NoiseWeightedFit fit_rows(const series::SignalSeries& series,
-                          const std::vector<model::EffectTerm>& terms,
+NoiseWeightedFit fit_rows(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
                           const Eigen::MatrixXd& nuisance, const RowSettings& settings = {});
 
 /// The same for fits whose coefficients are used: throws InputError for too few rows, and if the
 /// rows do not determine a coefficient or a shape (undetermined.hpp).
-NoiseWeightedFit fit_determined(const series::SignalSeries& series,
+NoiseWeightedFit fit_determined(const KnownRegressors& known,
                                 const std::vector<model::EffectTerm>& terms,
                                 const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept,
                                 const std::function<void(double)>& progress = {});

@@ -25,19 +25,32 @@ int grid_points(const model::ShapeParameter& parameter) {
   return parameter.scale == fog::Scale::frequency ? kPeriodGridPoints : kGridPoints;
 }
 
+// The cost over the range of one parameter, the others following to first order.
+struct Grid {
+  std::vector<double> values;
+  std::vector<double> costs;
+};
+Grid grid_of(const WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
+             std::size_t which) {
+  const model::ShapeParameter& parameter = parameters[which];
+  std::vector<model::ShapeParameter> others = parameters;
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(which));
+  const int points = grid_points(parameter);
+  Grid grid;
+  for (int i = 0; i < points; ++i) grid.values.push_back(parameter.from_unit((i + 0.5) / points));
+  grid.costs = problem.costs(parameter, grid.values, others);
+  return grid;
+}
+
 // Promising values of one parameter, best first: the deepest local minima of the cost over its
 // grid, except the present one.
 std::vector<double> starts_of(const WhitenedProblem& problem,
                               const std::vector<model::ShapeParameter>& parameters,
                               std::size_t which) {
   const model::ShapeParameter& parameter = parameters[which];
-  std::vector<model::ShapeParameter> others = parameters;
-  others.erase(others.begin() + static_cast<std::ptrdiff_t>(which));
-  const int points = grid_points(parameter);
-  std::vector<double> values;
-  for (int i = 0; i < points; ++i) values.push_back(parameter.from_unit((i + 0.5) / points));
-  const std::vector<double> costs = problem.costs(parameter, values, others);
-
+  const Grid grid = grid_of(problem, parameters, which);
+  const std::vector<double>& costs = grid.costs;
+  const auto points = static_cast<double>(costs.size());
   const double here = parameter.to_unit(problem.value(parameter)) * points - 0.5;
   std::vector<std::size_t> dips;
   for (std::size_t i = 0; i < costs.size(); ++i) {
@@ -49,7 +62,7 @@ std::vector<double> starts_of(const WhitenedProblem& problem,
   std::partial_sort(dips.begin(), dips.begin() + static_cast<std::ptrdiff_t>(count), dips.end(),
                     [&](std::size_t a, std::size_t b) { return costs[a] < costs[b]; });
   std::vector<double> starts;
-  for (std::size_t i = 0; i < count; ++i) starts.push_back(values[dips[i]]);
+  for (std::size_t i = 0; i < count; ++i) starts.push_back(grid.values[dips[i]]);
   return starts;
 }
 
@@ -122,6 +135,21 @@ std::vector<bool> search_shapes(WhitenedProblem& problem,
   problem = std::move(last.problem());
   order_parts(problem, parameters);
   return elsewhere;
+}
+
+double first_order_cost(const WhitenedProblem& problem,
+                        const std::vector<model::ShapeParameter>& parameters,
+                        const std::vector<bool>& ranges) {
+  if (parameters.empty()) {
+    return solve_linear(problem.matrix(), problem.measured()).residual.squaredNorm();
+  }
+  double cost = problem.step(parameters, problem.solution()).cost;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (!ranges[i]) continue;
+    const std::vector<double> costs = grid_of(problem, parameters, i).costs;
+    cost = std::min(cost, *std::min_element(costs.begin(), costs.end()));
+  }
+  return cost;
 }
 
 }  // namespace fogcomp::fit

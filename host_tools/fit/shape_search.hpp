@@ -19,4 +19,10 @@ std::vector<bool> search_shapes(WhitenedProblem& problem,
                                 const std::vector<bool>& ranges, bool exact = true,
                                 const std::function<void(double)>& progress = {});
 
+/// The smallest cost to first order: of all parameters around their present values, and of each of
+/// `ranges` over the grid of search_shapes().
+double first_order_cost(const WhitenedProblem& problem,
+                        const std::vector<model::ShapeParameter>& parameters,
+                        const std::vector<bool>& ranges);
+
 }  // namespace fogcomp::fit

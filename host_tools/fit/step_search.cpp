@@ -43,15 +43,16 @@ struct Extended {
   bool others_follow = false;
 };
 
-Extended with_step(const series::SignalSeries& series, const std::vector<model::EffectTerm>& terms,
+Extended with_step(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
                    const Eigen::MatrixXd& columns, std::size_t row, const RowSettings& settings) {
+  const series::SignalSeries& series = known.series();
   const series::Rows& rows = series.rows();
   const Eigen::VectorXd step = step_column(rows, row);
   const auto fitted = [&](bool others_follow, const RowSettings& with) {
     const Eigen::VectorXd before = run_column(rows, rows.run_at(row)) - step;
     Extended more{
         {}, with_column(columns, others_follow ? Eigen::VectorXd(-before) : step), others_follow};
-    more.fit = fit_rows(series, terms, more.columns, with);
+    more.fit = fit_rows(known, terms, more.columns, with);
     return more;
   };
   if (!series.recording_of(row)) return fitted(false, settings);  // it acts on all
@@ -77,27 +78,27 @@ double min_chi_square(const NoiseWeightedFit& fit, std::size_t steps) {
 
 }  // namespace
 
-FitWithSteps fit_with_steps(const series::SignalSeries& series,
+FitWithSteps fit_with_steps(const KnownRegressors& known,
                             const std::vector<model::EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance, std::size_t max_steps,
                             const std::function<void(double)>& progress) {
-  const series::Rows& rows = series.rows();
+  const series::Rows& rows = known.series().rows();
   Eigen::VectorXd kept = Eigen::VectorXd::Ones(rows.size());
   Eigen::MatrixXd columns = nuisance;
   FitWithSteps result;
-  result.fit = fit_determined(series, terms, columns, kept, progress);
+  result.fit = fit_determined(known, terms, columns, kept, progress);
   while (result.steps.size() < max_steps) {
     const auto seen = locate(rows, result.fit, result.fit.linear());
     if (!seen || !earns(*seen, rules::kWorthALook)) break;
     const NoiseWeightedFit tried = fit_rows(
-        series, terms, with_column(columns, step_column(rows, static_cast<std::size_t>(seen->row))),
+        known, terms, with_column(columns, step_column(rows, static_cast<std::size_t>(seen->row))),
         {kept, std::nullopt, {}});
     if (!is_determined(tried)) break;
     const auto found = locate(rows, tried, tried.linear() - 1);
     if (!found || !earns(*found, rules::kMinStepChiSquare)) break;
     Eigen::VectorXd fewer = kept;
     fewer.segment(found->first, found->last - found->first + 1).setZero();
-    Extended more = with_step(series, terms, columns, static_cast<std::size_t>(found->row),
+    Extended more = with_step(known, terms, columns, static_cast<std::size_t>(found->row),
                               {fewer, std::nullopt, {}});
     if (!is_determined(more.fit)) break;
     if (min_chi_square(more.fit, result.steps.size() + 1) < rules::kMinStepChiSquare) break;

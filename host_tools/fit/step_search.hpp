@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "fit/known_regressors.hpp"
 #include "fit/noise_weighted_fit.hpp"
 #include "noise/change_points.hpp"
 
@@ -29,7 +30,7 @@ struct FitWithSteps {
 /// recordings have the bias from before a step or the one that follows it is what fits better;
 /// where there are none, or each has its own bias, the last is what the gyro goes on with.
 /// `progress` is called with the fraction of the first fit done, 0..1.
-FitWithSteps fit_with_steps(const series::SignalSeries& series,
+FitWithSteps fit_with_steps(const KnownRegressors& known,
                             const std::vector<model::EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance, std::size_t max_steps,
                             const std::function<void(double)>& progress);

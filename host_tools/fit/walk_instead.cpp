@@ -15,7 +15,7 @@ namespace {
 // with what the old effects alone can follow.
 AddedColumns columns_of_change(const std::vector<model::EffectTerm>& before,
                                const std::vector<std::size_t>& changed,
-                               const WhitenedProblem& problem, KnownRegressors& known,
+                               const WhitenedProblem& problem, const KnownRegressors& known,
                                const noise::Whitening& whitening) {
   const auto is_changed = [&](std::size_t term) {
     return std::find(changed.begin(), changed.end(), term) != changed.end();
@@ -46,11 +46,10 @@ AddedColumns columns_of_change(const std::vector<model::EffectTerm>& before,
 
 double chance_of_walk_instead(const std::vector<model::EffectTerm>& before,
                               const std::vector<model::EffectTerm>& after,
-                              const std::vector<std::size_t>& changed,
-                              const series::SignalSeries& series, const JudgedWith& with) {
-  const series::Rows& rows = series.rows();
+                              const std::vector<std::size_t>& changed, const KnownRegressors& known,
+                              const JudgedWith& with) {
+  const series::Rows& rows = known.series().rows();
   const noise::Whitening whitening(with.noise, rows, with.row_weights);
-  KnownRegressors known(series);
   const WhitenedProblem problem(known, whitening, after,
                                 run_offset_columns(rows, with.run_offsets));
   return chance_of_walk(rows, with.noise, whitening,

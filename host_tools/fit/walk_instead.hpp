@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "fit/known_regressors.hpp"
 #include "fit/out_of_sample.hpp"
 
 namespace fogcomp::fit {
@@ -11,7 +12,7 @@ namespace fogcomp::fit {
 /// runs that were all fitted. `changed`: the terms of `after` that were added or changed.
 double chance_of_walk_instead(const std::vector<model::EffectTerm>& before,
                               const std::vector<model::EffectTerm>& after,
-                              const std::vector<std::size_t>& changed,
-                              const series::SignalSeries& series, const JudgedWith& with);
+                              const std::vector<std::size_t>& changed, const KnownRegressors& known,
+                              const JudgedWith& with);
 
 }  // namespace fogcomp::fit

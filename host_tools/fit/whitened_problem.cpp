@@ -38,7 +38,8 @@ double rough_cost_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& meas
 
 }  // namespace
 
-WhitenedProblem::WhitenedProblem(KnownRegressors& regressors, const noise::Whitening& whitening,
+WhitenedProblem::WhitenedProblem(const KnownRegressors& regressors,
+                                 const noise::Whitening& whitening,
                                  std::vector<model::EffectTerm> terms,
                                  const Eigen::MatrixXd& nuisance)
     : regressors_(&regressors),

@@ -16,7 +16,7 @@ class WhitenedProblem {
  public:
   /// `nuisance`: further columns (rows x any number) whose coefficients are solved for but not
   /// returned.
-  WhitenedProblem(KnownRegressors& regressors, const noise::Whitening& whitening,
+  WhitenedProblem(const KnownRegressors& regressors, const noise::Whitening& whitening,
                   std::vector<model::EffectTerm> terms, const Eigen::MatrixXd& nuisance);
 
   const std::vector<model::EffectTerm>& terms() const { return terms_; }
@@ -78,7 +78,7 @@ class WhitenedProblem {
   Split split_by(const model::ShapeParameter& parameter, const std::vector<double>& values) const;
   static Eigen::Index first_column(const std::vector<Eigen::MatrixXd>& columns, std::size_t term);
 
-  KnownRegressors* regressors_;
+  const KnownRegressors* regressors_;
   const noise::Whitening* whitening_;
   std::vector<model::EffectTerm> terms_;
   std::vector<Eigen::MatrixXd> columns_;  // of each term, then nuisance columns

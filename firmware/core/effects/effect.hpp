@@ -86,8 +86,8 @@ enum class Scale : std::uint8_t {
 enum class NotGiven : std::uint8_t {
   identified,  ///< searched for, starting at its default
   kept,        ///< its default
-  /// 0, its default: the effect has no second part. Where the parameter before it is searched for,
-  /// so is this one.
+  /// 0, its default: the effect has no second part, which is like the first with this value in
+  /// place of the parameter before it. Where that one is searched for, so is this one.
   left_out,
   /// Reference values that a fit computes once from its rows and the model keeps: mean temperature,
   /// each row weighted with the square of its input rate, and largest input rate, deg/s. Without a

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
@@ -24,6 +25,36 @@ TEST(KnownRegressors, AreThoseOfTheSeriesHoweverMany) {
     lag.parameters[0] = tau_s;
     for (const auto reading : {series::Reading::of_sensor, series::Reading::smoothed}) {
       EXPECT_EQ(*known(lag, reading), series.regressors(lag, reading)) << tau_s;
+    }
+  }
+}
+
+// Each part is remembered by itself.
+TEST(KnownRegressors, OfAnEffectWithTwoPartsAreItsOwn) {
+  const model::Model gyro = fog::test::truth();
+  series::SignalSeries series(gyro);
+  series.add(series::make_blocks(fog::test::recording_of(gyro, {0.002, 0, 300}, 1)));
+  const KnownRegressors known(series);
+  for (const char* const effect :
+       {"polarization_ripple:period=9,period2=31,chirp=0.05",
+        "thermal_hysteresis:radius=3,radius2=12", "polarization_ripple:period=9"}) {
+    const model::EffectTerm term = model::parse_effects(effect)[0];
+    for (const auto reading : {series::Reading::of_sensor, series::Reading::smoothed}) {
+      EXPECT_EQ(*known(term, reading), series.regressors(term, reading)) << effect;
+    }
+  }
+}
+
+TEST(KnownRegressors, OfTwoExpressionsWithOneNameDiffer) {
+  const model::Model gyro = fog::test::truth();
+  series::SignalSeries series(gyro);
+  series.add(series::make_blocks(fog::test::recording_of(gyro, {0.002, 0, 300}, 1)));
+  const KnownRegressors known(series);
+  for (const char* const definition : {"x = T^2", "x = abs(dTdt)"}) {
+    model::EffectTerm term = model::expression_term(definition);
+    for (const int scale_log2 : {0, 3}) {
+      term.expression->scale_log2 = scale_log2;
+      EXPECT_EQ(*known(term), series.regressors(term)) << definition << scale_log2;
     }
   }
 }

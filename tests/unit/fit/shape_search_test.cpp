@@ -146,6 +146,21 @@ TEST_F(ShapeSearch, FindsTheTimeConstantAndSaysWhetherADipTookItElsewhere) {
   }
 }
 
+TEST_F(ShapeSearch, CostToFirstOrderIsThatOfTheBestPlaceWhereItIsNearOrInAGrid) {
+  const WhitenedProblem best = problem(900);
+  const WhitenedProblem near = problem(850);
+  const WhitenedProblem far = problem(10000);
+  const double lowest = best.solution().cost;
+  EXPECT_NEAR(first_order_cost(near, shapes(near), {false}), lowest,
+              0.1 * (near.solution().cost - lowest));
+  const double without_grid = first_order_cost(far, shapes(far), {false});
+  const double with_grid = first_order_cost(far, shapes(far), {true});
+  EXPECT_LT(with_grid - lowest, 0.1 * (without_grid - lowest));
+  EXPECT_GE(with_grid, lowest);
+  EXPECT_EQ(first_order_cost(best, {}, {}),
+            solve_linear(best.matrix(), best.measured()).residual.squaredNorm());
+}
+
 TEST_F(ShapeSearch, StaysInItsDipWhereNoRangeIsAsked) {
   WhitenedProblem near = problem(800);
   EXPECT_FALSE(search_shapes(near, shapes(near), {false})[0]);
