@@ -18,7 +18,11 @@ struct DiagnoseCommand : Command {
                      "a candidate of your own beside the catalogue's, e.g. 'burst = T*T*dTdt'"}};
   Text at_rest{this, {"static", "RUN", "recording at rest: the noise is taken from there"}};
   Integer<int> max_effects{
-      this, {"max-effects", "N", "add what is proposed, look again, up to N times", "0"}, 0, 12};
+      this,
+      {"max-effects", "N",
+       "add what is proposed, look again, up to N times; refinements come in addition", "0"},
+      0,
+      12};
   Text output{this, {"o", "MODEL", "the loop's model, with --max-effects"}};
   Texts holdouts{this, {"holdout", "RUN", "a run that judges additions; may be repeated"}};
   Number average{

@@ -50,23 +50,26 @@ struct Look {
   NextStep next;
 };
 
-Look look_at(const model::Model& model, const DiagnosisData& data, const JudgingRuns& runs,
-             const DiagnosisSettings& settings, bool next_is_wanted) {
+enum class Wanted { diagnosis, refinement, next_step };
+
+Look look_at(const model::Model& model, const DiagnosisData& data, AdditionJudge& judge,
+             const DiagnosisSettings& settings, Wanted wanted) {
   Look look;
-  AdditionJudge judge(model, runs, settings.run_offsets);
+  judge.go_on_from(model);
   std::atomic<bool> is_complete{false};
-  for_each_index(next_is_wanted ? 2 : 1, [&](std::size_t i) {
+  for_each_index(wanted == Wanted::diagnosis ? 1 : 2, [&](std::size_t i) {
     if (i == 1 && !is_complete) judge.prepare();
     if (i == 1) return;
     look.diagnosis = diagnose(model, data, settings);
     is_complete = look.diagnosis.verdict == Verdict::none;
   });
-  if (!next_is_wanted) return look;
+  if (wanted == Wanted::refinement) look.next = find_refinement(model, judge);
+  if (wanted != Wanted::next_step) return look;
   DiagnosisSettings unheard = settings;
   unheard.progress = nullptr;
   look.next = find_next_step(model, look.diagnosis, data, judge, unheard);
   if (look.next.name_is != Refuted::no) withdraw_name(look.diagnosis, look.next.name_is);
-  look.diagnosis.line = refused_line(model, data, runs, look.next, settings.noise);
+  look.diagnosis.line = refused_line(model, data, judge.runs(), look.next, settings.noise);
   return look;
 }
 
@@ -86,26 +89,30 @@ std::vector<std::string> Ladder::names(bool described) const {
 Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
                           const JudgingRuns& runs, int max_steps,
                           const DiagnosisSettings& settings) {
-  int done = 0;
+  int added = 0;
   DiagnosisSettings each = settings;
   each.progress = [&](double part) {
-    if (settings.progress) settings.progress((done + part) / (max_steps + 1.0));
+    if (settings.progress) settings.progress((added + part) / (max_steps + 1.0));
   };
   Ladder ladder;
   ladder.model = model;
-  Look look = look_at(model, data, runs, each, true);
+  AdditionJudge judge(model, runs, settings.run_offsets);
+  Look look = look_at(model, data, judge, each, Wanted::next_step);
   ladder.first = std::move(look.diagnosis);
   ladder.next = std::move(look.next);
   ladder.last = ladder.first;
   ladder.last_next = ladder.next;
-  while (done < max_steps && ladder.last_next.addition) {
-    ++done;
+  while (max_steps > 0 && ladder.last_next.addition) {
     ladder.steps.push_back(step_of(ladder.last_next, ladder.last));
     const TriedAddition& addition = ladder.steps.back().addition;
     const bool is_network = addition.request.is_network();
+    if (!addition.request.refines) ++added;
     ladder.model = with_network(ladder.model, addition, runs);
-    ladder.is_cut_off = !is_network && done == max_steps;
-    look = look_at(ladder.model, data, runs, each, !is_network && !ladder.is_cut_off);
+    ladder.is_cut_off = !is_network && added == max_steps;
+    look = look_at(ladder.model, data, judge, each,
+                   is_network          ? Wanted::diagnosis
+                   : ladder.is_cut_off ? Wanted::refinement
+                                       : Wanted::next_step);
     ladder.last = std::move(look.diagnosis);
     const std::vector<TriedAddition> refused = std::move(ladder.last_next.refused);
     ladder.last_next = std::move(look.next);

@@ -28,7 +28,7 @@ struct Ladder {
   Diagnosis last;      ///< of the model at the end of the loop
   NextStep last_next;  ///< after it; empty where the loop may add no more
   std::vector<Step> steps;
-  bool is_cut_off = false;  ///< the last step was the last allowed: last_next was not looked for
+  bool is_cut_off = false;  ///< no more may be added: last_next was not looked for
   model::Model model;       ///< at the end, as the commands `add` of the steps make it
 
   /// Names of the additions in their order, each once: added() were named as missing, described()
@@ -40,7 +40,8 @@ struct Ladder {
   std::vector<std::string> names(bool described) const;
 };
 
-/// Adds the proposals of find_next_step(), up to `max_steps`; each step is made and judged by `add`
+/// Adds the proposals of find_next_step(), up to `max_steps` and refinements, which add no effect;
+/// each step is made and judged by `add`
 /// on `runs`. Ends when nothing is proposed. Throws InputError like add().
 Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
                           const JudgingRuns& runs, int max_steps,

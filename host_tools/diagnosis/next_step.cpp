@@ -5,7 +5,9 @@
 #include <iterator>
 
 #include "diagnosis/decision_rules.hpp"
+#include "model/effect_list.hpp"
 #include "support/parallel.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
@@ -73,6 +75,14 @@ bool leaves_noise(const TriedAddition& tried, double noise_floor_dph, const Judg
          rules::kClearlyLess * tried.rms_after_dph <= noise_floor_dph;
 }
 
+// Whether trials side by side would take too much memory: each needs a hundred columns.
+bool is_large(const JudgingRuns& runs) {
+  constexpr std::size_t kMaxBlocks = 20'000;
+  std::size_t blocks = 0;
+  for (const compare::RunInBlocks& run : runs.training.runs) blocks += run.blocks.blocks.size();
+  return blocks > kMaxBlocks;
+}
+
 // Tries the first few descriptions; of those accepted the one that leaves least out of sample is
 // taken, an earlier one if that is nearly as good.
 bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
@@ -89,6 +99,8 @@ bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
   judge_one(0);  // with all threads: often it is the one
   if (leaves_noise(tried[0], diagnosis.noise_floor_dph, judge.runs())) {
     tried.resize(1);
+  } else if (is_large(judge.runs())) {
+    for (std::size_t i = 1; i < tried.size(); ++i) judge_one(i);
   } else {
     for_each_index(tried.size() - 1, [&](std::size_t i) { judge_one(i + 1); });
   }
@@ -108,7 +120,8 @@ bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
   return true;
 }
 
-void append(std::vector<Description> more, std::vector<Description>& all) {
+template <class T>
+void append(std::vector<T> more, std::vector<T>& all) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
@@ -175,6 +188,43 @@ std::vector<Description> possible_descriptions(const Diagnosis& diagnosis,
   return all;
 }
 
+AdditionRequest refinement(const model::EffectTerm& term, const std::string& settings) {
+  AdditionRequest request{{term.name + ":" + settings}, ""};
+  request.may_be_little = true;
+  request.refines = true;
+  return request;
+}
+
+// Frees what the formula of a term leaves out or keeps: all together or, if that is refused, the
+// one that leaves least out of sample.
+std::optional<TriedAddition> refined(const model::EffectTerm& term, AdditionJudge& judge) {
+  std::optional<TriedAddition> best;
+  const auto try_one = [&](const std::string& settings) {
+    AdditionRequest request = refinement(term, settings);
+    if (!judge.may_help(request)) return false;
+    TriedAddition tried = judge(std::move(request));
+    if (tried.accepted && (!best || tried.left() < best->left())) best = std::move(tried);
+    return true;
+  };
+  const std::vector<std::string> settings = model::possible_refinements(term);
+  if (settings.empty() || !try_one(join(settings, ",")) || best || settings.size() == 1) {
+    return best;
+  }
+  for (const std::string& one : settings) try_one(one);
+  return best;
+}
+
+// The refinement that leaves least out of sample: what is left may be what the formulas of the
+// model's own effects leave out.
+void refine(const model::Model& model, AdditionJudge& judge, NextStep& next) {
+  for (const model::EffectTerm& term : model.terms) {
+    std::optional<TriedAddition> tried = refined(term, judge);
+    if (!tried || (next.addition && next.addition->left() <= tried->left())) continue;
+    next.addition = std::move(tried);
+    next.describes = true;
+  }
+}
+
 // Whether the first refusal, of what the diagnosis names, contradicts the name: a description
 // leaves far less out of sample or, without one, the only name raises the error there.
 bool refutes_name(const Diagnosis& diagnosis, bool described, const NextStep& next) {
@@ -193,24 +243,15 @@ bool may_learn(const model::Model& model, const Diagnosis& diagnosis, const Judg
   return has_other_runs && is_function_of_signals(diagnosis) && !model.network.present();
 }
 
-}  // namespace
-
-bool NextStep::refused_line() const {
-  return std::any_of(refused.begin(), refused.end(),
-                     [](const TriedAddition& one) { return one.may_be_line; });
-}
-
-NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
-                        const DiagnosisData& data, AdditionJudge& judge,
-                        const DiagnosisSettings& settings) {
-  const JudgingRuns& runs = judge.runs();
-  NextStep next;
-  if (diagnosis.verdict == Verdict::none) return next;
+// Tries names and descriptions; false if no description holds.
+bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnosis,
+                             const DiagnosisData& data, AdditionJudge& judge,
+                             const DiagnosisSettings& settings, NextStep& next) {
   std::vector<std::string> named = named_effects(diagnosis);
   const bool is_one = diagnosis.verdict == Verdict::missing_effect && named.size() == 1;
-  const bool is_little = runs.holdouts.empty() && !may_be_worth_adding(model, diagnosis);
+  const bool is_little = judge.runs().holdouts.empty() && !may_be_worth_adding(model, diagnosis);
   next.little_is_left = is_little && !is_one;
-  if (next.little_is_left) return next;
+  if (next.little_is_left) return true;
   const std::vector<std::string> events = events_among(diagnosis, named);
   if (!events.empty()) named = events;
   std::optional<LikelyFormulas> likely;
@@ -220,15 +261,40 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   };
   if (diagnosis.verdict != Verdict::unknown) {
     const bool may_be_formula = !is_little && needs_event(diagnosis, named);
-    if (may_be_formula && try_forms(diagnosis, formulas(), judge, next)) return next;
-    if (try_named(diagnosis, named, is_one, judge, next) || is_little) return next;
-    if (try_instead(diagnosis, named, judge, next)) return next;
+    if (may_be_formula && try_forms(diagnosis, formulas(), judge, next)) return true;
+    if (try_named(diagnosis, named, is_one, judge, next) || is_little) return true;
+    if (try_instead(diagnosis, named, judge, next)) return true;
   }
   const bool described =
       describe(diagnosis, possible_descriptions(diagnosis, named, formulas, next), judge, next);
   next.together.clear();
   if (refutes_name(diagnosis, described, next)) next.name_is = Refuted::out_of_sample;
-  if (!described && may_learn(model, diagnosis, runs)) {
+  return described;
+}
+
+}  // namespace
+
+bool NextStep::refused_line() const {
+  return std::any_of(refused.begin(), refused.end(),
+                     [](const TriedAddition& one) { return one.may_be_line; });
+}
+
+NextStep find_refinement(const model::Model& model, AdditionJudge& judge) {
+  NextStep next;
+  refine(model, judge, next);
+  return next;
+}
+
+NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
+                        const DiagnosisData& data, AdditionJudge& judge,
+                        const DiagnosisSettings& settings) {
+  NextStep next;
+  bool nothing_describes = false;
+  if (diagnosis.verdict != Verdict::none) {
+    nothing_describes = !try_what_may_be_missing(model, diagnosis, data, judge, settings, next);
+  }
+  if (!next.addition) refine(model, judge, next);
+  if (!next.addition && nothing_describes && may_learn(model, diagnosis, judge.runs())) {
     next.describes = true;
     try_out({{fit::kNetworkName}, ""}, judge, next);
   }

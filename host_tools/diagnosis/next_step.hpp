@@ -29,6 +29,9 @@ struct NextStep {
   bool refused_line() const;
 };
 
+/// What frees something that the formulas of the model's own effects leave out, if it is accepted.
+NextStep find_refinement(const model::Model& model, AdditionJudge& judge);
+
 /// Tries what `diagnosis` names; if that is refused, sets of effects, and others that are as
 /// certainly missing. If it names nothing or all that is refused, tries sets, single effects and
 /// formulas over the signals that vary (formulas_over()), those that explain most, and takes the

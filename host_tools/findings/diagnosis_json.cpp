@@ -127,12 +127,19 @@ Json expression_json(const diagnosis::AdditionRequest& request) {
   return request.expression.empty() ? Json() : Json(request.expression);
 }
 
+std::string kind_of(const diagnosis::AdditionRequest& request) {
+  if (request.refines) return "refinement";
+  if (!request.expression.empty()) return "expression";
+  return request.is_network() ? "network" : "effects";
+}
+
 // A description that lowers the error without naming a cause; null if there is none or an effect is
 // named.
 Json description_json(const diagnosis::NextStep& next) {
   if (!next.describes || !next.addition) return Json();
   const diagnosis::TriedAddition& trial = *next.addition;
   return Json::object()
+      .set("kind", kind_of(trial.request))
       .set("effects", trial.request.effects)
       .set("expression", expression_json(trial.request))
       .set("rms_before_dph", trial.rms_before_dph)

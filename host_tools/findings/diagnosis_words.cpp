@@ -110,7 +110,14 @@ std::string together_words(const diagnosis::Diagnosis& diagnosis,
          join_list(alone, "and");
 }
 
-void add_next(DiagnosisWords& words, const diagnosis::NextStep& next, const DiagnosedFiles& files) {
+// What lowers the error without naming a cause, and what to do.
+void add_next(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
+              const diagnosis::NextStep& next, const DiagnosedFiles& files) {
+  if (next.describes) {
+    for (const std::string& line : description_words(next)) words.findings.push_back(line);
+  }
+  const std::string line = line_words(diagnosis.line);
+  if (!line.empty()) words.findings.push_back(line);
   if (next.addition) {
     words.command = add_command_line(next.addition->request, files.model, files);
   } else {
@@ -118,9 +125,9 @@ void add_next(DiagnosisWords& words, const diagnosis::NextStep& next, const Diag
   }
 }
 
-// Where something is missing: where it is, what was tried, and what to do.
+// Where something is missing: where it is, and what was tried.
 void add_what_is_left(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
-                      const diagnosis::NextStep& next, const DiagnosedFiles& files) {
+                      const diagnosis::NextStep& next) {
   const std::string where = where_words(diagnosis);
   if (!where.empty()) words.findings.push_back(where);
   const std::string fast = fast_words(diagnosis);
@@ -132,12 +139,6 @@ void add_what_is_left(DiagnosisWords& words, const diagnosis::Diagnosis& diagnos
   if (is_named && next.addition && !next.refused.empty()) {
     words.findings.push_back(refusal_words(next.refused[0]));
   }
-  if (next.describes) {
-    for (const std::string& line : description_words(next)) words.findings.push_back(line);
-  }
-  const std::string line = line_words(diagnosis.line);
-  if (!line.empty()) words.findings.push_back(line);
-  add_next(words, next, files);
 }
 
 }  // namespace
@@ -158,6 +159,7 @@ std::string shape_words(const model::EffectTerm& term) {
 DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
                         const DiagnosedFiles& files) {
   DiagnosisWords words;
+  const bool is_none = diagnosis.verdict == diagnosis::Verdict::none;
   std::tie(words.verdict, words.certainty) = verdict_words(diagnosis, !next.describes);
   if (!next.together.empty()) {
     const auto* const set = find_explanation(diagnosis, next.together);
@@ -175,8 +177,12 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
   if (!as_given.empty()) words.findings.push_back(as_given);
   const std::string together = together_words(diagnosis, next.together);
   if (!together.empty()) words.findings.push_back(together);
-  if (diagnosis.verdict != diagnosis::Verdict::none)
-    add_what_is_left(words, diagnosis, next, files);
+  if (is_none && next.addition) {
+    words.verdict = "no effect is missing, but " +
+                    join_list(next.addition->request.names(), "and") + " can be refined";
+  }
+  if (!is_none) add_what_is_left(words, diagnosis, next);
+  if (!is_none || next.addition) add_next(words, diagnosis, next, files);
   if (diagnosis.outliers > 0)
     words.limits.push_back(noise::outlier_words(diagnosis.outliers, diagnosis.row_s));
   words.limits.push_back(chance_words(diagnosis.chance));

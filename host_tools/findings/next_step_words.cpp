@@ -43,13 +43,16 @@ std::vector<std::string> description_words(const diagnosis::NextStep& next) {
     lines.push_back(text);
   }
   if (next.addition) {
-    const bool one = next.addition->request.names().size() == 1;
-    lines.push_back(
-        what_is_tried(next.addition->request) +
-        format(" %s the error out of sample from %s to %s deg/h: this describes it, it does "
-               "not say what it is. Beyond the trained temperatures it is held at its value there",
-               one ? "lowers" : "lower", rounded(next.addition->rms_before_dph).c_str(),
-               rounded(next.addition->rms_after_dph).c_str()));
+    const diagnosis::AdditionRequest& request = next.addition->request;
+    lines.push_back(what_is_tried(request) +
+                    format(" %s the error out of sample from %s to %s deg/h: ",
+                           request.names().size() == 1 ? "lowers" : "lower",
+                           rounded(next.addition->rms_before_dph).c_str(),
+                           rounded(next.addition->rms_after_dph).c_str()) +
+                    (request.refines
+                         ? "a part of its formula that the model leaves out"
+                         : "this describes it, it does not say what it is. Beyond the trained "
+                           "temperatures it is held at its value there"));
   }
   if (next.experiment && !next.experiment->sentence.empty()) {
     lines.push_back("to tell: " + next.experiment->sentence);
@@ -90,7 +93,11 @@ std::string line_words(const std::optional<diagnosis::LineInTime>& line) {
 
 std::string step_words(const diagnosis::Ladder::Step& step) {
   std::string what = "+ " + what_is_tried(step.addition.request);
-  if (step.describes) what += " (a description)";
+  if (step.addition.request.refines) {
+    what += " (a refinement)";
+  } else if (step.describes) {
+    what += " (a description)";
+  }
   if (!step.alternatives.empty()) what += " (or " + join_list(step.alternatives, "or") + ")";
   return what;
 }

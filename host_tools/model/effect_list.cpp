@@ -152,6 +152,22 @@ std::vector<EffectTerm> grown_terms(const EffectTerm& own) {
   return more;
 }
 
+std::vector<std::string> possible_refinements(const EffectTerm& own) {
+  std::vector<std::string> settings;
+  if (own.expression) return settings;
+  const CatalogueEntry& entry = find_effect(own.name);
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    const fog::ParameterDescription& parameter = entry.parameters[i];
+    const bool is_left_out = is_optional_part(parameter) && own.parameters[i] == 0;
+    const bool is_given =
+        !own.identified[i] && parameter.scale != fog::Scale::whole &&
+        (is_optional_part(parameter) || parameter.not_given == fog::NotGiven::kept);
+    if (!is_left_out && !is_given) continue;
+    settings.push_back(std::string(parameter.name) + "=?");
+  }
+  return settings;
+}
+
 void add_expression(std::vector<EffectTerm>& terms, const std::string& definition) {
   const EffectTerm term = expression_term(definition);
   if (has_name(terms, term.name)) {

@@ -22,6 +22,11 @@ std::vector<EffectTerm> parse_effects(const std::string& list);
 /// has neither. Its other parameters are identified or not as before.
 std::vector<EffectTerm> grown_terms(const EffectTerm& own);
 
+/// Settings that identify what makes a term's formula exact and is not identified: a further part
+/// that is left out or has a given shape, a parameter that is kept at its default or given:
+/// {"period2=?", "chirp=?"}. Empty if it has nothing of the kind.
+std::vector<std::string> possible_refinements(const EffectTerm& own);
+
 /// Adds the term `NAME = EXPRESSION`. Throws InputError like expression_term(), and for a name
 /// already in use.
 void add_expression(std::vector<EffectTerm>& terms, const std::string& definition);

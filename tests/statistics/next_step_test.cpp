@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/ladder.hpp"
 #include "fit/effect_change.hpp"
 #include "statistics/hidden_drift.hpp"
 #include "unit/fit/simulated_addition.hpp"
@@ -106,6 +107,46 @@ TEST(NextStep, IsTheLargerOfTwoEffectsAlthoughTheSmallerLooksLikeACycleBesideIt)
     EXPECT_FALSE(asked.next.describes) << amplitude_dph;
     EXPECT_TRUE(asked.add_accepts()) << amplitude_dph;
   }
+}
+
+// The diagnosis allows for a formula that is not quite the gyro's, so that a chirp is no missing
+// effect.
+TEST(NextStep, RefinesAFormulaThatIsNotQuiteTheGyros) {
+  const auto ripple = [](double chirp) {
+    return natural_term("polarization_ripple", {7, 0, chirp}, {0.04, 0.03});
+  };
+  const Asked asked(std::string(kBasic) + ",polarization_ripple",
+                    {recording_with({ripple(0.03)}, 1)});
+  ASSERT_TRUE(asked.next.addition);
+  const AdditionRequest& request = asked.next.addition->request;
+  EXPECT_TRUE(request.refines);
+  EXPECT_TRUE(asked.next.describes);
+  EXPECT_EQ(request.names(), std::vector<std::string>{"polarization_ripple"});
+  EXPECT_LT(asked.next.addition->left(), 0.97);
+  EXPECT_TRUE(asked.add_accepts());
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const Asked exact(std::string(kBasic) + ",polarization_ripple",
+                      {recording_with({ripple(0)}, seed)});
+    EXPECT_FALSE(exact.next.addition) << seed;
+  }
+}
+
+// Its limit is for effects.
+TEST(NextStep, RefinesInALoopThatMayAddNoMore) {
+  const recording::Recording recording =
+      recording_with({natural_term("polarization_ripple", {7, 0, 0.03}, {0.04, 0.03})}, 1);
+  const model::Model model = fog::test::incomplete(kBasic);
+  DiagnosisData data(model);
+  JudgingRuns runs;
+  runs.training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
+  data.add(runs.training.runs[0]);
+  const Ladder ladder = stepwise_selection(model, data, runs, 1, {});
+  ASSERT_EQ(ladder.steps.size(), 2U);
+  EXPECT_TRUE(ladder.is_cut_off);
+  EXPECT_FALSE(ladder.steps[0].addition.request.refines);
+  EXPECT_TRUE(ladder.steps[1].addition.request.refines);
+  EXPECT_LT(ladder.steps[1].rms_after_dph, ladder.steps[1].rms_before_dph);
+  EXPECT_EQ(ladder.added(), std::vector<std::string>{"polarization_ripple"});
 }
 
 // A polynomial of the temperature of a part that is warmed late: nothing of the catalogue, and no

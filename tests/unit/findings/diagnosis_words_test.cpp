@@ -147,6 +147,27 @@ TEST(DiagnosisWords, SayOfADescriptionThatItIsNoCause) {
             "fogcomp add x.model run.csv --effect-expr 'dTdt_squared = dTdt^2' -o NEW.model");
 }
 
+// Nothing is missing, and yet there is something to do.
+TEST(DiagnosisWords, SayWhatCanBeRefined) {
+  diagnosis::Diagnosis found = only_together();
+  found.verdict = diagnosis::Verdict::none;
+  found.effect.clear();
+  diagnosis::NextStep next;
+  EXPECT_NE(words_of(found, next, kFiles).verdict.find("nothing is missing"), std::string::npos);
+  next.describes = true;
+  next.addition = tried({"polarization_ripple:chirp=?"});
+  next.addition->request.refines = true;
+  const DiagnosisWords words = words_of(found, next, kFiles);
+  EXPECT_EQ(words.verdict, "no effect is missing, but polarization_ripple can be refined");
+  EXPECT_NE(join(words.findings, "\n").find("a part of its formula that the model leaves out"),
+            std::string::npos);
+  EXPECT_EQ(words.command,
+            "fogcomp add x.model 'polarization_ripple:chirp=?' run.csv -o NEW.model");
+  const std::string json = diagnosis_json(found, next, kFiles).text();
+  EXPECT_NE(json.find("\"description\":{\"kind\":\"refinement\","), std::string::npos) << json;
+  EXPECT_NE(json.find("\"verdict\":\"none\""), std::string::npos) << json;
+}
+
 TEST(DiagnosisWords, SayWhyNothingCanBeAdded) {
   diagnosis::NextStep next;
   next.describes = true;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "model/catalogue.hpp"
+
 namespace fogcomp::model {
 namespace {
 
@@ -16,6 +18,22 @@ TEST(EffectList, BlanksMeanNothing) {
     EXPECT_EQ(blanks[i].identified, plain[i].identified);
   }
   EXPECT_EQ(blanks[2].bounds[0].max, 900);
+}
+
+TEST(EffectList, RefinementsFreeWhatAFormulaLeavesOutOrKeeps) {
+  using Settings = std::vector<std::string>;
+  const auto of = [](const char* effect) { return possible_refinements(parse_effects(effect)[0]); };
+  EXPECT_EQ(of("polarization_ripple"), (Settings{"period2=?", "chirp=?"}));
+  EXPECT_EQ(of("polarization_ripple:period2=5"), (Settings{"period2=?", "chirp=?"}));
+  EXPECT_EQ(of("polarization_ripple:period2=?,chirp=0.05"), Settings{"chirp=?"});
+  EXPECT_EQ(of("polarization_ripple:period2=?,chirp=?"), Settings{});
+  EXPECT_EQ(of("thermal_hysteresis"), Settings{"radius2=?"});
+  EXPECT_EQ(of("scale_factor_asymmetry"), Settings{"dead_band=?"});
+  for (const char* const has_none : {"bias", "bias_temperature:order=2", "thermal_lag:tau=300",
+                                     "scale_factor_temperature", "bias_step"}) {
+    EXPECT_EQ(of(has_none), Settings{}) << has_none;
+  }
+  EXPECT_EQ(possible_refinements(expression_term("x = sin(T / ?p[2,60])")), Settings{});
 }
 
 }  // namespace
