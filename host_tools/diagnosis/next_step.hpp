@@ -39,10 +39,11 @@ NextStep find_refinement(const model::Model& model, AdditionJudge& judge);
 /// training runs and, without a holdout, by at least rules::kWorthAdding of what was removed since
 /// the fit, unless it is the one effect that is named. A bias step comes first, because the rest is
 /// judged once it is masked. A description must also be accepted on each of several runs when that
-/// run is left out. If all fail, a network of temperature and rate is tried, unless the model has
-/// one or there is only one run. Nothing but single effects is tried if most of the residual is no
-/// function of the signals (a cycle, jumps), nothing at all if it may be a random walk or nothing
-/// is missing. `data` has the rows of the training runs of `judge`, which is of `model`.
+/// run is left out. If all fail, a refinement is tried (find_refinement()), then a network of
+/// temperature and rate, unless the model has one or there is only one run. Nothing but single
+/// effects is tried if most of the residual is no function of the signals (a cycle, jumps), nothing
+/// but a refinement if it may be a random walk or nothing is missing. `data` has the rows of the
+/// training runs of `judge`, which is of `model`.
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
                         const DiagnosisData& data, AdditionJudge& judge,
                         const DiagnosisSettings& settings = {});
