@@ -90,9 +90,11 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
                           const JudgingRuns& runs, int max_steps,
                           const DiagnosisSettings& settings) {
   int added = 0;
+  double shown = 0;  // a refinement takes the time of a step and is none
   DiagnosisSettings each = settings;
   each.progress = [&](double part) {
-    if (settings.progress) settings.progress((added + part) / (max_steps + 1.0));
+    shown = std::max(shown, (added + part) / (max_steps + 1.0));
+    if (settings.progress) settings.progress(shown);
   };
   Ladder ladder;
   ladder.model = model;

@@ -120,8 +120,7 @@ bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
   return true;
 }
 
-template <class T>
-void append(std::vector<T> more, std::vector<T>& all) {
+void append(std::vector<Description> more, std::vector<Description>& all) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 

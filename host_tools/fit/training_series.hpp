@@ -19,7 +19,6 @@ class TrainingSeries {
   TrainingSeries& operator=(const TrainingSeries&) = delete;
 
   const KnownRegressors& known() const { return known_; }
-  const series::SignalSeries& series() const { return series_; }
 
  private:
   model::Model model_;

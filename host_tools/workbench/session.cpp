@@ -263,11 +263,10 @@ Json Session::preview(const Words& words) {
                                        : fit::change_effects(model.terms, request.effects);
   model::Model with = model;
   with.terms = change.terms;
-  series::SignalSeries series(with);
-  for (const compare::RunInBlocks& run : runs.training.runs) series.add(run.blocks);
+  const fit::TrainingSeries series(with, runs.training);
   fit::FitSettings physics_alone;
   physics_alone.network.hidden = 0;
-  const fit::FitResult found = fit::fit_model(with, series, physics_alone);
+  const fit::FitResult found = fit::fit_model(with, series.known(), physics_alone);
   columns_.resize(std::max(columns_.size(), runs.training.runs.size()));
   for (std::size_t i = 0; i < runs.training.runs.size(); ++i) {
     const compare::RunInBlocks& run = runs.training.runs[i];

@@ -140,7 +140,14 @@ TEST(NextStep, RefinesInALoopThatMayAddNoMore) {
   JudgingRuns runs;
   runs.training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
   data.add(runs.training.runs[0]);
-  const Ladder ladder = stepwise_selection(model, data, runs, 1, {});
+  double progress = 0;
+  DiagnosisSettings settings;
+  settings.progress = [&](double done) {
+    EXPECT_GE(done, progress);
+    EXPECT_LE(done, 1);
+    progress = done;
+  };
+  const Ladder ladder = stepwise_selection(model, data, runs, 1, settings);
   ASSERT_EQ(ladder.steps.size(), 2U);
   EXPECT_TRUE(ladder.is_cut_off);
   EXPECT_FALSE(ladder.steps[0].addition.request.refines);
