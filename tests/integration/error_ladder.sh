@@ -77,6 +77,7 @@ for start in "static.model" "static.model --holdout run2.csv" "network.model"; d
   sed -n 's/^ *fogcomp add /add /p' loop.txt | grep -v NEW >steps.txt
   # two effects; refinements of their formulas (NAME:parameter=?) come in addition
   [[ $(grep -vc '=?' steps.txt) == 2 ]] || fail "two steps expected: $(cat loop.txt)"
+  [[ $(grep -c '=?' steps.txt) == "$(grep -c '(a refinement)' loop.txt)" ]] || fail "no refinement: $(cat loop.txt)"
   # More is missing than two steps add: what it proposes goes on with its model, and is accepted.
   going_on="diagnose loop.model run1.csv${judge:+ $judge}"
   grep -qx "  next: fogcomp $going_on" loop.txt || fail "$start: not to go on: $(cat loop.txt)"

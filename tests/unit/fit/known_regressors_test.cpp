@@ -9,52 +9,50 @@
 namespace fogcomp::fit {
 namespace {
 
-TEST(KnownRegressors, AreThoseOfTheSeriesHoweverMany) {
-  const model::Model gyro = fog::test::truth();
-  series::SignalSeries series(gyro);
-  series.add(series::make_blocks(fog::test::recording_of(gyro, {0.002, 0, 300}, 1)));
-  KnownRegressors known(series);
+class KnownRegressorsOfARun : public testing::Test {
+ protected:
+  KnownRegressorsOfARun() {
+    series_.add(series::make_blocks(fog::test::recording_of(gyro_, {0.002, 0, 300}, 1)));
+  }
+  const model::Model gyro_ = fog::test::truth();
+  series::SignalSeries series_{gyro_};
+  const KnownRegressors known_{series_};
+};
+
+TEST_F(KnownRegressorsOfARun, AreThoseOfTheSeriesHoweverMany) {
   model::EffectTerm lag = model::parse_effects("thermal_lag:tau=900")[0];
   constexpr Eigen::Index kMoreThanAreKept = 4'000'000;
   Eigen::Index values = 0;
   for (double tau_s = 900; values < kMoreThanAreKept; tau_s += 1) {
     lag.parameters[0] = tau_s;
-    values += known(lag)->size();
+    values += known_(lag)->size();
   }
   for (const double tau_s : {900.0, 901.0, 900.0}) {
     lag.parameters[0] = tau_s;
     for (const auto reading : {series::Reading::of_sensor, series::Reading::smoothed}) {
-      EXPECT_EQ(*known(lag, reading), series.regressors(lag, reading)) << tau_s;
+      EXPECT_EQ(*known_(lag, reading), series_.regressors(lag, reading)) << tau_s;
     }
   }
 }
 
 // Each part is remembered by itself.
-TEST(KnownRegressors, OfAnEffectWithTwoPartsAreItsOwn) {
-  const model::Model gyro = fog::test::truth();
-  series::SignalSeries series(gyro);
-  series.add(series::make_blocks(fog::test::recording_of(gyro, {0.002, 0, 300}, 1)));
-  const KnownRegressors known(series);
+TEST_F(KnownRegressorsOfARun, OfAnEffectWithTwoPartsAreItsOwn) {
   for (const char* const effect :
        {"polarization_ripple:period=9,period2=31,chirp=0.05",
         "thermal_hysteresis:radius=3,radius2=12", "polarization_ripple:period=9"}) {
     const model::EffectTerm term = model::parse_effects(effect)[0];
     for (const auto reading : {series::Reading::of_sensor, series::Reading::smoothed}) {
-      EXPECT_EQ(*known(term, reading), series.regressors(term, reading)) << effect;
+      EXPECT_EQ(*known_(term, reading), series_.regressors(term, reading)) << effect;
     }
   }
 }
 
-TEST(KnownRegressors, OfTwoExpressionsWithOneNameDiffer) {
-  const model::Model gyro = fog::test::truth();
-  series::SignalSeries series(gyro);
-  series.add(series::make_blocks(fog::test::recording_of(gyro, {0.002, 0, 300}, 1)));
-  const KnownRegressors known(series);
+TEST_F(KnownRegressorsOfARun, OfTwoExpressionsWithOneNameDiffer) {
   for (const char* const definition : {"x = T^2", "x = abs(dTdt)"}) {
     model::EffectTerm term = model::expression_term(definition);
     for (const int scale_log2 : {0, 3}) {
       term.expression->scale_log2 = scale_log2;
-      EXPECT_EQ(*known(term), series.regressors(term)) << definition << scale_log2;
+      EXPECT_EQ(*known_(term), series_.regressors(term)) << definition << scale_log2;
     }
   }
 }

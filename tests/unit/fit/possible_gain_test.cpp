@@ -13,9 +13,9 @@ namespace {
 constexpr double kSigma_dph = 0.02;
 
 // A gyro with a ripple, and models of it that lack a part of its formula.
-class PossibleGain : public testing::Test {
- protected:
-  explicit PossibleGain(const std::string& ripple = "") {
+class GyroWithRipple {
+ public:
+  explicit GyroWithRipple(const std::string& ripple) {
     model::Model gyro = fog::test::model_of(model::parse_effects("bias," + ripple));
     gyro.terms[0].coefficients_dph = {0.5};
     gyro.terms[1].coefficients_dph = {0.06, 0.04};
@@ -44,34 +44,31 @@ class PossibleGain : public testing::Test {
   noise::NoiseModel noise_;
 };
 
-class PossibleGainOfChirp : public PossibleGain {
- protected:
-  PossibleGainOfChirp() : PossibleGain("polarization_ripple:period=9,chirp=0.01") {}
-};
-TEST_F(PossibleGainOfChirp, IsAboutWhatItBrings) {
-  const double fall =
-      chi2("polarization_ripple:period=9") - chi2("polarization_ripple:period=9,chirp=0.01");
-  ASSERT_GT(fall, 100);
-  EXPECT_NEAR(gain("polarization_ripple:period=9", "polarization_ripple:period=9,chirp=?"), fall,
-              0.2 * fall);
-}
-TEST_F(PossibleGainOfChirp, IsNoneWhereItIsThere) {
-  EXPECT_LT(gain("polarization_ripple:period=9,chirp=0.01", "polarization_ripple:period=9,chirp=?"),
-            rules::kVisible * rules::kVisible);
-  EXPECT_EQ(gain("polarization_ripple:period=9", "polarization_ripple:period=9"), 0);
+// Of a second part, whose place nothing tells, and of a chirp.
+TEST(PossibleGain, IsAboutWhatTheFreedShapeBrings) {
+  const std::string ripple = "polarization_ripple:";
+  const struct {
+    const char *gyro, *before, *complete, *freed;
+    double min_fall, tolerance;
+  } kCases[] = {
+      {"period=9,chirp=0.01", "period=9", "period=9,chirp=0.01", "period=9,chirp=?", 100, 0.2},
+      {"period=23", "period=5", "period=5,period2=23", "period=5,period2=?", 1000, 0.1},
+  };
+  for (const auto& one : kCases) {
+    const GyroWithRipple gyro(ripple + one.gyro);
+    const double fall = gyro.chi2(ripple + one.before) - gyro.chi2(ripple + one.complete);
+    ASSERT_GT(fall, one.min_fall) << one.freed;
+    EXPECT_NEAR(gyro.gain(ripple + one.before, ripple + one.freed), fall, one.tolerance * fall)
+        << one.freed;
+  }
 }
 
-// Nothing is known of the place of a part that is left out.
-class PossibleGainOfSecondPart : public PossibleGain {
- protected:
-  PossibleGainOfSecondPart() : PossibleGain("polarization_ripple:period=23") {}
-};
-TEST_F(PossibleGainOfSecondPart, IsLookedForEverywhere) {
-  const double fall =
-      chi2("polarization_ripple:period=5") - chi2("polarization_ripple:period=5,period2=23");
-  ASSERT_GT(fall, 1000);
-  EXPECT_NEAR(gain("polarization_ripple:period=5", "polarization_ripple:period=5,period2=?"), fall,
-              0.1 * fall);
+TEST(PossibleGain, IsNoneWhereItIsThere) {
+  const GyroWithRipple gyro("polarization_ripple:period=9,chirp=0.01");
+  EXPECT_LT(
+      gyro.gain("polarization_ripple:period=9,chirp=0.01", "polarization_ripple:period=9,chirp=?"),
+      rules::kVisible * rules::kVisible);
+  EXPECT_EQ(gyro.gain("polarization_ripple:period=9", "polarization_ripple:period=9"), 0);
 }
 
 }  // namespace
