@@ -33,10 +33,19 @@ bool continues(const BlockSeries& run, const BlockSeries& next) {
                                         recording::rules::kMaxDropoutS);
 }
 
+// The clock of a whole run: that of its files, weighted by their lengths.
+void average_clock(BlockSeries& run, const BlockSeries& next) {
+  const auto own = static_cast<double>(run.blocks.size());
+  const auto others = static_cast<double>(next.blocks.size());
+  run.period_s = (own * run.period_s + others * next.period_s) / (own + others);
+  run.block_s = run.period_s * run.samples_per_block;
+}
+
 void append(BlockSeries& run, const BlockSeries& next) {
   const auto elapsed = std::llround((first_time_s(next) - first_time_s(run)) / run.block_s);
   const std::int64_t offset =
       std::max<std::int64_t>(elapsed, run.blocks.back().number + 1 - next.blocks.front().number);
+  average_clock(run, next);
   for (BlockSeries::Block block : next.blocks) {
     block.number += offset;
     run.blocks.push_back(block);

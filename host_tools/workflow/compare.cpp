@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "compare/joined_runs.hpp"
 #include "fit/turn_on_bias.hpp"
 #include "model/model_file.hpp"
 #include "recording/data_hash.hpp"
@@ -57,6 +58,9 @@ std::vector<compare::RunInBlocks> compared_runs(const CompareRequest& request,
     known.add(run.blocks.recordings[0], run.file);
     runs.push_back(std::move(run));
   }
+  std::vector<std::string> notes;
+  runs = compare::join_continued(std::move(runs), notes);
+  observer.say(notes);
   return runs;
 }
 

@@ -20,8 +20,9 @@ struct CompareRequest {
 };
 
 /// Applies every model to every run, in the same rows. A run with the rows of an earlier one is
-/// left out, with a note. Throws InputError if a run lacks an input of a model, and for models of
-/// different scale factors if `reading` has none.
+/// left out, one that continues another is joined to it (compare/joined_runs.hpp), with a note.
+/// Throws InputError if a run lacks an input of a model, and for models of different scale factors
+/// if `reading` has none.
 std::vector<compare::ModelOnRuns> compare(const CompareRequest& request,
                                           const Observer& observer = {});
 /// The same with recordings already read by compared_runs().

@@ -69,6 +69,24 @@ TEST(JoinedRuns, AreTheRunThatWasCutIntoFilesInAnyOrder) {
   }
 }
 
+// A logger's clock may be faster in one hour than in the next.
+TEST(JoinedRuns, HaveTheMeanPeriodOfTheirFiles) {
+  const recording::Recording run = whole();
+  const auto rows = static_cast<std::ptrdiff_t>(run.rows());
+  recording::Recording a = part(run, 0, rows / 4, "a.csv");
+  recording::Recording b = part(run, rows / 4, rows, "b.csv");
+  a.period_s = 1.004 * run.period_s;
+  b.period_s = run.period_s;
+  for (const auto& files : {std::vector{a, b}, {b, a}}) {
+    std::vector<std::string> notes;
+    const std::vector<RunInBlocks> joined = join_continued(in_blocks(files), notes);
+    ASSERT_EQ(joined.size(), 1U);
+    EXPECT_NEAR(joined[0].blocks.period_s, 1.001 * run.period_s, 1e-5 * run.period_s);
+    EXPECT_EQ(joined[0].blocks.block_s,
+              joined[0].blocks.period_s * joined[0].blocks.samples_per_block);
+  }
+}
+
 TEST(JoinedRuns, HaveSegmentsWithNamesOfTheirOwn) {
   const recording::Recording run = whole();
   const auto rows = static_cast<std::ptrdiff_t>(run.rows());

@@ -192,6 +192,30 @@ TEST_F(UseCases, ApplyGivesTheSeriesWhoseMeansCompareHas) {
   EXPECT_NEAR(outcome.compensated_std_dph, std::sqrt(square - mean * mean), 1e-4);
 }
 
+// The second file does not begin at power-on: its lags go on from the first.
+TEST_F(UseCases, CompareTakesFilesOfOneRunAsOne) {
+  CompareRequest judged;
+  judged.models = {static_model()};
+  judged.runs = {path("run.csv")};
+  const double whole_dph = compare(judged)[0].runs[0].comparison.whole.rms_dph;
+  std::ifstream whole(path("run.csv"));
+  std::ofstream first(path("first_half.csv"));
+  std::ofstream second(path("second_half.csv"));
+  std::string line;
+  for (int rows = 0; std::getline(whole, line);) {
+    const bool is_row = std::isdigit(static_cast<unsigned char>(line[0])) != 0;
+    rows += is_row ? 1 : 0;
+    if (!is_row || rows <= 3000) first << line << '\n';
+    if (!is_row || rows > 3000) second << line << '\n';
+  }
+  first.close();
+  second.close();
+  judged.runs = {path("second_half.csv"), path("first_half.csv")};
+  const std::vector<compare::ModelOnRun> runs = compare(judged)[0].runs;
+  ASSERT_EQ(runs.size(), 1U);
+  EXPECT_NEAR(runs[0].comparison.whole.rms_dph, whole_dph, 1e-6 * whole_dph);
+}
+
 TEST_F(UseCases, ApplyOnTheBoardHasTheIntegersOfReplay) {
   ApplyRequest request;
   request.weights = static_model();
