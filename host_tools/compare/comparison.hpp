@@ -15,7 +15,7 @@
 
 namespace fogcomp::compare {
 
-/// Result of a model on one recording, in rows of RunInBlocks::average_s.
+/// Result of a model on one recording, in rows.
 struct Comparison {
   /// A segment and its residual, deg/h. Rows are weighted by their duration; outliers are excluded.
   struct SegmentError : recording::Segment {
@@ -42,7 +42,7 @@ struct Comparison {
   std::vector<EffectShare> effects;            ///< in the model's order, then the network
   std::vector<std::vector<double>> parts_dph;  ///< [as effects][row]: contributions to the drift
   std::vector<VaryingInput> inputs;
-  std::optional<double> noise_floor_dph;  ///< of a row, from the recording alone
+  std::optional<double> noise_floor_dph;  ///< RunInBlocks::noise_floor_dph, if it is of such rows
   OutsideTraining outside;
 
   std::size_t size() const { return outlier.size(); }
@@ -56,8 +56,10 @@ struct Comparison {
 /// Whether an input varies by more than the rounding of its means.
 bool varies(const std::vector<double>& values);
 
-/// Throws InputError if the run lacks a column that the model needs.
+/// In rows of RunInBlocks::average_s, or of Model::average_s. Throws InputError if the run lacks a
+/// column that the model needs.
 Comparison compare_with(const model::Model& model, const RunInBlocks& run);
+Comparison compare_in_own_rows(const model::Model& model, const RunInBlocks& run);
 
 /// Rms of a segment, deg/h, about the model's mean over the whole run: the residual of a constant.
 /// Comparable with SegmentError::rms_dph, because an offset of the run counts in both.

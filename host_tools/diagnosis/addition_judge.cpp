@@ -30,14 +30,21 @@ bool is_addition(const model::HistoryEntry& entry) {
   return did("add ") && std::none_of(catalogue.begin(), catalogue.end(), is_event);
 }
 
+// What additions have taken out since the model's fit, (deg/h)^2. A difference of squares in one
+// kind of rows: white noise cancels, so that it can be compared with one in others.
+double removed_since_fit(const model::Model& model) {
+  const auto first = std::find_if(model.history.begin(), model.history.end(), is_addition);
+  if (first == model.history.end()) return 0;
+  return square(first->rms_before_dph) - square(model.residual_rms_dph);
+}
+
 // Reason not to propose an addition that helps out of sample; "" if there is none.
-std::string objection_to(const model::Model& grown, bool may_be_little) {
-  const model::HistoryEntry& step = grown.history.back();
-  if (step.rms_after_dph >= step.rms_before_dph) return "it does not lower the error of these runs";
-  const double fitted_dph = error_when_fitted(grown, step.rms_before_dph);
-  if (may_be_little || is_worth_adding(step.rms_before_dph, step.rms_after_dph, fitted_dph)) {
-    return "";
-  }
+std::string objection_to(const model::Model& model, const fit::Addition& addition,
+                         bool may_be_little) {
+  const double before_dph = addition.fitted_before_dph;
+  const double after_dph = addition.fitted_after_dph;
+  if (after_dph >= before_dph) return "it does not lower the error of these runs";
+  if (may_be_little || is_worth_adding(model, before_dph, after_dph)) return "";
   return "its gain is so small that it may only correct inexact terms of the model: let a run "
          "that was not fitted decide, with --holdout";
 }
@@ -75,14 +82,9 @@ fit::Addition try_to_add(const model::Model& model, const AdditionRequest& reque
   return fit::add_effect(model, change, runs.training, runs.holdouts, settings);
 }
 
-double error_when_fitted(const model::Model& model, double now_dph) {
-  const auto first = std::find_if(model.history.begin(), model.history.end(), is_addition);
-  return first == model.history.end() ? now_dph : first->rms_before_dph;
-}
-
-bool is_worth_adding(double before_dph, double after_dph, double fitted_dph) {
+bool is_worth_adding(const model::Model& model, double before_dph, double after_dph) {
   const double fall = square(before_dph) - square(after_dph);
-  return fall >= rules::kWorthAdding * (square(fitted_dph) - square(after_dph)) ||
+  return fall >= rules::kWorthAdding * (removed_since_fit(model) + fall) ||
          after_dph <= (1 - rules::kHardlyHelps) * before_dph;
 }
 
@@ -103,8 +105,8 @@ void AdditionJudge::prepare() {
   try {
     fit::AddSettings settings;
     settings.run_offsets = run_offsets_;
-    if (!series_) series_ = std::make_shared<fit::TrainingSeries>(model_, runs_.training);
     refitted_ = fit::refitted(model_, runs_.training, settings, series_);
+    series_ = refitted_->series;
   } catch (const InputError& error) {
     failure_ = error.what();
   }
@@ -137,10 +139,13 @@ TriedAddition AdditionJudge::tried(AdditionRequest request,
     addition = try_to_add(model_, trial.request, runs_, &*refitted_);
     const bool may_be_little = !runs_.holdouts.empty() || trial.request.may_be_little;
     const std::string objection =
-        addition->accepted ? objection_to(addition->model, may_be_little) : "";
+        addition->accepted ? objection_to(model_, *addition, may_be_little) : "";
     trial.accepted = addition->accepted && objection.empty();
     trial.may_be_walk = addition->chance_of_walk.value_or(0) >= fit::rules::kMaxChanceOfWalk;
     trial.may_be_line = addition->may_be_line;
+    trial.fitted_before_dph = addition->fitted_before_dph;
+    trial.fitted_after_dph = addition->fitted_after_dph;
+    trial.holdouts = addition->holdouts;
     trial.reason = objection.empty() ? addition->reason : objection;
     if (addition->out_of_sample) {
       trial.rms_before_dph = addition->out_of_sample->rms_before_dph;

@@ -32,6 +32,9 @@ struct TriedAddition {
   std::string reason;        ///< one line: why it is accepted or not
   double rms_after_dph = 0;  ///< out of sample; both 0 for an event, which nothing else can judge
   double rms_before_dph = 0;
+  double fitted_before_dph = 0;  ///< as fit::AdditionVerdict has them
+  double fitted_after_dph = 0;
+  std::optional<model::HistoryEntry::Holdout> holdouts{};
   /// The resulting model, without a network; only if accepted.
   std::optional<model::Model> model;
 
@@ -53,14 +56,12 @@ struct JudgingRuns {
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
                          const JudgingRuns& runs, const fit::RefittedModel* before = nullptr);
 
-/// The model's error as first fitted, before any addition, deg/h. `now_dph`: its error now.
-double error_when_fitted(const model::Model& model, double now_dph);
-
-/// Whether an addition takes out enough of what has been taken out since the fit
-/// (rules::kWorthAdding). One that removes very little may only correct the inexactness of earlier
-/// terms; only a run that was not fitted can tell. It is not asked of the one effect that a
-/// diagnosis names: what inexact terms leave has been allowed for before it was named.
-bool is_worth_adding(double before_dph, double after_dph, double fitted_dph);
+/// Whether an addition to `model`, with the error before and after in rows of one length, takes out
+/// enough of what has been taken out since the fit (rules::kWorthAdding). One that removes very
+/// little may only correct the inexactness of earlier terms; only a run that was not fitted can
+/// tell. It is not asked of the one effect that a diagnosis names: what inexact terms leave has
+/// been allowed for before it was named.
+bool is_worth_adding(const model::Model& model, double before_dph, double after_dph);
 
 /// Tries additions as `add` would judge them, without the model's network. The model is refitted
 /// once for all of them, and the regressors of the runs are remembered from model to model.
@@ -71,7 +72,7 @@ class AdditionJudge {
 
   const JudgingRuns& runs() const { return runs_; }
 
-  /// The next trials start from this model, which has the same averaging and derivative.
+  /// The next trials start from this model, which has the same rows and derivative.
   void go_on_from(const model::Model& model);
 
   /// Refits the model without a change, if that has not been done; before calls from several

@@ -120,12 +120,6 @@ constexpr double kRefutes = 2.0 / 3;
 /// Fraction of the excess above which a part counts as the main part of an unknown residual.
 constexpr double kMainPart = 0.5;
 
-/// Row lengths of a diagnosis, seconds: the first with at most kMaxRows rows is used. Means over 10
-/// s preserve all temperature effects of the catalogue; the thresholds were set with such rows
-/// (tests/bench/hidden_effects).
-constexpr std::array<double, 4> kRowLengths_s{10, 20, 30, 60};
-constexpr double kMaxRows = 12000;
-
 /// Fraction of an effect that the model must leave for the effect to be visible; with less it would
 /// have to be thirty times larger than what it shows.
 constexpr double kMinVisible = 0.03;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/decision_rules.hpp"
 #include "recording/rate_resolution.hpp"
 #include "series/required_inputs.hpp"
 #include "support/input_error.hpp"
@@ -41,20 +40,6 @@ DiagnosisData DiagnosisData::with_offered(const std::vector<model::EffectTerm>& 
 std::optional<double> DiagnosisData::noise_floor_dph() const {
   if (floor_rows_ == 0) return std::nullopt;
   return std::sqrt(floor_square_rows_ / floor_rows_);
-}
-
-RowLength row_length(const std::vector<compare::RunInBlocks>& runs) {
-  double all_s = 0;
-  for (const compare::RunInBlocks& run : runs) {
-    all_s += static_cast<double>(run.blocks.blocks.size()) * run.blocks.block_s;
-  }
-  const double usual_s = rules::kRowLengths_s.front();
-  if (all_s <= rules::kMaxRows * usual_s) return {usual_s, ""};
-  const auto enough = std::find_if(rules::kRowLengths_s.begin(), rules::kRowLengths_s.end() - 1,
-                                   [&](double row_s) { return all_s <= rules::kMaxRows * row_s; });
-  return {*enough, format("looked at in rows of %g s: of %g s there would be %.0f, more than a "
-                          "diagnosis needs",
-                          *enough, usual_s, all_s / usual_s)};
 }
 
 noise::NoiseModel noise_of_static(const model::Model& model, const recording::Recording& recording,

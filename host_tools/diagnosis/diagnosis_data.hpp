@@ -54,14 +54,6 @@ class DiagnosisData {
   recording::KnownRows known_;
 };
 
-/// Row length of a diagnosis, independent of that of the model's fit, so that the verdict does not
-/// depend on it (rules::kRowLengths_s).
-struct RowLength {
-  double row_s = 0;
-  std::string why;  ///< a line where it is not the usual one, else ""
-};
-RowLength row_length(const std::vector<compare::RunInBlocks>& runs);
-
 /// Noise of a recording at rest, for the row length of `data`. Throws InputError if the row length
 /// differs, or the recording is too short or one of `data`'s own.
 noise::NoiseModel noise_of_static(const model::Model& model, const recording::Recording& recording,

@@ -15,9 +15,7 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 }
 
 Ladder::Step step_of(const NextStep& next, const Diagnosis& before) {
-  const model::HistoryEntry& entry = next.addition->model->history.back();
-  Ladder::Step step{*next.addition,       next.describes,      {},
-                    entry.rms_before_dph, entry.rms_after_dph, entry.holdout};
+  Ladder::Step step{*next.addition, next.describes, {}};
   if (before.verdict != Verdict::ambiguous) return step;
   const std::vector<std::string> names = step.addition.request.names();
   for (const std::string& rival : before.confusable) {

@@ -12,16 +12,12 @@ namespace fogcomp::diagnosis {
 /// Result of a stepwise selection: diagnose, add the proposal, refit everything, repeat.
 struct Ladder {
   struct Step {
+    /// Its errors are of the rows of the diagnosis, without the model's network unless that is
+    /// added.
     TriedAddition addition;
     bool describes = false;  ///< as NextStep has it
     /// Effects that these recordings cannot distinguish from the added one.
     std::vector<std::string> alternatives;
-    /// Of the rows, as `add` prints them; without the model's network, unless that is added. The
-    /// latter is smaller, or the addition would not be proposed.
-    double rms_before_dph = 0;
-    double rms_after_dph = 0;
-    /// The same of the holdouts; nothing without any.
-    std::optional<model::HistoryEntry::Holdout> holdout{};
   };
   Diagnosis first;     ///< of the model as it came
   NextStep next;       ///< after it

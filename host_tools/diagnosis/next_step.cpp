@@ -23,8 +23,7 @@ std::vector<std::string> named_effects(const Diagnosis& diagnosis) {
 // Whether an addition could be worth it if it removed everything above the noise.
 bool may_be_worth_adding(const model::Model& model, const Diagnosis& diagnosis) {
   const double now_dph = diagnosis.residual_rms_dph;
-  return is_worth_adding(now_dph, std::min(now_dph, diagnosis.noise_floor_dph),
-                         error_when_fitted(model, now_dph));
+  return is_worth_adding(model, now_dph, std::min(now_dph, diagnosis.noise_floor_dph));
 }
 
 // Whether the addition is accepted; stores it in `next` in either case.

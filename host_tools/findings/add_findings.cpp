@@ -117,6 +117,12 @@ Document add_findings(const fit::Addition& addition, const std::string& model,
   } else {
     document.next("look again at what the new model leaves", diagnose_command(written, runs));
   }
+  if (addition.row_s != addition.model.average_s) {
+    document.sentence(
+        words(format("fitted and judged in rows of %g s, so that neither depends on "
+                     "the model's %g s",
+                     addition.row_s, addition.model.average_s)));
+  }
   for (const std::string& warning : addition.fit.identified.warnings) {
     document.sentence("note: " + words(warning, names));
   }

@@ -84,6 +84,7 @@ Json add_json(const fit::Addition& addition, const std::string& written) {
       .set("terms", added_terms_json(addition))
       .set("accepted", addition.accepted)
       .set("reason", addition.reason)
+      .set("row_s", addition.row_s)
       .set("out_of_sample_rms_before_dph", judged ? Json(judged->rms_before_dph) : Json())
       .set("out_of_sample_rms_after_dph", judged ? Json(judged->rms_after_dph) : Json())
       .set("out_of_sample_gain", judged ? Json(judged->chi2_drop) : Json())

@@ -193,12 +193,14 @@ Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files) {
         .set("expression", expression_json(tried.request))
         .set("describes", step.describes)
         .set("alternatives", step.alternatives)
-        .set("rms_before_dph", step.rms_before_dph)
-        .set("rms_after_dph", step.rms_after_dph)
+        .set("rms_before_dph", tried.fitted_before_dph)
+        .set("rms_after_dph", tried.fitted_after_dph)
         .set("out_of_sample_rms_before_dph", judged ? Json(tried.rms_before_dph) : Json())
         .set("out_of_sample_rms_after_dph", judged ? Json(tried.rms_after_dph) : Json())
-        .set("holdout_rms_before_dph", step.holdout ? Json(step.holdout->rms_before_dph) : Json())
-        .set("holdout_rms_after_dph", step.holdout ? Json(step.holdout->rms_after_dph) : Json());
+        .set("holdout_rms_before_dph",
+             tried.holdouts ? Json(tried.holdouts->rms_before_dph) : Json())
+        .set("holdout_rms_after_dph",
+             tried.holdouts ? Json(tried.holdouts->rms_after_dph) : Json());
   });
   Json result = diagnosis_json(ladder.first, ladder.next, files);
   result.set("added", ladder.added()).set("described", ladder.described());

@@ -48,8 +48,8 @@ void add_ladder(Document& document, const diagnosis::Ladder& ladder,
   table.columns = {"step", {"rms left", "residual"}, "out of sample"};
   table.quantity = "rms left, deg/h";
   table.floor = ladder.first.noise_floor_dph;
-  const double first_dph =
-      ladder.steps.empty() ? ladder.first.residual_rms_dph : ladder.steps.front().rms_before_dph;
+  const double first_dph = ladder.steps.empty() ? ladder.first.residual_rms_dph
+                                                : ladder.steps.front().addition.fitted_before_dph;
   Table::Row first{"the model, refitted", {number(first_dph), first_dph}, ""};
   first.colour = "measured";
   table.rows.push_back(std::move(first));
@@ -57,7 +57,7 @@ void add_ladder(Document& document, const diagnosis::Ladder& ladder,
     const diagnosis::TriedAddition& tried = step.addition;
     const bool judged = tried.rms_before_dph > 0;
     table.rows.push_back({words(step_words(step), names),
-                          {number(step.rms_after_dph), step.rms_after_dph},
+                          {number(tried.fitted_after_dph), tried.fitted_after_dph},
                           judged
                               ? number(tried.rms_before_dph) + " -> " + number(tried.rms_after_dph)
                               : Text("an event, masked")});

@@ -18,7 +18,7 @@ Eigen::VectorXd residual_on(const model::Model& model,
                             const std::vector<compare::RunInBlocks>& runs, bool run_offsets) {
   std::vector<double> residual;
   for (const compare::RunInBlocks& run : runs) {
-    const compare::Comparison comparison = compare::compare_with(model, run);
+    const compare::Comparison comparison = compare::compare_in_own_rows(model, run);
     const double offset = run_offsets ? comparison.whole.mean_dph : 0;
     for (const double value : comparison.residuals_dph()) residual.push_back(value - offset);
   }

@@ -44,8 +44,9 @@ OutOfSample judge_residuals(const series::Rows& rows, const Eigen::VectorXd& bef
                             const Eigen::VectorXd& after, const noise::NoiseModel& noise,
                             const Eigen::VectorXd& weights);
 
-/// `holdouts`: at least one run that was used in neither fit. The models are evaluated like on the
-/// board, clamped to the trained range. With run_offsets the mean of every run is removed.
+/// In the models' rows. `holdouts`: at least one run that was used in neither fit. The models are
+/// evaluated like on the board, clamped to the trained range. With run_offsets the mean of every
+/// run is removed.
 OutOfSample judge_on_holdouts(const model::Model& before, const model::Model& after,
                               const std::vector<compare::RunInBlocks>& holdouts,
                               const noise::NoiseModel& noise, bool run_offsets);

@@ -1,5 +1,6 @@
 #include "workflow/diagnose.hpp"
 
+#include "fit/row_length.hpp"
 #include "fit/turn_on_bias.hpp"
 #include "model/effect_list.hpp"
 #include "model/model_file.hpp"
@@ -18,7 +19,7 @@ std::vector<model::EffectTerm> offered(const DiagnoseRequest& request, const mod
 }
 
 // The rows differ from those of `compare`, and so do the results.
-void note_rows(const diagnosis::RowLength& rows, const model::Model& model,
+void note_rows(const fit::RowLength& rows, const model::Model& model,
                std::vector<std::string>& notes) {
   if (!rows.why.empty()) {
     notes.push_back(rows.why);
@@ -66,7 +67,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const diagnosis::Judgin
   if (!reading.columns.empty()) model.columns = reading.columns;
   observer.say(judging.training.notes);
 
-  const diagnosis::RowLength rows = diagnosis::row_length(judging.training.runs);
+  const fit::RowLength rows = fit::row_length(judging.training.runs, model.average_s);
   auto in_rows = std::make_unique<model::Model>(model);
   in_rows->average_s = request.average_s.value_or(rows.row_s);
   diagnosis::DiagnosisData data(*in_rows, offered(request, model));
@@ -91,7 +92,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const diagnosis::Judgin
         *outcome.model, recording::read_recording(*request.at_rest, reading), outcome.data);
   }
   std::vector<std::string> notes;
-  settings.run_offsets = have_own_biases(model, judging, notes);
+  settings.run_offsets = have_own_biases(*outcome.model, judging, notes);
   outcome.ladder =
       diagnosis::stepwise_selection(model, outcome.data, judging, request.max_steps, settings);
   outcome.ladder.first.as_given = as_given;

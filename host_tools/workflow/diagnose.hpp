@@ -19,7 +19,7 @@ struct DiagnoseRequest {
   std::optional<std::string> at_rest;    ///< recording that determines the noise
   std::vector<std::string> hold_outs;    ///< runs that judge additions, as for `add`
   int max_steps = 0;                     ///< of the stepwise selection; 0: diagnose only
-  std::optional<double> average_s;       ///< rows; nothing: diagnosis::row_length()
+  std::optional<double> average_s;       ///< rows; nothing: fit::row_length()
   std::uint64_t seed = 1;                ///< of the random draws of the test
 };
 
@@ -31,7 +31,7 @@ struct DiagnoseOutcome {
 };
 
 /// Throws InputError like DiagnosisData::add(), noise_of_static(), read_holdouts() and
-/// stepwise_selection(). Additions are judged in the model's own rows, like `add`.
+/// stepwise_selection(). Additions are judged in rows of fit::row_length(), like `add`.
 DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observer = {});
 /// The same with recordings already read by judging_runs().
 DiagnoseOutcome diagnose(const DiagnoseRequest& request, const diagnosis::JudgingRuns& judging,

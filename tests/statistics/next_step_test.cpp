@@ -152,7 +152,7 @@ TEST(NextStep, RefinesInALoopThatMayAddNoMore) {
   EXPECT_TRUE(ladder.is_cut_off);
   EXPECT_FALSE(ladder.steps[0].addition.request.refines);
   EXPECT_TRUE(ladder.steps[1].addition.request.refines);
-  EXPECT_LT(ladder.steps[1].rms_after_dph, ladder.steps[1].rms_before_dph);
+  EXPECT_LT(ladder.steps[1].addition.fitted_after_dph, ladder.steps[1].addition.fitted_before_dph);
   EXPECT_EQ(ladder.added(), std::vector<std::string>{"polarization_ripple"});
 }
 

@@ -51,9 +51,9 @@ TEST(Ladder, AddsNoMoreThanItMayAndSaysWhatAStepBrought) {
   const Ladder::Step& step = ladder.steps[0];
   EXPECT_EQ(ladder.added(), Names{effect_to_add(ladder.first)});
   EXPECT_FALSE(step.describes);
-  EXPECT_EQ(step.rms_before_dph, ladder.model.history.back().rms_before_dph);
-  EXPECT_EQ(step.rms_after_dph, ladder.model.history.back().rms_after_dph);
-  EXPECT_LT(step.rms_after_dph, 0.5 * step.rms_before_dph);
+  EXPECT_EQ(step.addition.fitted_before_dph, ladder.model.history.back().rms_before_dph);
+  EXPECT_EQ(step.addition.fitted_after_dph, ladder.model.history.back().rms_after_dph);
+  EXPECT_LT(step.addition.fitted_after_dph, 0.5 * step.addition.fitted_before_dph);
   ASSERT_EQ(ladder.model.terms.size(), 3U);
   EXPECT_EQ(ladder.model.terms.back().name, effect_to_add(ladder.first));
   EXPECT_EQ(ladder.model.history.back().action, "add " + effect_to_add(ladder.first));
@@ -73,7 +73,7 @@ TEST(Ladder, AddsWhatIsNamedHoweverSmallBesideWhatWasAdded) {
   const Ladder ladder = stepwise_selection(model, data, runs, 3, {});
   EXPECT_EQ(ladder.added(), (Names{"temperature_rate", "polarization_ripple"}));
   EXPECT_FALSE(ladder.is_cut_off);
-  EXPECT_FALSE(ladder.steps[0].holdout);
+  EXPECT_FALSE(ladder.steps[0].addition.holdouts);
 }
 
 }  // namespace

@@ -225,7 +225,7 @@ TEST(DiagnosisWords, SayThatWhatIsLeftIsNotWorthATrial) {
 // Each command uses the file written by the one before.
 TEST(DiagnosisWords, OfALadderAreTheCommandsThatMakeItsModel) {
   diagnosis::Ladder ladder;
-  ladder.steps = {{tried({"bias_step"}), false, {}, 3, 2}, {tried({}, "q = T^2"), true, {}, 2, 1}};
+  ladder.steps = {{tried({"bias_step"}), false, {}}, {tried({}, "q = T^2"), true, {}}};
   const DiagnosedFiles files{
       "my gyro.model", {"a.csv", "b.csv"}, {"c.csv"}, {"--rate", "100"}, "best.model"};
   EXPECT_EQ(ladder_commands(ladder, files),

@@ -81,7 +81,7 @@ TEST(LadderJson, HasTheErrorOfTheHoldoutsOfEachStep) {
   const auto said = [&] { return ladder_json(ladder, kWritten).text(); };
   EXPECT_NE(said().find("\"holdout_rms_before_dph\":null,\"holdout_rms_after_dph\":null"),
             std::string::npos);
-  ladder.steps[0].holdout = model::HistoryEntry::Holdout{0.5, 0.25};
+  ladder.steps[0].addition.holdouts = model::HistoryEntry::Holdout{0.5, 0.25};
   EXPECT_NE(said().find("\"holdout_rms_before_dph\":0.5,\"holdout_rms_after_dph\":0.25"),
             std::string::npos);
 }

@@ -25,6 +25,30 @@ TEST(AddEffect, AcceptsATrueEffect) {
   EXPECT_FALSE(result.model.history.back().forced);
 }
 
+// A user's rows are what the errors are shown in, no more.
+TEST(AddEffect, DoesNotDependOnTheRowsOfTheModel) {
+  const fogcomp::fit::TrainingRuns runs = runs_of(truth(), {1});
+  const auto in_rows = [&](double row_s) {
+    Model given = incomplete("bias,bias_temperature:order=3");
+    given.average_s = row_s;
+    return fogcomp::fit::add_effect(
+        given, fogcomp::fit::change_effect(given.terms, "temperature_rate"), runs, {}, {});
+  };
+  const Addition usual = in_rows(10);
+  const Addition longer = in_rows(60);
+  EXPECT_EQ(longer.row_s, 10);
+  EXPECT_EQ(longer.reason, usual.reason);
+  ASSERT_EQ(longer.model.terms.size(), usual.model.terms.size());
+  for (std::size_t i = 0; i < usual.model.terms.size(); ++i) {
+    EXPECT_EQ(longer.model.terms[i].coefficients_dph, usual.model.terms[i].coefficients_dph);
+  }
+  EXPECT_EQ(longer.fitted_after_dph, usual.model.residual_rms_dph);
+  EXPECT_EQ(longer.model.average_s, 60);
+  EXPECT_EQ(longer.model.history.back().rms_after_dph, longer.model.residual_rms_dph);
+  EXPECT_NEAR(longer.model.residual_rms_dph, longer.runs.at(0).rms_after_dph, 1e-12);
+  EXPECT_LT(longer.model.residual_rms_dph, 0.6 * usual.model.residual_rms_dph);  // less noise
+}
+
 TEST(AddEffect, JudgesSeveralTogetherAndEachAloneAndBesideTheOthers) {
   const Model given = incomplete("bias,bias_temperature:order=2");
   const Addition result = fogcomp::fit::add_effect(

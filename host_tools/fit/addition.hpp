@@ -1,0 +1,86 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compare/comparison.hpp"
+#include "fit/cross_validation.hpp"
+#include "fit/fit_model.hpp"
+#include "fit/out_of_sample.hpp"
+#include "fit/training_series.hpp"
+
+namespace fogcomp::fit {
+
+/// The model without the change, refitted to the training runs in the rows in which additions are
+/// judged.
+struct RefittedModel {
+  std::shared_ptr<const TrainingSeries> series;  ///< of these runs
+  model::Model model;
+  noise::NoiseModel noise{};  ///< as Identification has them
+  Eigen::VectorXd row_weights{};
+};
+
+struct AddSettings {
+  bool run_offsets = false;  ///< as in IdentifySettings; for holdouts, too
+  std::uint64_t seed = 1;    ///< of the network's initial weights
+  /// Called with the fraction of the trainings done, 0..1; may be empty.
+  std::function<void(double)> progress{};
+  /// Compute only verdict and model; skip what is printed beside them (halves, comparisons on the
+  /// training runs, parts of a set except those that fail).
+  bool verdict_only = false;
+  /// Of refitted(), for several trials with one model and the same runs.
+  const RefittedModel* before = nullptr;
+};
+
+/// The verdict on an addition.
+struct AdditionVerdict {
+  /// One of several effects that were added together.
+  struct Part {
+    std::string effect;
+    std::optional<OutOfSample> alone;   ///< without the others; nothing if not determined
+    std::optional<OutOfSample> beside;  ///< when the others are already there
+  };
+  double row_s = 0;  ///< rows in which it was fitted and judged (row_length.hpp)
+  /// In these rows, of the whole model: rms of the training runs, and of the holdouts together.
+  double fitted_before_dph = 0;
+  double fitted_after_dph = 0;
+  std::optional<model::HistoryEntry::Holdout> holdouts{};
+  std::vector<Part> parts;  ///< of a set, in the order of Addition::changed; empty for one effect
+  /// The effects alone, before against after; for a network, the model with it against that
+  /// without. Nothing for an event, or if the training was interrupted.
+  std::optional<OutOfSample> out_of_sample;
+  /// Without another run as judge: probability, 0..1, that a random walk of the bias explains what
+  /// the addition explains. The stretches of one run lie between others of the same walk.
+  std::optional<double> chance_of_walk;
+  std::vector<HalfTest> halves;  ///< the same on the halves of the training runs; for information
+  bool accepted = false;
+  std::string reason;        ///< one line: why it is accepted or not
+  bool may_be_line = false;  ///< refused because a line in time would do as well
+};
+
+/// A model with added or changed effects, and the verdict on them.
+struct Addition : AdditionVerdict {
+  struct RunError {
+    std::string file;
+    bool holdout = false;
+    double rms_before_dph = 0;  ///< of the whole model, network included, rows of average_s
+    double rms_after_dph = 0;
+    std::optional<double> noise_floor_dph;
+    /// Fraction of the rows outside the new model's trained temperatures, 0..1. There a holdout
+    /// judges the held value at the edge, not the effect.
+    double outside_temperature = 0;
+    compare::Comparison before;  ///< row by row
+    compare::Comparison after;
+  };
+  model::Model model;                ///< as refitted, with its history; its errors in its own rows
+  std::vector<std::size_t> changed;  ///< terms added or changed; empty for a network
+  FitResult fit;                     ///< of the new model
+  std::vector<RunError> runs;        ///< training runs, then holdouts
+
+  std::vector<std::string> names() const;  ///< of the additions and changes
+};
+
+}  // namespace fogcomp::fit

@@ -1,0 +1,231 @@
+#include "fit/addition_verdict.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <utility>
+
+#include "fit/decision_rules.hpp"
+#include "fit/walk_instead.hpp"
+#include "model/shape_limits.hpp"
+#include "model/shape_parameter.hpp"
+#include "support/input_error.hpp"
+#include "support/parallel.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::fit {
+namespace {
+
+model::Model without_network(model::Model model) {
+  model.network = {};
+  return model;
+}
+
+// Data needed to compare two models out of sample.
+struct Judge {
+  const FittedPair& pair;
+  JudgedWith with;
+
+  // `changed`: the terms of `after` that `before` lacks.
+  OutOfSample operator()(const model::Model& before, const model::Model& after,
+                         const std::vector<std::size_t>& changed) const {
+    if (pair.holdouts.empty()) {
+      return cross_validate(pair.known, before.terms, after.terms, changed, with);
+    }
+    return judge_on_holdouts(without_network(before), without_network(after), pair.holdouts,
+                             with.noise, with.run_offsets);
+  }
+};
+
+// The model with any subset of the added effects, refitted, each subset once; without a network.
+class PartsOfSet {
+ public:
+  PartsOfSet(const FittedPair& pair, const model::Model& after) : pair_(pair) {
+    take({}, pair.before);
+    take(pair.change.changed, after);
+  }
+  // Throws InputError if the data do not determine that subset.
+  const model::Model& fitted(const std::vector<std::size_t>& chosen) {
+    const auto known = fitted_.find(chosen);
+    if (known != fitted_.end()) return known->second;
+    model::Model model = fitted_.at({});
+    model.terms = pair_.given;
+    for (const std::size_t i : chosen) {
+      const model::EffectTerm& term = pair_.change.terms[i];
+      if (i < model.terms.size()) {
+        model.terms[i] = term;
+      } else {
+        model.terms.push_back(term);
+      }
+    }
+    fit_model(model, pair_.known, fit_settings(model, pair_.settings));
+    return fitted_[chosen] = std::move(model);
+  }
+
+ private:
+  void take(const std::vector<std::size_t>& chosen, const model::Model& model) {
+    fitted_[chosen] = without_network(model);
+  }
+
+  const FittedPair& pair_;
+  std::map<std::vector<std::size_t>, model::Model> fitted_;
+};
+
+// Judges the effects `added` to those of `before`; nothing if the data determine them only together
+// with others.
+std::optional<OutOfSample> judge_part(const Judge& judge, const std::vector<std::size_t>& before,
+                                      const std::vector<std::size_t>& after, std::size_t added,
+                                      PartsOfSet& models) {
+  try {
+    const model::Model& with = models.fitted(after);
+    return judge(models.fitted(before), with, places_of(judge.pair.change, {added}, with));
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+bool is_needless(const Addition::Part& part) {
+  return part.beside && !part.beside->helps();
+}
+
+// Judges each effect of a set alone and beside the others. If only the verdict is wanted, only
+// beside the others, up to the first that is not needed.
+std::vector<Addition::Part> judge_parts(const Judge& judge, PartsOfSet& models) {
+  const EffectChange& change = judge.pair.change;
+  const bool verdict_only = judge.pair.settings.verdict_only;
+  std::vector<Addition::Part> parts;
+  for (const std::size_t i : change.changed) {
+    Addition::Part part{change.terms[i].name, {}, {}};
+    std::vector<std::size_t> others = change.changed;
+    others.erase(std::find(others.begin(), others.end(), i));
+    if (!verdict_only) part.alone = judge_part(judge, {}, {i}, i, models);
+    part.beside = judge_part(judge, others, change.changed, i, models);
+    parts.push_back(std::move(part));
+    if (verdict_only && is_needless(parts.back())) break;
+  }
+  return parts;
+}
+
+// Reason not to accept a new part of a term although it helps.
+struct Doubt {
+  std::string sentence;  // "" if there is none
+  bool may_be_line = false;
+};
+Doubt doubt_of(const model::EffectTerm& term, const model::Model& before) {
+  const model::EffectTerm* own = before.find(term.name);
+  for (const model::ShapeDoubt& doubt : model::shape_doubts(term)) {
+    if (own != nullptr && own->identified[doubt.parameter]) continue;
+    return {doubt.sentence, doubt.instead == model::kLineInTime};
+  }
+  // With a free shape the coefficient may be uncertain although the curve is known well: for t <<
+  // t0 the logarithm of aging is a line with the slope coefficient / t0.
+  const bool judged = own == nullptr && model::shape_parameters({term}).empty();
+  return {judged ? model::coefficient_doubt(term) : ""};
+}
+
+}  // namespace
+
+FitSettings fit_settings(const model::Model& model, const AddSettings& settings) {
+  FitSettings fit;
+  if (model.network.present()) fit.network_inputs = model.network.inputs;
+  fit.identify.run_offsets = settings.run_offsets;
+  fit.identify.max_new_steps = 1;  // one at a time: without it further steps may look larger
+  fit.network.hidden = static_cast<int>(model.network.hidden.biases.size());
+  fit.network.training.seed = settings.seed;
+  return fit;
+}
+
+std::vector<std::size_t> places_of(const EffectChange& change,
+                                   const std::vector<std::size_t>& chosen,
+                                   const model::Model& model) {
+  std::vector<std::size_t> places;
+  for (const std::size_t i : chosen) {
+    const auto has_its_name = [&](const model::EffectTerm& term) {
+      return term.name == change.terms[i].name;
+    };
+    const auto found = std::find_if(model.terms.begin(), model.terms.end(), has_its_name);
+    places.push_back(static_cast<std::size_t>(found - model.terms.begin()));
+  }
+  return places;
+}
+
+void judge_effects(const FittedPair& pair, Addition& after) {
+  const AddSettings& settings = pair.settings;
+  const Identification& identified = after.fit.identified;
+  const std::vector<model::EffectTerm>& without = pair.before.terms;
+  const Judge judge{pair, {identified.noise, identified.row_weights, settings.run_offsets}};
+  std::optional<double> chance_of_walk;
+  const auto ask_walk = [&] {
+    if (!identified.noise.from_quiet_parts) return;
+    chance_of_walk =
+        chance_of_walk_instead(without, after.model.terms, after.changed, pair.known, judge.with);
+  };
+  // Few runs are judged by their stretches, and then a walk is asked for: both at once.
+  const std::size_t runs = pair.known.series().rows().runs().size();
+  const bool few = pair.holdouts.empty() && runs < rules::kEnoughRuns;
+  std::atomic<bool> has_failed{false};
+  for_each_index(few ? 2 : 1, [&](std::size_t i) {
+    if (i == 1 && !has_failed) ask_walk();
+    if (i == 1) return;
+    after.out_of_sample = judge(pair.before, after.model, after.changed);
+    has_failed = settings.verdict_only && !after.out_of_sample->helps();
+  });
+  if (has_failed) return;
+  if (after.changed.size() > 1) {
+    PartsOfSet models(pair, after.model);
+    after.parts = judge_parts(judge, models);
+  }
+  if (!settings.verdict_only) {
+    after.halves = judge_halves(pair.known, without, after.model.terms, after.changed, judge.with);
+  }
+  if (!after.out_of_sample->within_runs) return;
+  if (!few) ask_walk();
+  after.chance_of_walk = chance_of_walk;
+}
+
+void judge_network(const FittedPair& pair, Addition& after) {
+  after.out_of_sample = after.fit.network_judged;
+  if (!after.model.network.present() || pair.holdouts.empty()) return;
+  after.out_of_sample = judge_on_holdouts(without_network(after.model), after.model, pair.holdouts,
+                                          after.fit.identified.noise, pair.settings.run_offsets);
+}
+
+void decide(const model::Model& before, bool has_risen, Addition& after) {
+  after.accepted = false;
+  after.reason = "its training was interrupted";
+  if (!after.out_of_sample) return;
+  const OutOfSample& judged = *after.out_of_sample;
+  after.reason = format("%s out of sample: %s %s", judged.helps() ? "helps" : "does not help",
+                        after.changed.empty() ? "it takes the residual" : "the effects alone leave",
+                        out_of_sample_words(judged).c_str());
+  if (!judged.helps()) return;
+  Doubt doubt;
+  for (const std::size_t i : after.changed) {
+    if (doubt.sentence.empty()) doubt = doubt_of(after.model.terms[i], before);
+  }
+  const auto needless = std::find_if(after.parts.begin(), after.parts.end(), is_needless);
+  if (has_risen) {
+    after.reason = format("makes the whole model worse on the holdouts: %s -> %s deg/h",
+                          rounded(after.holdouts->rms_before_dph).c_str(),
+                          rounded(after.holdouts->rms_after_dph).c_str());
+  } else if (!doubt.sentence.empty()) {
+    after.reason = doubt.sentence;
+    after.may_be_line = doubt.may_be_line;
+  } else if (after.model.uncertain && !before.uncertain) {
+    after.reason = format(
+        "with it these runs do not determine the drift: in a soak it is known to +- %.2g "
+        "deg/h, and %.2g deg/h are to be compensated",
+        after.model.uncertain->sigma_dph, after.model.uncertain->drift_dph);
+  } else if (needless != after.parts.end()) {
+    after.reason = needless->effect +
+                   " brings nothing beside the others: " + out_of_sample_words(*needless->beside);
+  } else if (after.chance_of_walk.value_or(0) >= rules::kMaxChanceOfWalk) {
+    after.reason =
+        "on these runs alone a random walk of the bias explains it as well: let a run that was not "
+        "fitted decide, with --holdout";
+  } else {
+    after.accepted = true;
+  }
+}
+
+}  // namespace fogcomp::fit

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "fit/addition.hpp"
+#include "fit/effect_change.hpp"
+
+namespace fogcomp::fit {
+
+/// Settings of every fit of an addition to `model`.
+FitSettings fit_settings(const model::Model& model, const AddSettings& settings);
+
+/// Positions in a fitted model of effects of a change, given by their positions in it. A fit moves
+/// steps behind all other terms.
+std::vector<std::size_t> places_of(const EffectChange& change,
+                                   const std::vector<std::size_t>& chosen,
+                                   const model::Model& model);
+
+/// What a verdict is based on: a model without and with a change, fitted to the same rows.
+struct FittedPair {
+  const std::vector<model::EffectTerm>& given;  ///< for which the change was made
+  const EffectChange& change;
+  const KnownRegressors& known;  ///< of these rows
+  const model::Model& before;
+  const std::vector<compare::RunInBlocks>& holdouts;
+  const AddSettings& settings;
+};
+
+/// Judges the effects alone, on data that were not fitted.
+void judge_effects(const FittedPair& pair, Addition& after);
+/// Compares with the same effects without the network: on the holdouts or, without any, by
+/// cross-validation. A network that does not help is not kept.
+void judge_network(const FittedPair& pair, Addition& after);
+/// Sets verdict and reason from what judge_effects() or judge_network() found. `has_risen`: the
+/// error of the whole model on the holdouts, by more than chance.
+void decide(const model::Model& before, bool has_risen, Addition& after);
+
+}  // namespace fogcomp::fit
