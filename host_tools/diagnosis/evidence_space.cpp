@@ -51,7 +51,12 @@ PossibleColumns possible_columns(const DiagnosisData& data, const fit::NoiseWeig
   for (Candidate& candidate : found.candidates.testable) {
     if (!candidate.is_event()) continue;
     place_steps(candidate.shapes, series, residualizer, found.smooth.all);
+    remove_gradual_steps(candidate.shapes, series.rows(), residualizer);
   }
+  auto& testable = found.candidates.testable;
+  testable.erase(std::remove_if(testable.begin(), testable.end(),
+                                [](const Candidate& one) { return one.shapes.empty(); }),
+                 testable.end());
   return found;
 }
 

@@ -63,8 +63,10 @@ const CandidateFinding& best_rival(const Diagnosis& diagnosis) {
   return *best;
 }
 
+// Not asked of an event, which explains a moment: with the rest still missing, the fit that
+// explains the jump best may leave more elsewhere.
 bool lowers_the_error(const Diagnosis& diagnosis, const CandidateFinding& finding) {
-  return finding.rms_after_dph < diagnosis.residual_rms_dph;
+  return finding.rms_after_dph < diagnosis.residual_rms_dph || model::is_event(finding.term());
 }
 
 bool has_no_effect_twice(std::vector<std::string> effects) {

@@ -39,12 +39,13 @@ bool try_out(AdditionRequest request, AdditionJudge& judge, NextStep& next) {
   return accepted;
 }
 
-// Tries what the diagnosis names. `is_one`: it names a single effect and no rival.
-bool try_named(const Diagnosis& diagnosis, const std::vector<std::string>& named, bool is_one,
-               AdditionJudge& judge, NextStep& next) {
+// Tries what the diagnosis names. `may_be_little`: it names a single effect and no rival, or an
+// event, which no inexact term imitates.
+bool try_named(const Diagnosis& diagnosis, const std::vector<std::string>& named,
+               bool may_be_little, AdditionJudge& judge, NextStep& next) {
   if (named.empty()) return false;
   AdditionRequest request = *request_of(diagnosis, named);
-  request.may_be_little = is_one;
+  request.may_be_little = may_be_little;
   if (!try_out(std::move(request), judge, next)) return false;
   if (named.size() > 1) next.together = named;
   return true;
@@ -150,7 +151,7 @@ bool try_forms(const Diagnosis& diagnosis, const LikelyFormulas& formulas, Addit
   if (probability < rules::kNamed || !describe(diagnosis, formulas.descriptions, judge, instead)) {
     return false;
   }
-  instead.name_is = Refuted::by_formula;
+  if (diagnosis.verdict != Verdict::unknown) instead.name_is = Refuted::by_formula;
   next = std::move(instead);
   return true;
 }
@@ -168,7 +169,7 @@ std::vector<Description> possible_descriptions(const Diagnosis& diagnosis,
   std::vector<Description> all;
   const bool is_unknown = diagnosis.verdict == Verdict::unknown;
   const bool is_function = is_function_of_signals(diagnosis);
-  if (is_unknown && !named.empty()) {
+  if (is_unknown && !named.empty() && events_among(diagnosis, named).empty()) {
     all.push_back(
         {*request_of(diagnosis, named), diagnosis.find(named[0])->explained_fraction, true});
   }
@@ -246,23 +247,25 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
                              const DiagnosisData& data, AdditionJudge& judge,
                              const DiagnosisSettings& settings, NextStep& next) {
   std::vector<std::string> named = named_effects(diagnosis);
+  const std::vector<std::string> events = events_among(diagnosis, named);
+  if (!events.empty()) named = events;
+  const bool is_unknown = diagnosis.verdict == Verdict::unknown;
   const bool is_one = diagnosis.verdict == Verdict::missing_effect && named.size() == 1;
   const bool is_little = judge.runs().holdouts.empty() && !may_be_worth_adding(model, diagnosis);
   next.little_is_left = is_little && !is_one;
   if (next.little_is_left) return true;
-  const std::vector<std::string> events = events_among(diagnosis, named);
-  if (!events.empty()) named = events;
   std::optional<LikelyFormulas> likely;
   const AskFormulas formulas = [&]() -> const LikelyFormulas& {
     if (!likely) likely = likely_formulas(model, diagnosis, data, settings);
     return *likely;
   };
-  if (diagnosis.verdict != Verdict::unknown) {
-    const bool may_be_formula = !is_little && needs_event(diagnosis, named);
+  if (!is_unknown || !events.empty()) {
+    const bool may_be_formula = !is_little && (is_unknown || needs_event(diagnosis, named));
     if (may_be_formula && try_forms(diagnosis, formulas(), judge, next)) return true;
-    if (try_named(diagnosis, named, is_one, judge, next) || is_little) return true;
-    if (try_instead(diagnosis, named, judge, next)) return true;
+    if (try_named(diagnosis, named, is_one || !events.empty(), judge, next) || is_little)
+      return true;
   }
+  if (!is_unknown && try_instead(diagnosis, named, judge, next)) return true;
   const bool described =
       describe(diagnosis, possible_descriptions(diagnosis, named, formulas, next), judge, next);
   next.together.clear();

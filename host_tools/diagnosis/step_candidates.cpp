@@ -7,8 +7,11 @@
 #include <utility>
 
 #include "diagnosis/decision_rules.hpp"
+#include "fit/decision_rules.hpp"
 #include "fit/noise_weighted_fit.hpp"
+#include "noise/change_points.hpp"
 #include "support/least_squares.hpp"
+#include "support/parallel.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
@@ -131,6 +134,21 @@ void place_steps(std::vector<Candidate::Shape>& shapes, const series::SignalSeri
   };
   place(0, nothing, rules::kMinMovedChi2Drop);
   place(1, smooth, rules::kMinPlacedChi2Drop * roughness);
+}
+
+void remove_gradual_steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows,
+                          const Residualizer& residualizer) {
+  const Eigen::VectorXd residual = residualizer.residual().head(rows.size());
+  std::vector<char> is_gradual(shapes.size());
+  for_each_index(shapes.size(), [&](std::size_t i) {
+    is_gradual[i] = noise::gain_of_gradual_change(shapes[i].row, residualizer.whitening(), rows,
+                                                  residual) > fit::rules::kMaxGradualGain;
+  });
+  std::vector<Candidate::Shape> kept;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (is_gradual[i] == 0) kept.push_back(std::move(shapes[i]));
+  }
+  shapes = std::move(kept);
 }
 
 }  // namespace fogcomp::diagnosis

@@ -21,4 +21,10 @@ std::vector<Candidate::Shape> step_shapes(const series::SignalSeries& series,
 void place_steps(std::vector<Candidate::Shape>& shapes, const series::SignalSeries& series,
                  const Residualizer& residualizer, const Eigen::MatrixXd& smooth);
 
+/// Removes steps where the residual changes over minutes rather than within a row
+/// (noise::gain_of_gradual_change(), fit::rules::kMaxGradualGain): slow noise, or another effect.
+/// May leave none.
+void remove_gradual_steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows,
+                          const Residualizer& residualizer);
+
 }  // namespace fogcomp::diagnosis

@@ -51,6 +51,10 @@ constexpr double kWorthALook = 8;
 /// Smallest chi^2 by which the other recordings tell that they have the bias from before a step, as
 /// one coefficient of noise has.
 constexpr double kMinLevelGain = 1;
+/// Largest chi^2 by which a change over minutes may explain more than a step: three standard
+/// deviations. More is slow noise, or an effect that the model lacks: a bias jumps within a row.
+/// step_search_test.
+constexpr double kMaxGradualGain = 9;
 /// Seconds: slower changes are drift, not steps. bias_steps_test.
 constexpr double kSlowSeconds = 3600;
 

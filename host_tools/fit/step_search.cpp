@@ -17,23 +17,59 @@ Eigen::MatrixXd with_column(const Eigen::MatrixXd& columns, const Eigen::VectorX
   return all;
 }
 
-// Best position of a step in the residual of a fit, with that fit's noise. The first `columns` of
-// its matrix are the model; the residual is taken without the later columns.
-std::optional<noise::ChangePoint> locate(const series::Rows& rows, const NoiseWeightedFit& fit,
-                                         Eigen::Index columns) {
-  const Eigen::Index others = fit.linear() - columns;
-  const Eigen::VectorXd residual =
-      fit.residual_dph + fit.columns.rightCols(others) * fit.coefficients.segment(columns, others);
-  const noise::Whitening whitening(fit.noise, rows, rows.weights.cwiseProduct(fit.robust));
-  const Eigen::MatrixXd slow = noise::slow_columns(rows, rules::kSlowSeconds);
-  Eigen::MatrixXd model(rows.size(), columns + slow.cols());
-  model << fit.columns.leftCols(columns), slow;
-  return noise::find_change_point(whitening, rows, whitening.apply(residual),
-                                  whitening.apply(model));
-}
+constexpr std::size_t kMaxGradual = 8;  // changes that turn out to be no steps; each costs a fit
 
 bool earns(const noise::ChangePoint& step, double chi_square) {
   return step.chi_square > chi_square * std::max(1.0, step.chi_square_left);
+}
+
+// What a step is looked for in: the residual of a fit, with that fit's noise. The first `columns`
+// of its matrix are the model; the residual is taken without the later columns.
+struct Ground {
+  noise::Whitening whitening;
+  Eigen::VectorXd residual;  // whitened, as all below
+  Eigen::MatrixXd model;     // with slow drift
+};
+
+Ground ground_of(const series::Rows& rows, const NoiseWeightedFit& fit, Eigen::Index columns) {
+  const Eigen::Index others = fit.linear() - columns;
+  const Eigen::VectorXd residual =
+      fit.residual_dph + fit.columns.rightCols(others) * fit.coefficients.segment(columns, others);
+  noise::Whitening whitening(fit.noise, rows, rows.weights.cwiseProduct(fit.robust));
+  const Eigen::MatrixXd slow = noise::slow_columns(rows, rules::kSlowSeconds);
+  Eigen::MatrixXd model(rows.size(), columns + slow.cols());
+  model << fit.columns.leftCols(columns), slow;
+  Eigen::VectorXd white_residual = whitening.apply(residual);
+  Eigen::MatrixXd white_model = whitening.apply(model);
+  return {std::move(whitening), std::move(white_residual), std::move(white_model)};
+}
+
+// Row after a possible step.
+std::optional<std::size_t> possible_step(const series::Rows& rows, const NoiseWeightedFit& fit,
+                                         const std::vector<bool>& except) {
+  const Ground ground = ground_of(rows, fit, fit.linear());
+  const auto seen =
+      noise::find_change_point(ground.whitening, rows, ground.residual, ground.model, except);
+  if (!seen || !earns(*seen, rules::kWorthALook)) return std::nullopt;
+  return static_cast<std::size_t>(seen->row);
+}
+
+// A step that is certain.
+struct CertainStep {
+  noise::ChangePoint change;
+  bool is_gradual = false;  // it is no step: a change over minutes explains more
+};
+
+// The one that a fit with a step as its last column shows.
+std::optional<CertainStep> certain_step(const series::Rows& rows, const NoiseWeightedFit& fit,
+                                        const std::vector<bool>& except) {
+  const Ground ground = ground_of(rows, fit, fit.linear() - 1);
+  const auto found =
+      noise::find_change_point(ground.whitening, rows, ground.residual, ground.model, except);
+  if (!found || !earns(*found, rules::kMinStepChiSquare)) return std::nullopt;
+  const double gradual = noise::gain_of_gradual_change(static_cast<std::size_t>(found->row),
+                                                       ground.whitening, rows, ground.residual);
+  return CertainStep{*found, gradual > rules::kMaxGradualGain};
 }
 
 // A fit with one more step.
@@ -86,23 +122,31 @@ FitWithSteps fit_with_steps(const KnownRegressors& known,
   Eigen::VectorXd kept = Eigen::VectorXd::Ones(rows.size());
   Eigen::MatrixXd columns = nuisance;
   FitWithSteps result;
+  std::vector<bool> except(static_cast<std::size_t>(rows.size()));
+  std::size_t gradual = 0;
   result.fit = fit_determined(known, terms, columns, kept, progress);
-  while (result.steps.size() < max_steps) {
-    const auto seen = locate(rows, result.fit, result.fit.linear());
-    if (!seen || !earns(*seen, rules::kWorthALook)) break;
+  while (result.steps.size() < max_steps && gradual < kMaxGradual) {
+    const std::optional<std::size_t> seen = possible_step(rows, result.fit, except);
+    if (!seen) break;
     const NoiseWeightedFit tried = fit_rows(
-        known, terms, with_column(columns, step_column(rows, static_cast<std::size_t>(seen->row))),
-        {kept, std::nullopt, {}});
+        known, terms, with_column(columns, step_column(rows, *seen)), {kept, std::nullopt, {}});
     if (!is_determined(tried)) break;
-    const auto found = locate(rows, tried, tried.linear() - 1);
-    if (!found || !earns(*found, rules::kMinStepChiSquare)) break;
+    const std::optional<CertainStep> certain = certain_step(rows, tried, except);
+    if (!certain) break;
+    const noise::ChangePoint& found = certain->change;
+    if (certain->is_gradual) {
+      ++gradual;
+      std::fill_n(except.begin() + static_cast<std::ptrdiff_t>(found.peak.first), found.peak.size(),
+                  true);
+      continue;
+    }
     Eigen::VectorXd fewer = kept;
-    fewer.segment(found->first, found->last - found->first + 1).setZero();
-    Extended more = with_step(known, terms, columns, static_cast<std::size_t>(found->row),
+    fewer.segment(found.first, found.last - found.first + 1).setZero();
+    Extended more = with_step(known, terms, columns, static_cast<std::size_t>(found.row),
                               {fewer, std::nullopt, {}});
     if (!is_determined(more.fit)) break;
     if (min_chi_square(more.fit, result.steps.size() + 1) < rules::kMinStepChiSquare) break;
-    result.steps.push_back({*found, more.others_follow});
+    result.steps.push_back({found, more.others_follow});
     result.fit = std::move(more.fit);
     columns = std::move(more.columns);
     kept = fewer;

@@ -24,12 +24,13 @@ struct FitWithSteps {
 
 /// Fits without steps, then adds steps while the best further position lowers chi^2, in units of
 /// the remaining noise, by more than 60 (flicker noise imitates smaller ones). It must do so beside
-/// cosines over hours, so that a slow drift that the model lacks is no step; and every step must
-/// still do so in the fit with all of them. The noise that judges a step is estimated with the step
-/// removed. Rows that may contain a step have weight 0. At most `max_steps`. Whether the other
-/// recordings have the bias from before a step or the one that follows it is what fits better;
-/// where there are none, or each has its own bias, the last is what the gyro goes on with.
-/// `progress` is called with the fraction of the first fit done, 0..1.
+/// cosines over hours, so that a slow drift that the model lacks is no step, and no change over
+/// minutes may explain clearly more; and every step must still lower it in the fit with all of
+/// them. The noise that judges a step is estimated with the step removed. Rows that may contain a
+/// step have weight 0. At most `max_steps`. Whether the other recordings have the bias from before
+/// a step or the one that follows it is what fits better; where there are none, or each has its own
+/// bias, the last is what the gyro goes on with. `progress` is called with the fraction of the
+/// first fit done, 0..1.
 FitWithSteps fit_with_steps(const KnownRegressors& known,
                             const std::vector<model::EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance, std::size_t max_steps,

@@ -17,18 +17,21 @@ constexpr double kJump_dph = 0.15;  // six times the noise of a row
 // Steps of a recording whose rate jumps by `jump_dph` at a fraction of it.
 struct Placed {
   std::vector<Candidate::Shape> shapes;
+  std::vector<Candidate::Shape> sharp;  // those of them that no change over minutes explains
   double jump_s = 0;
   double row_s = 0;
 
-  bool has_the_jump() const {
-    return std::any_of(shapes.begin(), shapes.end(), [&](const Candidate::Shape& shape) {
+  bool has_the_jump() const { return have_the_jump(shapes) && have_the_jump(sharp); }
+  bool have_the_jump(const std::vector<Candidate::Shape>& some) const {
+    return std::any_of(some.begin(), some.end(), [&](const Candidate::Shape& shape) {
       return std::abs(shape.term.parameters[0] - jump_s) <= row_s;
     });
   }
 };
 
-// `missing`: an effect of the gyro that the model lacks, or "".
-Placed place(double jump_dph, double fraction, const std::string& missing) {
+// `missing`: an effect of the gyro that the model lacks, or "". `takes_s`: the rate changes along a
+// line instead.
+Placed place(double jump_dph, double fraction, const std::string& missing, double takes_s = 0) {
   recording::Recording recording =
       fog::test::thinned(fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1), 4);
   model::Model model = fog::test::truth();
@@ -37,7 +40,10 @@ Placed place(double jump_dph, double fraction, const std::string& missing) {
                      [&](const model::EffectTerm& term) { return term.name == missing; }),
       model.terms.end());
   const auto at = static_cast<std::size_t>(fraction * static_cast<double>(recording.rows()));
-  for (std::size_t i = at; i < recording.rows(); ++i) recording.rate_dph[i] += jump_dph;
+  for (std::size_t i = at; i < recording.rows(); ++i) {
+    const double since_s = recording.time_s[i] - recording.time_s[at];
+    recording.rate_dph[i] += since_s < takes_s ? jump_dph * since_s / takes_s : jump_dph;
+  }
   DiagnosisData data(model);
   data.add(recording);
   const series::Rows& rows = data.series().rows();
@@ -50,6 +56,8 @@ Placed place(double jump_dph, double fraction, const std::string& missing) {
   const std::vector<Candidate::Shape> grid = placed.shapes;
   place_steps(placed.shapes, data.series(), residualizer, smooth.all);
   EXPECT_EQ(placed.shapes.size(), grid.size());
+  placed.sharp = placed.shapes;
+  remove_gradual_steps(placed.sharp, rows, residualizer);
   placed.jump_s = recording.time_s[at];
   placed.row_s = rows.row_s;
   return placed;
@@ -70,8 +78,19 @@ TEST(StepCandidates, AreMovedToTheJumpAlthoughALargeEffectIsMissing) {
   }
 }
 
+TEST(StepCandidates, AreNoneWhereAChangeTakesMinutes) {
+  const Placed gradual = place(4 * kJump_dph, 0.5, "", 400);
+  const auto is_near = [&](const Candidate::Shape& shape) {
+    const double away_s = shape.term.parameters[0] - gradual.jump_s;
+    return away_s > -60 && away_s < 460;
+  };
+  EXPECT_TRUE(std::any_of(gradual.shapes.begin(), gradual.shapes.end(), is_near));
+  EXPECT_TRUE(std::none_of(gradual.sharp.begin(), gradual.sharp.end(), is_near));
+}
+
 TEST(StepCandidates, StayOnTheGridWhereNothingIsMissing) {
   const Placed none = place(0, 0.5, "");
+  EXPECT_EQ(none.sharp.size(), none.shapes.size());
   const std::size_t interval = none.shapes[1].row - none.shapes[0].row;
   for (std::size_t i = 1; i < none.shapes.size(); ++i) {
     EXPECT_LE(none.shapes[i].row - none.shapes[i - 1].row - interval + 1, 2U);

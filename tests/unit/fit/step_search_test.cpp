@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "unit/fit/recording_with_steps.hpp"
 
 namespace fogcomp::fit {
@@ -39,6 +42,15 @@ TEST(StepSearch, TakesSlowDriftForNoStep) {
   recording::Recording recording = fog::test::noisy_recording(3);
   for (std::size_t i = 0; i < recording.rows(); ++i) {
     recording.rate_dph[i] += 0.2 * std::sin(recording.time_s[i] / 6000);
+  }
+  EXPECT_TRUE(searched(recording).steps.empty());
+}
+
+// Faster than the drift that the search allows for anyway, and no jump.
+TEST(StepSearch, TakesAChangeOverMinutesForNoStep) {
+  recording::Recording recording = fog::test::noisy_recording(5);
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    recording.rate_dph[i] += 0.4 * std::clamp((recording.time_s[i] - 20000) / 400, 0.0, 1.0);
   }
   EXPECT_TRUE(searched(recording).steps.empty());
 }
