@@ -25,9 +25,8 @@ struct DiagnoseCommand : Command {
       12};
   Text output{this, {"o", "MODEL", "the loop's model, with --max-effects"}};
   Texts holdouts{this, {"holdout", "RUN", "a run that judges additions; may be repeated"}};
-  Number average{this,
-                 {"average", "S", "rows of the verdict, seconds (default: 10 where it can be)"},
-                 {1e-3, 1e6}};
+  Number average{
+      this, {"average", "S", "rows, seconds (default: 10 where it can be)"}, {1e-3, 1e6}};
   Integer<std::uint64_t> seed{
       this, {"seed", "N", "of the draws that calibrate the test", "1"}, 0, INT64_MAX};
   ReportOption report{this};

@@ -20,6 +20,26 @@ double square(double value) {
   return value * value;
 }
 
+fit::EffectChange change_of(const AdditionRequest& request, const model::Model& model) {
+  return request.expression.empty() ? fit::change_effects(model.terms, request.effects)
+                                    : fit::change_expression(model.terms, request.expression);
+}
+
+fit::AddSettings settings_of(const AdditionRequest& request,
+                             const fit::RefittedModel* before = nullptr) {
+  fit::AddSettings settings;
+  settings.run_offsets = request.run_offsets;
+  settings.verdict_only = true;
+  settings.before = before;
+  return settings;
+}
+
+fit::Addition judged(const model::Model& model, const AdditionRequest& request,
+                     const JudgingRuns& runs, const fit::RefittedModel* before = nullptr) {
+  return fit::judge_addition(model, change_of(request, model), runs.training, runs.holdouts,
+                             settings_of(request, before));
+}
+
 // Whether the entry added something to the model; an event only masks rows.
 bool is_addition(const model::HistoryEntry& entry) {
   const auto did = [&](const std::string& what) { return entry.action.rfind(what, 0) == 0; };
@@ -71,15 +91,9 @@ JudgingRuns JudgingRuns::without(std::size_t run) const {
 }
 
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
-                         const JudgingRuns& runs, const fit::RefittedModel* before) {
-  const fit::EffectChange change = request.expression.empty()
-                                       ? fit::change_effects(model.terms, request.effects)
-                                       : fit::change_expression(model.terms, request.expression);
-  fit::AddSettings settings;
-  settings.run_offsets = request.run_offsets;
-  settings.verdict_only = true;
-  settings.before = before;
-  return fit::add_effect(model, change, runs.training, runs.holdouts, settings);
+                         const JudgingRuns& runs) {
+  return fit::add_effect(model, change_of(request, model), runs.training, runs.holdouts,
+                         settings_of(request));
 }
 
 bool is_worth_adding(const model::Model& model, double before_dph, double after_dph) {
@@ -114,7 +128,9 @@ void AdditionJudge::prepare() {
 
 TriedAddition AdditionJudge::operator()(AdditionRequest request) {
   std::optional<fit::Addition> addition;
-  return tried(std::move(request), addition);
+  TriedAddition trial = tried(std::move(request), addition);
+  take_model(addition, trial);
+  return trial;
 }
 
 bool AdditionJudge::may_help(const AdditionRequest& request) {
@@ -136,7 +152,7 @@ TriedAddition AdditionJudge::tried(AdditionRequest request,
   trial.reason = failure_;
   if (!refitted_) return trial;
   try {
-    addition = try_to_add(model_, trial.request, runs_, &*refitted_);
+    addition = judged(model_, trial.request, runs_, &*refitted_);
     const bool may_be_little = !runs_.holdouts.empty() || trial.request.may_be_little;
     const std::string objection =
         addition->accepted ? objection_to(model_, *addition, may_be_little) : "";
@@ -151,20 +167,31 @@ TriedAddition AdditionJudge::tried(AdditionRequest request,
       trial.rms_before_dph = addition->out_of_sample->rms_before_dph;
       trial.rms_after_dph = addition->out_of_sample->rms_after_dph;
     }
-    if (trial.accepted) trial.model = addition->model;
   } catch (const InputError& error) {
     trial.reason = error.what();
   }
   return trial;
 }
 
+// The model's own rows may not show what those of the verdict do.
+void AdditionJudge::take_model(std::optional<fit::Addition>& addition, TriedAddition& trial) const {
+  if (!trial.accepted) return;
+  try {
+    fit::take_own_rows(model_, change_of(trial.request, model_), runs_.training, runs_.holdouts,
+                       settings_of(trial.request), *addition);
+    trial.model = std::move(addition->model);
+  } catch (const InputError& error) {
+    trial.accepted = false;
+    trial.reason = error.what();
+  }
+}
+
 TriedAddition AdditionJudge::of_description(AdditionRequest request) {
   std::optional<fit::Addition> addition;
   TriedAddition trial = tried(std::move(request), addition);
   const std::size_t count = runs_.holdouts.empty() ? runs_.training.runs.size() : 0;
-  if (count < 2 || !trial.accepted) return trial;
-  std::vector<std::string> objections(count);
-  for_each_index(count, [&](std::size_t run) {
+  std::vector<std::string> objections(count < 2 || !trial.accepted ? 0 : count);
+  for_each_index(objections.size(), [&](std::size_t run) {
     objections[run] = objection_of_run(trial.request, run, *addition);
   });
   const auto objects = [](const std::string& objection) { return !objection.empty(); };
@@ -173,6 +200,7 @@ TriedAddition AdditionJudge::of_description(AdditionRequest request) {
     trial.accepted = false;
     trial.reason = *first;
   }
+  take_model(addition, trial);
   return trial;
 }
 
@@ -181,7 +209,7 @@ TriedAddition AdditionJudge::of_description(AdditionRequest request) {
 std::string AdditionJudge::objection_of_run(const AdditionRequest& request, std::size_t run,
                                             const fit::Addition& on_all) const {
   try {
-    const fit::Addition addition = try_to_add(model_, request, runs_.without(run));
+    const fit::Addition addition = judged(model_, request, runs_.without(run));
     const auto& judged = addition.out_of_sample;
     if (!judged || judged->rms_after_dph < judged->rms_before_dph) return "";
     if (!others_show(on_all, run)) return "";

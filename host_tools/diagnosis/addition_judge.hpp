@@ -51,10 +51,10 @@ struct JudgingRuns {
   JudgingRuns without(std::size_t run) const;
 };
 
-/// Runs the command `add`, network included, and returns verdict and model. `before`: as in
-/// AddSettings. Throws InputError like fit::add_effect().
+/// Runs the command `add`, network included, and returns verdict and model. Throws InputError like
+/// fit::add_effect().
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
-                         const JudgingRuns& runs, const fit::RefittedModel* before = nullptr);
+                         const JudgingRuns& runs);
 
 /// Whether an addition to `model`, with the error before and after in rows of one length, takes out
 /// enough of what has been taken out since the fit (rules::kWorthAdding). One that removes very
@@ -91,8 +91,9 @@ class AdditionJudge {
   TriedAddition of_description(AdditionRequest request);
 
  private:
-  // `addition`: nothing if it could not be fitted.
+  // The verdict, without a model. `addition`: nothing if it could not be fitted.
   TriedAddition tried(AdditionRequest request, std::optional<fit::Addition>& addition);
+  void take_model(std::optional<fit::Addition>& addition, TriedAddition& trial) const;
   std::string objection_of_run(const AdditionRequest& request, std::size_t run,
                                const fit::Addition& on_all) const;
   bool others_show(const fit::Addition& on_all, std::size_t run) const;

@@ -119,7 +119,7 @@ Document add_findings(const fit::Addition& addition, const std::string& model,
   }
   if (addition.row_s != addition.model.average_s) {
     document.sentence(
-        words(format("fitted and judged in rows of %g s, so that neither depends on "
+        words(format("judged in rows of %g s, so that the verdict does not depend on "
                      "the model's %g s",
                      addition.row_s, addition.model.average_s)));
   }

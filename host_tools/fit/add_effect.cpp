@@ -15,7 +15,7 @@
 namespace fogcomp::fit {
 namespace {
 
-// A model without and with a change, fitted to the same rows.
+// A model without and with a change, fitted in rows of its average_s.
 struct Refits {
   std::shared_ptr<const TrainingSeries> series;
   model::Model before;
@@ -31,9 +31,18 @@ std::shared_ptr<const TrainingSeries> series_for(const model::Model& model,
   return before->series;
 }
 
-// Refitting the model without the change is half of the work.
-void fit_both(int network_hidden, const AddSettings& settings, Refits& refits) {
+// Bias steps that are known before a fit.
+struct KnownSteps {
+  std::vector<FoundStep> before;
+  std::vector<FoundStep> after;
+};
+
+// Refitting the model without the change is half of the work. `steps`: nullptr if they are to be
+// searched for.
+void fit_both(int network_hidden, const AddSettings& settings, const KnownSteps* steps,
+              Refits& refits) {
   FitSettings fitting = fit_settings(refits.before, settings);
+  if (steps != nullptr) fitting.identify.steps = steps->before;
   double half = 0;
   fitting.network.training.go_on = [&](double done) {
     if (settings.progress) settings.progress((half + done) / 2);
@@ -45,44 +54,30 @@ void fit_both(int network_hidden, const AddSettings& settings, Refits& refits) {
     fit_model(refits.before, refits.series->known(), fitting);
   }
   half = 1;
+  if (steps != nullptr) fitting.identify.steps = steps->after;
   if (network_hidden > 0) fitting.network.hidden = network_hidden;
   refits.after.fit = fit_model(refits.after.model, refits.series->known(), fitting);
 }
 
-// Rms of runs before and after, in the models' rows.
-struct RunErrors {
-  RiseTest training;
-  RiseTest holdouts;
-  std::vector<Addition::RunError> each;  // training runs, then holdouts
-};
-
 using Runs = std::vector<compare::RunInBlocks>;
 
-RunErrors compare_on_runs(const Refits& models, const Runs& training, const Runs& holdouts,
-                          bool run_offsets) {
-  RunErrors errors{RiseTest(run_offsets), RiseTest(run_offsets), {}};
-  const auto compare = [&](const compare::RunInBlocks& run, RiseTest& together) {
-    compare::Comparison without = compare::compare_in_own_rows(models.before, run);
-    compare::Comparison with = compare::compare_in_own_rows(models.after.model, run);
-    together.add(without, with);
-    errors.each.push_back({run.file, &together == &errors.holdouts, without.whole.rms_dph,
-                           with.whole.rms_dph, run.noise_floor_dph, with.outside.temperature,
-                           std::move(without), std::move(with)});
+// Errors on all runs, the holdouts last, in the models' rows. Returns the change on the holdouts.
+RiseTest compare_on_runs(const Runs& training, const Runs& holdouts, const AddSettings& settings,
+                         Refits& refits) {
+  RiseTest on_holdouts(settings.run_offsets);
+  const auto compare = [&](const compare::RunInBlocks& run, bool holdout) {
+    compare::Comparison without = compare::compare_in_own_rows(refits.before, run);
+    compare::Comparison with = compare::compare_in_own_rows(refits.after.model, run);
+    if (holdout) on_holdouts.add(without, with);
+    refits.after.runs.push_back({run.file, holdout, without.whole.rms_dph, with.whole.rms_dph,
+                                 run.noise_floor_dph, with.outside.temperature, std::move(without),
+                                 std::move(with)});
   };
-  for (const compare::RunInBlocks& run : training) compare(run, errors.training);
-  for (const compare::RunInBlocks& run : holdouts) compare(run, errors.holdouts);
-  return errors;
-}
-
-// Errors in rows of another length, which both models then have.
-RunErrors in_other_rows(double row_s, const Runs& training, const Runs& holdouts, bool run_offsets,
-                        Refits& models) {
-  models.before.average_s = row_s;
-  models.after.model.average_s = row_s;
-  RunErrors errors = compare_on_runs(models, training, holdouts, run_offsets);
-  models.before.residual_rms_dph = errors.training.rms_dph().rms_before_dph;
-  models.after.model.residual_rms_dph = errors.training.rms_dph().rms_after_dph;
-  return errors;
+  if (!settings.verdict_only) {
+    for (const compare::RunInBlocks& run : training) compare(run, false);
+  }
+  for (const compare::RunInBlocks& run : holdouts) compare(run, true);
+  return on_holdouts;
 }
 
 // Every fit searches for steps anew and moves them behind all other terms. Returns their places;
@@ -110,18 +105,29 @@ bool is_event(const EffectChange& change) {
 
 // Both models, fitted to the runs.
 Refits refit(model::Model model, const EffectChange& change, const TrainingRuns& training,
-             const AddSettings& settings) {
+             const AddSettings& settings, const KnownSteps* steps = nullptr) {
   model.noise_dph_rthz = training.noise_dph_rthz;
   Refits refits{nullptr, model, {}};
   refits.after.model = std::move(model);
   refits.after.model.terms = change.terms;
   refits.series = series_for(refits.after.model, training, settings.before);
-  fit_both(change.network_hidden, settings, refits);
+  fit_both(change.network_hidden, settings, steps, refits);
   refits.after.changed =
       is_event(change)
           ? places_of_steps(change.terms[change.changed.front()].name, refits.before, refits.after)
           : places_of(change, change.changed, refits.after.model);
   return refits;
+}
+
+// Appends the change and what it brought to the model's history.
+void record(const EffectChange& change, const TrainingRuns& training, const RiseTest& on_holdouts,
+            Refits& refits) {
+  Addition& after = refits.after;
+  model::HistoryEntry step{"add " + change.what, training.data_hash, refits.before.residual_rms_dph,
+                           after.model.residual_rms_dph, training.noise_floor_dph};
+  if (after.holdouts) step.holdout = on_holdouts.rms_dph();
+  step.forced = !after.accepted;
+  after.model.history.push_back(std::move(step));
 }
 
 void accept_steps(Addition& after) {
@@ -131,6 +137,19 @@ void accept_steps(Addition& after) {
   }
   after.accepted = true;
   after.reason = "found " + join(places, ", ") + "; the rows around are masked";
+}
+
+// The steps of a model in these runs.
+std::vector<FoundStep> steps_of(const model::Model& model, const TrainingRuns& training) {
+  std::vector<FoundStep> steps;
+  for (const model::EffectTerm& term : model.terms) {
+    if (!searches_steps({term})) continue;
+    for (std::size_t run = 0; run < training.runs.size(); ++run) {
+      if (training.runs[run].blocks.recordings.front() != term.recording) continue;
+      steps.push_back({run, term.parameters[0], term.parameter_sigma[0], 0, 0, term.others_follow});
+    }
+  }
+  return steps;
 }
 
 model::Model in_rows(const model::Model& model, double row_s) {
@@ -161,36 +180,49 @@ RefittedModel refitted(const model::Model& model, const TrainingRuns& training,
   return result;
 }
 
-Addition add_effect(const model::Model& model, const EffectChange& change,
-                    const TrainingRuns& training, const std::vector<compare::RunInBlocks>& holdouts,
-                    const AddSettings& settings) {
+Addition judge_addition(const model::Model& model, const EffectChange& change,
+                        const TrainingRuns& training, const Runs& holdouts,
+                        const AddSettings& settings) {
   const double row_s = row_length(training.runs, model.average_s).row_s;
   Refits refits = refit(in_rows(model, row_s), change, training, settings);
-  RunErrors errors = compare_on_runs(refits, settings.verdict_only ? Runs() : training.runs,
-                                     holdouts, settings.run_offsets);
+  const RiseTest on_holdouts = compare_on_runs(training.runs, holdouts, settings, refits);
   Addition& after = refits.after;
   after.row_s = row_s;
   after.fitted_before_dph = refits.before.residual_rms_dph;
   after.fitted_after_dph = after.model.residual_rms_dph;
-  if (!holdouts.empty()) after.holdouts = errors.holdouts.rms_dph();
+  if (!holdouts.empty()) after.holdouts = on_holdouts.rms_dph();
   if (is_event(change)) {
     accept_steps(after);
   } else {
     const FittedPair pair{model.terms,   change,   refits.series->known(),
                           refits.before, holdouts, settings};
     change.network_hidden > 0 ? judge_network(pair, after) : judge_effects(pair, after);
-    decide(refits.before, !holdouts.empty() && errors.holdouts.rose(), after);
+    decide(refits.before, !holdouts.empty() && on_holdouts.rose(), after);
   }
-  if (row_s != model.average_s) {
-    errors = in_other_rows(model.average_s, training.runs, holdouts, settings.run_offsets, refits);
-  }
-  model::HistoryEntry step{"add " + change.what, training.data_hash, refits.before.residual_rms_dph,
-                           after.model.residual_rms_dph, training.noise_floor_dph};
-  if (!holdouts.empty()) step.holdout = errors.holdouts.rms_dph();
-  step.forced = !after.accepted;
-  after.model.history.push_back(std::move(step));
-  after.runs = std::move(errors.each);
+  record(change, training, on_holdouts, refits);
   return std::move(after);
+}
+
+void take_own_rows(const model::Model& model, const EffectChange& change,
+                   const TrainingRuns& training, const Runs& holdouts, const AddSettings& settings,
+                   Addition& addition) {
+  if (addition.row_s == model.average_s) return;
+  AddSettings anew = settings;
+  anew.before = nullptr;
+  const KnownSteps steps{steps_of(model, training), addition.fit.identified.steps};
+  Refits refits = refit(model, change, training, anew, &steps);
+  static_cast<AdditionVerdict&>(refits.after) = addition;
+  const RiseTest on_holdouts = compare_on_runs(training.runs, holdouts, settings, refits);
+  record(change, training, on_holdouts, refits);
+  addition = std::move(refits.after);
+}
+
+Addition add_effect(const model::Model& model, const EffectChange& change,
+                    const TrainingRuns& training, const Runs& holdouts,
+                    const AddSettings& settings) {
+  Addition addition = judge_addition(model, change, training, holdouts, settings);
+  take_own_rows(model, change, training, holdouts, settings, addition);
+  return addition;
 }
 
 }  // namespace fogcomp::fit

@@ -31,12 +31,23 @@ RefittedModel refitted(const model::Model& model, const TrainingRuns& training,
 /// if the search finds it (fit_with_steps()), and the rows around it are masked. A network replaces
 /// the model's own; it is compared with the effects alone.
 ///
-/// Fits and verdict are in rows of row_length(), so that neither depends on those of the model; the
-/// errors in model, history and Addition::runs are in the model's. Throws InputError for a run
-/// without an input of the effect, for data that cannot determine it, and for an event that is not
-/// found.
+/// The verdict is on fits in rows of row_length(), so that it does not depend on those of the
+/// model; the model that is returned is fitted in its own. Throws InputError for a run without an
+/// input of the effect, for data that cannot determine it, and for an event that is not found.
 Addition add_effect(const model::Model& model, const EffectChange& change,
                     const TrainingRuns& training, const std::vector<compare::RunInBlocks>& holdouts,
                     const AddSettings& settings);
+
+/// The first half of add_effect(): the verdict, with model, fit and errors in its rows.
+Addition judge_addition(const model::Model& model, const EffectChange& change,
+                        const TrainingRuns& training,
+                        const std::vector<compare::RunInBlocks>& holdouts,
+                        const AddSettings& settings);
+
+/// The second half: model, fit and errors in the model's own rows, if those of the verdict are
+/// others. Throws InputError like add_effect().
+void take_own_rows(const model::Model& model, const EffectChange& change,
+                   const TrainingRuns& training, const std::vector<compare::RunInBlocks>& holdouts,
+                   const AddSettings& settings, Addition& addition);
 
 }  // namespace fogcomp::fit

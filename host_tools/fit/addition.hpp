@@ -43,7 +43,7 @@ struct AdditionVerdict {
     std::optional<OutOfSample> alone;   ///< without the others; nothing if not determined
     std::optional<OutOfSample> beside;  ///< when the others are already there
   };
-  double row_s = 0;  ///< rows in which it was fitted and judged (row_length.hpp)
+  double row_s = 0;  ///< rows in which it was judged (row_length.hpp)
   /// In these rows, of the whole model: rms of the training runs, and of the holdouts together.
   double fitted_before_dph = 0;
   double fitted_after_dph = 0;
@@ -75,7 +75,7 @@ struct Addition : AdditionVerdict {
     compare::Comparison before;  ///< row by row
     compare::Comparison after;
   };
-  model::Model model;                ///< as refitted, with its history; its errors in its own rows
+  model::Model model;                ///< as refitted, with its history
   std::vector<std::size_t> changed;  ///< terms added or changed; empty for a network
   FitResult fit;                     ///< of the new model
   std::vector<RunError> runs;        ///< training runs, then holdouts

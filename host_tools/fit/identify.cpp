@@ -11,7 +11,6 @@
 #include "fit/noise_weighted_fit.hpp"
 #include "fit/reference_values.hpp"
 #include "fit/soak_uncertainty.hpp"
-#include "fit/step_search.hpp"
 #include "fit/undetermined.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
@@ -104,6 +103,8 @@ SoughtSteps take_out_steps(std::vector<model::EffectTerm>& terms, std::size_t ma
 FitWithSteps fit_all(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
                      std::size_t max_steps, const Eigen::MatrixXd& offsets,
                      const IdentifySettings& settings) {
+  if (settings.steps)
+    return fit_at_steps(known, terms, offsets, *settings.steps, settings.progress);
   if (max_steps > 0) return fit_with_steps(known, terms, offsets, max_steps, settings.progress);
   FitWithSteps found;
   found.fit =

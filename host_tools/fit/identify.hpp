@@ -2,25 +2,17 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "fit/known_regressors.hpp"
+#include "fit/step_search.hpp"
 #include "model/model.hpp"
 #include "noise/noise_model.hpp"
 #include "series/signal_series.hpp"
 
 namespace fogcomp::fit {
-
-/// A bias step that a fit found. It belongs to one recording.
-struct FoundStep {
-  std::size_t run = 0;  ///< recording, from 0
-  double time_s = 0;    ///< since power-on
-  double time_sigma_s = 0;
-  double size_dph = 0;
-  double size_sigma_dph = 0;
-  bool others_follow = false;  ///< as in model::EffectTerm
-};
 
 /// Results of a fit except the coefficients, which are in the model.
 struct Identification {
@@ -46,6 +38,8 @@ struct IdentifySettings {
   /// Largest number of new steps. Steps found by earlier fits are searched for again, in their
   /// number.
   std::size_t max_new_steps = 8;
+  /// Steps that are known, as from a fit in other rows: they are taken, and none is searched for.
+  std::optional<std::vector<FoundStep>> steps{};
   /// Called with the fraction of the shape search done, 0..1; may be empty.
   std::function<void(double)> progress{};
 };

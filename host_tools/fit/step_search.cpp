@@ -72,6 +72,12 @@ std::optional<CertainStep> certain_step(const series::Rows& rows, const NoiseWei
   return CertainStep{*found, gradual > rules::kMaxGradualGain};
 }
 
+// Column of a step after which, or before which, all other recordings are.
+Eigen::VectorXd column_of(const series::Rows& rows, std::size_t row, bool others_follow) {
+  const Eigen::VectorXd step = step_column(rows, row);
+  return others_follow ? Eigen::VectorXd(step - run_column(rows, rows.run_at(row))) : step;
+}
+
 // A fit with one more step.
 struct Extended {
   NoiseWeightedFit fit;
@@ -83,11 +89,8 @@ Extended with_step(const KnownRegressors& known, const std::vector<model::Effect
                    const Eigen::MatrixXd& columns, std::size_t row, const RowSettings& settings) {
   const series::SignalSeries& series = known.series();
   const series::Rows& rows = series.rows();
-  const Eigen::VectorXd step = step_column(rows, row);
   const auto fitted = [&](bool others_follow, const RowSettings& with) {
-    const Eigen::VectorXd before = run_column(rows, rows.run_at(row)) - step;
-    Extended more{
-        {}, with_column(columns, others_follow ? Eigen::VectorXd(-before) : step), others_follow};
+    Extended more{{}, with_column(columns, column_of(rows, row, others_follow)), others_follow};
     more.fit = fit_rows(known, terms, more.columns, with);
     return more;
   };
@@ -100,6 +103,29 @@ Extended with_step(const KnownRegressors& known, const std::vector<model::Effect
   const double gain =
       follow.fit.whitened_residual.squaredNorm() - precede.fit.whitened_residual.squaredNorm();
   return gain > rules::kMinLevelGain ? precede : follow;
+}
+
+// A step that is known, in these rows.
+LocatedStep located_in(const series::Rows& rows, const FoundStep& step) {
+  const recording::RowRange run = rows.runs()[step.run];
+  const auto first = static_cast<Eigen::Index>(run.first);
+  const auto end = static_cast<Eigen::Index>(run.end);
+  const auto time_s = [&](Eigen::Index row) { return rows.time_s[static_cast<std::size_t>(row)]; };
+  const double within_s = rows.row_s / 2 + 2 * step.time_sigma_s;
+  const auto may_hold = [&](Eigen::Index row) {
+    return std::abs(time_s(row) - step.time_s) <= within_s;
+  };
+  LocatedStep result{{}, step.others_follow};
+  noise::ChangePoint& change = result.change;
+  change.row = first + 1;
+  while (change.row + 1 < end && time_s(change.row) < step.time_s) ++change.row;
+  change.first = change.row - 1;
+  change.last = change.row;
+  while (change.first > first && may_hold(change.first - 1)) --change.first;
+  while (change.last + 1 < end && may_hold(change.last + 1)) ++change.last;
+  change.time_s = step.time_s;
+  change.time_sigma_s = step.time_sigma_s;
+  return result;
 }
 
 // Smallest chi-square drop of one of the last `steps` columns of a fit, given all others.
@@ -151,6 +177,25 @@ FitWithSteps fit_with_steps(const KnownRegressors& known,
     columns = std::move(more.columns);
     kept = fewer;
   }
+  result.masked = static_cast<std::size_t>((kept.array() <= 0).count());
+  return result;
+}
+
+FitWithSteps fit_at_steps(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
+                          const Eigen::MatrixXd& nuisance, const std::vector<FoundStep>& steps,
+                          const std::function<void(double)>& progress) {
+  const series::Rows& rows = known.series().rows();
+  Eigen::VectorXd kept = Eigen::VectorXd::Ones(rows.size());
+  Eigen::MatrixXd columns = nuisance;
+  FitWithSteps result;
+  for (const FoundStep& step : steps) {
+    result.steps.push_back(located_in(rows, step));
+    const noise::ChangePoint& change = result.steps.back().change;
+    const auto row = static_cast<std::size_t>(change.row);
+    columns = with_column(columns, column_of(rows, row, step.others_follow));
+    kept.segment(change.first, change.last - change.first + 1).setZero();
+  }
+  result.fit = fit_determined(known, terms, columns, kept, progress);
   result.masked = static_cast<std::size_t>((kept.array() <= 0).count());
   return result;
 }

@@ -9,6 +9,16 @@
 
 namespace fogcomp::fit {
 
+/// A bias step that a fit found. It belongs to one recording.
+struct FoundStep {
+  std::size_t run = 0;  ///< recording, from 0
+  double time_s = 0;    ///< since power-on
+  double time_sigma_s = 0;
+  double size_dph = 0;
+  double size_sigma_dph = 0;
+  bool others_follow = false;  ///< as in model::EffectTerm
+};
+
 /// A bias step, as first located.
 struct LocatedStep {
   noise::ChangePoint change;
@@ -35,5 +45,10 @@ FitWithSteps fit_with_steps(const KnownRegressors& known,
                             const std::vector<model::EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance, std::size_t max_steps,
                             const std::function<void(double)>& progress);
+
+/// Fits with steps that are known. Rows that may contain one have weight 0.
+FitWithSteps fit_at_steps(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
+                          const Eigen::MatrixXd& nuisance, const std::vector<FoundStep>& steps,
+                          const std::function<void(double)>& progress);
 
 }  // namespace fogcomp::fit

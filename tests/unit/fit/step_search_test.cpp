@@ -37,6 +37,25 @@ TEST(StepSearch, FindsAStepWithItsTimeAndSize) {
   EXPECT_EQ(result.masked, static_cast<std::size_t>(step.last - step.first + 1));
 }
 
+// As a fit in rows of another length takes those that were found.
+TEST(StepSearch, TakesKnownSteps) {
+  recording::Recording recording = fog::test::noisy_recording(2);
+  fog::test::add_step(recording, 20000, 0.2);
+  model::Model model = fog::test::truth();
+  model.average_s = 40;
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(recording));
+  const FitWithSteps result =
+      fit_at_steps(series, model.terms, Eigen::MatrixXd(series.rows().size(), 0),
+                   {{0, 20000, 5, 0, 0, true}}, {});
+  ASSERT_EQ(result.steps.size(), 1U);
+  EXPECT_EQ(result.steps[0].change.time_s, 20000);
+  EXPECT_EQ(result.masked, 2U);  // both may hold a part of it
+  const auto& fit = result.fit;
+  EXPECT_NEAR(fit.coefficients[fit.linear() - 1], 0.2, 0.02);
+  EXPECT_NEAR(fit.coefficients[0], fog::test::truth().terms[0].coefficients_dph[0] + 0.2, 0.02);
+}
+
 // Drift over hours that no effect of the model describes.
 TEST(StepSearch, TakesSlowDriftForNoStep) {
   recording::Recording recording = fog::test::noisy_recording(3);
