@@ -220,8 +220,15 @@ void take_own_rows(const model::Model& model, const EffectChange& change,
 Addition add_effect(const model::Model& model, const EffectChange& change,
                     const TrainingRuns& training, const Runs& holdouts,
                     const AddSettings& settings) {
-  Addition addition = judge_addition(model, change, training, holdouts, settings);
-  take_own_rows(model, change, training, holdouts, settings, addition);
+  const bool has_own_rows = row_length(training.runs, model.average_s).row_s != model.average_s;
+  AddSettings half = settings;
+  double begun = 0;
+  half.progress = [&](double done) {
+    if (settings.progress) settings.progress(has_own_rows ? (begun + done) / 2 : done);
+  };
+  Addition addition = judge_addition(model, change, training, holdouts, half);
+  begun = 1;
+  take_own_rows(model, change, training, holdouts, half, addition);
   return addition;
 }
 
