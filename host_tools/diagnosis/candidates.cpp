@@ -229,9 +229,7 @@ void remove_equivalents_of_simpler(std::vector<Candidate>& candidates) {
     auto& shapes = candidate.shapes;
     shapes.erase(std::remove_if(shapes.begin(), shapes.end(), is_simpler), shapes.end());
   }
-  candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                                  [](const Candidate& c) { return c.shapes.empty(); }),
-                   candidates.end());
+  remove_those_without_shapes(candidates);
 }
 
 // What is searched of an effect or an expression: its shapes or, without any, what is missing.
@@ -293,6 +291,12 @@ void optimise_shape(const ShapeMaker& make, std::vector<Candidate::Shape>& shape
 }
 
 }  // namespace
+
+void remove_those_without_shapes(std::vector<Candidate>& candidates) {
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                                  [](const Candidate& c) { return c.shapes.empty(); }),
+                   candidates.end());
+}
 
 void refine_shape_parameters(std::vector<Candidate>& candidates, const series::SignalSeries& series,
                              const std::vector<model::EffectTerm>& terms,

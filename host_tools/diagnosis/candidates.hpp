@@ -65,6 +65,8 @@ CandidateList find_candidates(const series::SignalSeries& series,
                               const ProjectOutModel& project_out_model,
                               const std::function<void(double)>& progress);
 
+void remove_those_without_shapes(std::vector<Candidate>& candidates);
+
 /// Moves the best shape of each leading candidate to where it explains most of the whitened
 /// `residual`, within its grid cell. Otherwise, of two equivalent effects, the one with a grid
 /// point nearer to the truth would win. Only for strong effects (chi^2 of 100), which need no test

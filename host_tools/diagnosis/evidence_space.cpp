@@ -53,10 +53,7 @@ PossibleColumns possible_columns(const DiagnosisData& data, const fit::NoiseWeig
     place_steps(candidate.shapes, series, residualizer, found.smooth.all);
     remove_gradual_steps(candidate.shapes, series.rows(), residualizer);
   }
-  auto& testable = found.candidates.testable;
-  testable.erase(std::remove_if(testable.begin(), testable.end(),
-                                [](const Candidate& one) { return one.shapes.empty(); }),
-                 testable.end());
+  remove_those_without_shapes(found.candidates.testable);
   return found;
 }
 

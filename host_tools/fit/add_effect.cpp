@@ -4,13 +4,11 @@
 #include <utility>
 
 #include "fit/addition_verdict.hpp"
-#include "fit/decision_rules.hpp"
 #include "fit/rise_test.hpp"
 #include "fit/row_length.hpp"
 #include "series/required_inputs.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
-#include "support/units.hpp"
 
 namespace fogcomp::fit {
 namespace {

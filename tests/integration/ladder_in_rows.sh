@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # ladder_in_rows.sh FOGCOMP RECORDING: whatever rows a model was fitted in, the ladder of `diagnose` on a real recording
-# adds the same and ends at the same error, its commands make its model, and no diagnosis of it looks in those rows.
-# Exit code 77, "skipped", where the recording is not there.
+# adds the same and ends at the same error, and its commands make its model, which keeps its rows. Exit code 77,
+# "skipped", where the recording is not there.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: ladder_in_rows.sh FOGCOMP RECORDING}") recording=$2

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/run_in_blocks.hpp"
-#include "diagnosis/ladder.hpp"
 #include "model/effect_list.hpp"
 #include "statistics/hidden_drift.hpp"
 #include "support/chance.hpp"
 #include "support/input_error.hpp"
 #include "support/typical_effects.hpp"
+#include "unit/diagnosis/looped.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
 namespace {
@@ -297,11 +296,7 @@ TEST(Diagnosis, RefusesAnExpressionThatTheRecordingCannotHave) {
 fogcomp::diagnosis::Ladder ladder_of(const fogcomp::recording::Recording& recording,
                                      const std::vector<std::string>& offered = {}) {
   const Model model = model_of(fogcomp::model::parse_effects("bias,bias_temperature:order=2"));
-  fogcomp::diagnosis::DiagnosisData data(model, expressions(offered));
-  fogcomp::diagnosis::JudgingRuns runs;
-  runs.training.runs.push_back(fogcomp::compare::run_in_blocks(recording, model.average_s));
-  data.add(runs.training.runs[0]);
-  return fogcomp::diagnosis::stepwise_selection(model, data, runs, 4);
+  return fog::test::looped(model, recording, 4, expressions(offered));
 }
 
 std::vector<std::string> sorted(std::vector<std::string> names) {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/ladder.hpp"
 #include "fit/effect_change.hpp"
 #include "statistics/hidden_drift.hpp"
+#include "unit/diagnosis/looped.hpp"
 #include "unit/fit/simulated_addition.hpp"
 
 namespace fogcomp::diagnosis {
@@ -136,18 +136,7 @@ TEST(NextStep, RefinesInALoopThatMayAddNoMore) {
   const recording::Recording recording =
       recording_with({natural_term("polarization_ripple", {7, 0, 0.03}, {0.04, 0.03})}, 1);
   const model::Model model = fog::test::incomplete(kBasic);
-  DiagnosisData data(model);
-  JudgingRuns runs;
-  runs.training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
-  data.add(runs.training.runs[0]);
-  double progress = 0;
-  DiagnosisSettings settings;
-  settings.progress = [&](double done) {
-    EXPECT_GE(done, progress);
-    EXPECT_LE(done, 1);
-    progress = done;
-  };
-  const Ladder ladder = stepwise_selection(model, data, runs, 1, settings);
+  const Ladder ladder = fog::test::looped(model, recording, 1);
   ASSERT_EQ(ladder.steps.size(), 2U);
   EXPECT_TRUE(ladder.is_cut_off);
   EXPECT_FALSE(ladder.steps[0].addition.request.refines);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "model/effect_list.hpp"
+#include "unit/diagnosis/looped.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
 namespace fogcomp::diagnosis {
@@ -34,18 +35,7 @@ TEST(Ladder, AddsNoMoreThanItMayAndSaysWhatAStepBrought) {
   const recording::Recording recording =
       fog::test::thinned(fog::test::recording_of(model, fog::test::kQuietNoise, 1), 3);
   model.terms = model::parse_effects("bias,bias_temperature:order=3");
-  DiagnosisData data(model);
-  JudgingRuns runs;
-  runs.training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
-  data.add(runs.training.runs[0]);
-  double progress = 0;
-  DiagnosisSettings settings;
-  settings.progress = [&](double done) {
-    EXPECT_GE(done, progress);
-    EXPECT_LE(done, 1);
-    progress = done;
-  };
-  const Ladder ladder = stepwise_selection(model, data, runs, 1, settings);
+  const Ladder ladder = fog::test::looped(model, recording, 1);
   ASSERT_EQ(ladder.steps.size(), 1U);
   EXPECT_TRUE(ladder.is_cut_off);
   const Ladder::Step& step = ladder.steps[0];
@@ -66,11 +56,7 @@ TEST(Ladder, AddsWhatIsNamedHoweverSmallBesideWhatWasAdded) {
   model.terms.push_back(fog::test::natural_term("polarization_ripple", {9}, {0.01, 0}));
   const recording::Recording recording = fog::test::recording_of(model, fog::test::kQuietNoise, 1);
   model.terms = model::parse_effects("bias,bias_temperature:order=3");
-  DiagnosisData data(model);
-  JudgingRuns runs;
-  runs.training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
-  data.add(runs.training.runs[0]);
-  const Ladder ladder = stepwise_selection(model, data, runs, 3, {});
+  const Ladder ladder = fog::test::looped(model, recording, 3);
   EXPECT_EQ(ladder.added(), (Names{"temperature_rate", "polarization_ripple"}));
   EXPECT_FALSE(ladder.is_cut_off);
   EXPECT_FALSE(ladder.steps[0].addition.holdouts);
