@@ -88,6 +88,7 @@ Json add_json(const fit::Addition& addition, const std::string& written) {
       .set("out_of_sample_rms_before_dph", judged ? Json(judged->rms_before_dph) : Json())
       .set("out_of_sample_rms_after_dph", judged ? Json(judged->rms_after_dph) : Json())
       .set("out_of_sample_gain", judged ? Json(judged->chi2_drop) : Json())
+      .set("thirds", judged_json(addition.thirds))
       .set("chance_of_walk", addition.chance_of_walk)
       .set("runs", runs_json(addition.runs))
       .set("halves", halves_json(addition.halves))

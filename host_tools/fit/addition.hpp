@@ -52,6 +52,9 @@ struct AdditionVerdict {
   /// The effects alone, before against after; for a network, the model with it against that
   /// without. Nothing for an event, or if the training was interrupted.
   std::optional<OutOfSample> out_of_sample;
+  /// Where stretches of the runs judge: the same on thirds of them, which must not harm; nothing if
+  /// none is determined by the others. Stretches lie between others at the same temperatures.
+  std::optional<OutOfSample> thirds;
   /// Without another run as judge: probability, 0..1, that a random walk of the bias explains what
   /// the addition explains. The stretches of one run lie between others of the same walk.
   std::optional<double> chance_of_walk;

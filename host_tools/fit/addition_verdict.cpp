@@ -179,6 +179,11 @@ void judge_effects(const FittedPair& pair, Addition& after) {
     after.halves = judge_halves(pair.known, without, after.model.terms, after.changed, judge.with);
   }
   if (!after.out_of_sample->within_runs) return;
+  const bool has_needless = std::any_of(after.parts.begin(), after.parts.end(), is_needless);
+  if (after.out_of_sample->helps() && !has_needless) {
+    after.thirds = judge_far_rows(pair.known, without, after.model.terms, after.changed, judge.with,
+                                  FarRows::thirds);
+  }
   if (!few) ask_walk();
   after.chance_of_walk = chance_of_walk;
 }
@@ -219,6 +224,8 @@ void decide(const model::Model& before, bool has_risen, Addition& after) {
   } else if (needless != after.parts.end()) {
     after.reason = needless->effect +
                    " brings nothing beside the others: " + out_of_sample_words(*needless->beside);
+  } else if (after.thirds && after.thirds->harms()) {
+    after.reason = harm_words(*after.thirds);
   } else if (after.chance_of_walk.value_or(0) >= rules::kMaxChanceOfWalk) {
     after.reason =
         "on these runs alone a random walk of the bias explains it as well: let a run that was not "

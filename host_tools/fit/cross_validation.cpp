@@ -169,13 +169,15 @@ std::vector<bool> which_judge(const Residuals& left, const OnAllRows& all) {
   return judges;
 }
 
-// The others' rows get weight 0.
+// All rows but those of the parts that judge get weight 0.
 Eigen::VectorXd weights_of(const std::vector<Part>& parts, const std::vector<bool>& judges,
-                           const Eigen::VectorXd& row_weights) {
-  Eigen::VectorXd weights = row_weights;
+                           Eigen::VectorXd row_weights) {
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(row_weights.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (judges[i]) continue;
-    for (const recording::RowRange& range : parts[i]) segment(weights, range).setZero();
+    if (!judges[i]) continue;
+    for (const recording::RowRange& range : parts[i]) {
+      segment(weights, range) = segment(row_weights, range);
+    }
   }
   return weights;
 }
@@ -211,6 +213,24 @@ class CrossValidation {
                                          weights_of(parts, judges, with_.row_weights));
     const std::string of = count < runs.size() ? std::to_string(count) + " of " : "";
     result.how = "on " + of + counted(runs.size(), "run") + ", each left out once";
+    return result;
+  }
+
+  // Nothing if no part counts.
+  std::optional<OutOfSample> on_parts(const std::vector<Part>& parts, const std::string& how) {
+    const Residuals left = leave_out_each_of(parts);
+    std::vector<bool> judges = which_judge(left, all_);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      judges[i] = judges[i] && !parts[i].empty() &&
+                  determine_terms({left.added[i]}, all_.after, known_, after_, changed_);
+    }
+    if (std::none_of(judges.begin(), judges.end(), [](bool one) { return one; })) {
+      return std::nullopt;
+    }
+    OutOfSample result = judge_residuals(rows_, left.before, left.after, with_.noise,
+                                         weights_of(parts, judges, with_.row_weights));
+    result.how = how;
+    result.within_runs = true;
     return result;
   }
 
@@ -271,6 +291,19 @@ OutOfSample cross_validate(const KnownRegressors& known,
       stretches_of(rows, {residual.begin(), residual.end()}, with.noise));
 }
 
+std::optional<OutOfSample> judge_far_rows(const KnownRegressors& known,
+                                          const std::vector<model::EffectTerm>& before,
+                                          const std::vector<model::EffectTerm>& after,
+                                          const std::vector<std::size_t>& changed,
+                                          const JudgedWith& with, FarRows parts) {
+  const series::Rows& rows = known.series().rows();
+  CrossValidation validation(known, before, after, changed, with);
+  return parts == FarRows::thirds
+             ? validation.on_parts(cut_runs(rows, 3), "on thirds of every run, each left out once")
+             : validation.on_parts(directions_of(rows),
+                                   "on heating and cooling, each left out once");
+}
+
 bool others_determine(const KnownRegressors& known, const std::vector<model::EffectTerm>& after,
                       const std::vector<std::size_t>& changed, std::size_t run,
                       const JudgedWith& with) {
@@ -302,13 +335,9 @@ std::vector<HalfTest> judge_halves(const KnownRegressors& known,
                                    const std::vector<std::size_t>& changed,
                                    const JudgedWith& with) {
   const series::Rows& rows = known.series().rows();
-  Part first;
-  Part second;
-  for (const recording::RowRange& run : rows.runs()) {
-    const std::size_t middle = run.first + run.size() / 2;
-    first.push_back({run.first, middle});
-    second.push_back({middle, run.end});
-  }
+  const std::vector<Part> halves = cut_runs(rows, 2);
+  const Part& first = halves[0];
+  const Part& second = halves[1];
   const Fold all = leave_out(known, with_fixed_shapes(after, {}), {}, with);
   std::vector<HalfTest> tests;
   for (const bool on_first : {true, false}) {

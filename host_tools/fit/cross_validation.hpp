@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,19 @@ OutOfSample cross_validate(const KnownRegressors& known,
                            const std::vector<model::EffectTerm>& before,
                            const std::vector<model::EffectTerm>& after,
                            const std::vector<std::size_t>& changed, const JudgedWith& with);
+
+/// Rows that lie further from those fitted than stretches do, as those of another programme.
+enum class FarRows {
+  thirds,     ///< of every run
+  directions  ///< heating, cooling
+};
+/// The same, with each of these parts left out once. A part counts if the others determine the
+/// model, the changed terms not much worse than all rows do; nothing if none counts.
+std::optional<OutOfSample> judge_far_rows(const KnownRegressors& known,
+                                          const std::vector<model::EffectTerm>& before,
+                                          const std::vector<model::EffectTerm>& after,
+                                          const std::vector<std::size_t>& changed,
+                                          const JudgedWith& with, FarRows parts);
 
 /// Whether the runs but one determine the coefficients of after[i], i in `changed`, not much worse
 /// than all runs do: only then can that one judge them. `after`: identified on all of `series`.

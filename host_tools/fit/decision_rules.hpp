@@ -74,6 +74,10 @@ constexpr double kMinRowsToJudge = 100;
 /// recordings each (white and slow noise, cross-validated), reached it 6 times in 600.
 /// add_effect_test, tests/statistics/add_effect_test.
 constexpr double kMinChi2Drop = 10;
+/// Size up to which a chi^2 drop says nothing: on a run that shows nothing of a set it is about -1
+/// +- 2 (OutOfSample::chi2_drop); two standard deviations.
+/// tests/unit/diagnosis/addition_judge_test.
+constexpr double kMaxUselessDrop = 5;
 /// Largest deviation, in standard deviations, with which a row is counted. add_effect_test.
 constexpr double kMaxCounted = 4;
 /// Fraction of the noise variance above which a component's memory counts. add_effect_test.

@@ -51,6 +51,28 @@ std::vector<Part> parts_of(const series::Rows& rows, double count) {
   return parts;
 }
 
+std::vector<Part> cut_runs(const series::Rows& rows, std::size_t count) {
+  std::vector<Part> parts(count);
+  for (const recording::RowRange& run : rows.runs()) {
+    for (std::size_t i = 0; i < count; ++i) {
+      parts[i].push_back(
+          {run.first + i * run.size() / count, run.first + (i + 1) * run.size() / count});
+    }
+  }
+  return parts;
+}
+
+std::vector<Part> directions_of(const series::Rows& rows) {
+  Part heating;
+  Part cooling;
+  const std::vector<double> rates = rows.temperature_rates_degc_per_min();
+  for (std::size_t row = 0; row < rates.size(); ++row) {
+    if (rates[row] > rules::kRampDegcPerMin) heating.push_back({row, row + 1});
+    if (rates[row] < -rules::kRampDegcPerMin) cooling.push_back({row, row + 1});
+  }
+  return {heating, cooling};
+}
+
 std::string how_of(const std::vector<Part>& parts, const series::Rows& rows) {
   return "on stretches of " + time_text(static_cast<double>(parts[0][0].size()) * rows.row_s) +
          ", a fifth of them left out in turn";

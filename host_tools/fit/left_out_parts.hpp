@@ -21,6 +21,12 @@ double stretches_of(const series::Rows& rows, const std::vector<double>& residua
 /// that its start is left out while the starts of the others are not.
 std::vector<Part> parts_of(const series::Rows& rows, double count);
 
+/// `count` parts, each with as much of every run, from its beginning to its end.
+std::vector<Part> cut_runs(const series::Rows& rows, std::size_t count);
+
+/// Rows in ramps: heating, cooling (rules::kRampDegcPerMin).
+std::vector<Part> directions_of(const series::Rows& rows);
+
 /// "on stretches of 7.08 min, a fifth of them left out in turn"
 std::string how_of(const std::vector<Part>& parts, const series::Rows& rows);
 

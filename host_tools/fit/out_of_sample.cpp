@@ -36,8 +36,18 @@ std::string out_of_sample_words(const OutOfSample& judged) {
                 rises ? " without a rise" : "");
 }
 
+std::string harm_words(const OutOfSample& judged) {
+  return format("it raises the error far from the rows fitted: %s -> %s deg/h %s (gain %.1f)",
+                rounded(judged.rms_before_dph).c_str(), rounded(judged.rms_after_dph).c_str(),
+                judged.how.c_str(), judged.chi2_drop);
+}
+
 bool OutOfSample::helps() const {
   return chi2_drop >= rules::kMinChi2Drop && rms_after_dph <= rms_before_dph;
+}
+
+bool OutOfSample::harms() const {
+  return chi2_drop <= -rules::kMinChi2Drop;
 }
 
 OutOfSample judge_residuals(const series::Rows& rows, const Eigen::VectorXd& before,
