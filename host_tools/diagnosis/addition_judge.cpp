@@ -1,6 +1,7 @@
 #include "diagnosis/addition_judge.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "diagnosis/decision_rules.hpp"
@@ -159,6 +160,7 @@ TriedAddition AdditionJudge::tried(AdditionRequest request,
     trial.accepted = addition->accepted && objection.empty();
     trial.may_be_walk = addition->chance_of_walk.value_or(0) >= fit::rules::kMaxChanceOfWalk;
     trial.may_be_line = addition->may_be_line;
+    trial.fails_far = addition->thirds && addition->thirds->harms();
     trial.fitted_before_dph = addition->fitted_before_dph;
     trial.fitted_after_dph = addition->fitted_after_dph;
     trial.holdouts = addition->holdouts;
@@ -194,14 +196,32 @@ TriedAddition AdditionJudge::of_description(AdditionRequest request) {
   for_each_index(objections.size(), [&](std::size_t run) {
     objections[run] = objection_of_run(trial.request, run, *addition);
   });
-  const auto objects = [](const std::string& objection) { return !objection.empty(); };
-  const auto first = std::find_if(objections.begin(), objections.end(), objects);
-  if (first != objections.end()) {
-    trial.accepted = false;
-    trial.reason = *first;
+  for (std::string& objection : objections) object(std::move(objection), trial);
+  if (trial.accepted) {
+    object(objection_of_directions(*addition), trial);
+    trial.fails_far = !trial.accepted;
   }
   take_model(addition, trial);
   return trial;
+}
+
+// Refuses the trial unless it already is, or there is no objection.
+void AdditionJudge::object(std::string objection, TriedAddition& trial) const {
+  if (objection.empty() || !trial.accepted) return;
+  trial.accepted = false;
+  trial.reason = std::move(objection);
+}
+
+// Reason why the addition harms in the direction of the temperature that was left out; "" if it
+// does not, if the runs do not show it, if holdouts judge, or for an event. A name is not asked
+// this: other effects that are missing stand out in one direction only.
+std::string AdditionJudge::objection_of_directions(const fit::Addition& addition) const {
+  if (!runs_.holdouts.empty() || !addition.out_of_sample || addition.changed.empty()) return "";
+  const fit::Identification& fit = addition.fit.identified;
+  const auto judged = fit::judge_far_rows(
+      series_->known(), refitted_->model.terms, addition.model.terms, addition.changed,
+      {fit.noise, fit.row_weights, run_offsets_}, fit::FarRows::directions);
+  return judged && judged->harms() ? fit::harm_words(*judged) : "";
 }
 
 // Reason why the addition, identified on the other runs, fails on this run; "" if it does not, or
@@ -212,6 +232,8 @@ std::string AdditionJudge::objection_of_run(const AdditionRequest& request, std:
     const fit::Addition addition = judged(model_, request, runs_.without(run));
     const auto& judged = addition.out_of_sample;
     if (!judged || judged->rms_after_dph < judged->rms_before_dph) return "";
+    const bool is_physics = request.expression.empty() && !request.is_network();
+    if (is_physics && std::abs(judged->chi2_drop) <= fit::rules::kMaxUselessDrop) return "";
     if (!others_show(on_all, run)) return "";
     return format("it does not hold on %s when that run is left out: %s -> %s deg/h",
                   runs_.training.runs[run].file.c_str(), rounded(judged->rms_before_dph).c_str(),

@@ -172,6 +172,8 @@ LikelyFormulas likely_formulas(const model::Model& model, const Diagnosis& diagn
       formulas_over(data.series(), signals_of_formulas(diagnosis));
   const Diagnosis offered = diagnose(model, data.with_offered(formulas), settings);
   LikelyFormulas likely;
+  likely.chance = offered.chance;
+  likely.show_something = offered.verdict != Verdict::none && !offered.faint;
   if (!diagnosis.experiment) likely.experiment = offered.experiment;
   double explained_fraction = 1;
   for (const CandidateFinding& finding : offered.candidates) {

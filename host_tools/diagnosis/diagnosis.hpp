@@ -28,9 +28,9 @@ const char* name_of(Verdict verdict);
 /// Why what a diagnosis names is something else.
 enum class Refuted {
   no,
-  out_of_sample,  ///< it fails there: a description leaves far less (rules::kRefutes), or it raises
-                  ///< the error and nothing lowers it
-  by_formula      ///< it needs an event beside it; a formula that needs none is as certain as names
+  out_of_sample,  ///< it fails there: a description leaves far less (rules::kRefutes), it raises
+                  ///< the error and nothing lowers it, or it harms on thirds of the runs
+  by_formula      ///< it needs or is an event; a formula that needs none is as certain as names
 };
 
 struct Diagnosis {
@@ -60,6 +60,7 @@ struct Diagnosis {
   /// For the verdict unknown: noise alone may look like this, but an effect would lower the error
   /// clearly.
   bool faint = false;
+  bool only_by_formula = false;  ///< for the verdict unknown: set by shown_by_formulas()
   /// For the verdict unknown: what was named until it was refuted; else "".
   std::string withdrawn;
   Refuted refuted = Refuted::no;
@@ -120,6 +121,9 @@ bool helps_clearly(const Diagnosis& diagnosis, const CandidateFinding& finding);
 
 /// Whether most of what is left is fast: a cycle, jumps.
 bool is_mainly_fast(const Diagnosis& diagnosis);
+
+/// Only formulas outside the catalogue show that something is missing: the verdict becomes unknown.
+void shown_by_formulas(Diagnosis& diagnosis, double chance);
 
 /// Takes a name back: the verdict becomes unknown.
 void withdraw_name(Diagnosis& diagnosis, Refuted refuted);

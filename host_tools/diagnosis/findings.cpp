@@ -32,6 +32,13 @@ bool is_mainly_fast(const Diagnosis& diagnosis) {
   return diagnosis.fast_share >= rules::kMainPart;
 }
 
+void shown_by_formulas(Diagnosis& diagnosis, double chance) {
+  diagnosis.verdict = Verdict::unknown;
+  diagnosis.only_by_formula = true;
+  diagnosis.chance = chance;
+  diagnosis.blind_spot.clear();
+}
+
 void withdraw_name(Diagnosis& diagnosis, Refuted refuted) {
   diagnosis.refuted = refuted;
   diagnosis.withdrawn =

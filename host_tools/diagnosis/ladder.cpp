@@ -66,6 +66,7 @@ Look look_at(const model::Model& model, const DiagnosisData& data, AdditionJudge
   DiagnosisSettings unheard = settings;
   unheard.progress = nullptr;
   look.next = find_next_step(model, look.diagnosis, data, judge, unheard);
+  if (look.next.chance_of_forms) shown_by_formulas(look.diagnosis, *look.next.chance_of_forms);
   if (look.next.name_is != Refuted::no) withdraw_name(look.diagnosis, look.next.name_is);
   look.diagnosis.line = refused_line(model, data, judge.runs(), look.next, settings.noise);
   return look;

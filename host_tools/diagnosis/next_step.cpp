@@ -51,22 +51,21 @@ bool try_named(const Diagnosis& diagnosis, const std::vector<std::string>& named
   return true;
 }
 
-// Tries the first few sets of effects that explain the residual as physics, until one is accepted.
+// The catalogue explains the residual, but not by what is named: tries the first few sets in its
+// place, as uncertain as descriptions, until one is accepted.
 bool try_sets(std::vector<Description> sets, AdditionJudge& judge, NextStep& next) {
   if (sets.size() > kMaxTried) sets.resize(kMaxTried);
   for (Description& set : sets) {
-    if (!try_out(std::move(set.request), judge, next)) continue;
+    TriedAddition tried = judge.of_description(std::move(set.request));
+    if (!tried.accepted) {
+      next.refused.push_back(std::move(tried));
+      continue;
+    }
+    next.addition = std::move(tried);
     if (set.effects.size() > 1) next.together = std::move(set.effects);
     return true;
   }
   return false;
-}
-
-// The catalogue explains the residual, but not by what is named: its sets, most probable first.
-bool try_instead(const Diagnosis& diagnosis, const std::vector<std::string>& named,
-                 AdditionJudge& judge, NextStep& next) {
-  return try_sets(sets_of_effects(diagnosis, named), judge, next) ||
-         try_sets(certain_ones(diagnosis, named), judge, next);
 }
 
 // Whether no other description could leave clearly less than this one.
@@ -84,17 +83,15 @@ bool is_large(const JudgingRuns& runs) {
 }
 
 // Tries the first few descriptions; of those accepted the one that leaves least out of sample is
-// taken, an earlier one if that is nearly as good.
+// taken, an earlier one if that is nearly as good. The addition that `next` has is the first.
 bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
               AdditionJudge& judge, NextStep& next) {
-  next.describes = true;
-  if (descriptions.empty()) return false;
+  next.describes = !next.addition;
+  if (descriptions.empty()) return next.addition.has_value();
   if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
   std::vector<TriedAddition> tried(descriptions.size());
   const auto judge_one = [&](std::size_t i) {
-    AdditionRequest& request = descriptions[i].request;
-    tried[i] = descriptions[i].is_part ? judge(std::move(request))
-                                       : judge.of_description(std::move(request));
+    tried[i] = judge.of_description(std::move(descriptions[i].request));
   };
   judge_one(0);  // with all threads: often it is the one
   if (leaves_noise(tried[0], diagnosis.noise_floor_dph, judge.runs())) {
@@ -104,33 +101,27 @@ bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
   } else {
     for_each_index(tried.size() - 1, [&](std::size_t i) { judge_one(i + 1); });
   }
-  std::size_t best = tried.size();
   for (std::size_t i = 0; i < tried.size(); ++i) {
-    if (!tried[i].accepted) continue;
-    if (best == tried.size() || tried[i].left() < rules::kClearlyLess * tried[best].left()) {
-      best = i;
+    if (!tried[i].accepted) {
+      next.refused.push_back(std::move(tried[i]));
+    } else if (!next.addition || tried[i].left() < rules::kClearlyLess * next.addition->left()) {
+      next.addition = std::move(tried[i]);
+      next.describes = !descriptions[i].is_part;
+      next.together.clear();
     }
   }
-  for (std::size_t i = 0; i < tried.size(); ++i) {
-    if (!tried[i].accepted) next.refused.push_back(std::move(tried[i]));
-  }
-  if (best == tried.size()) return false;
-  next.describes = !descriptions[best].is_part;
-  next.addition = std::move(tried[best]);
-  return true;
+  return next.addition.has_value();
 }
 
 void append(std::vector<Description> more, std::vector<Description>& all) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-// Whether the most probable set needs an event beside what is named. An event explains whatever the
-// name leaves: a formula that needs none may be the truth.
-bool needs_event(const Diagnosis& diagnosis, const std::vector<std::string>& named) {
-  if (diagnosis.explanations.empty()) return false;
-  const std::vector<std::string>& likeliest = diagnosis.explanations.front().effects;
-  const std::size_t events = events_among(diagnosis, likeliest).size();
-  return events > 0 && events < likeliest.size() && events_among(diagnosis, named).empty();
+// Whether the most probable set has an event. It explains whatever the others leave: a formula that
+// needs none may be the truth.
+bool needs_event(const Diagnosis& diagnosis) {
+  return !diagnosis.explanations.empty() &&
+         !events_among(diagnosis, diagnosis.explanations.front().effects).empty();
 }
 
 // Diagnoses with formulas when first asked: that takes as long as the first diagnosis.
@@ -224,12 +215,14 @@ void refine(const model::Model& model, AdditionJudge& judge, NextStep& next) {
   }
 }
 
-// Whether the first refusal, of what the diagnosis names, contradicts the name: a description
-// leaves far less out of sample or, without one, the only name raises the error there.
+// Whether the first refusal, of what the diagnosis names, contradicts the name: it raises the error
+// far from the rows fitted, a description leaves far less out of sample or, without one, the only
+// name raises the error there.
 bool refutes_name(const Diagnosis& diagnosis, bool described, const NextStep& next) {
   if (diagnosis.verdict == Verdict::unknown || next.refused.empty()) return false;
   const TriedAddition& named = next.refused.front();
   if (named.rms_before_dph <= 0 || named.may_be_walk) return false;
+  if (named.fails_far) return true;
   if (!described) return diagnosis.verdict == Verdict::missing_effect && named.left() > 1;
   return named.left() > 1 - rules::kHardlyHelps &&
          next.addition->left() < rules::kRefutes * named.left();
@@ -240,6 +233,24 @@ bool refutes_name(const Diagnosis& diagnosis, bool described, const NextStep& ne
 bool may_learn(const model::Model& model, const Diagnosis& diagnosis, const JudgingRuns& runs) {
   const bool has_other_runs = runs.training.runs.size() > 1 || !runs.holdouts.empty();
   return has_other_runs && is_function_of_signals(diagnosis) && !model.network.present();
+}
+
+// Whether what these runs call their own slow noise is enough to hide an effect.
+bool noise_may_hide(const Diagnosis& diagnosis) {
+  return !diagnosis.blind_spot.empty() &&
+         diagnosis.residual_rms_dph > (1 + rules::kMuchAboveWhite) * diagnosis.noise.white_dph();
+}
+
+// Among formulas as well: one may stand out of the slow noise in which no effect of the catalogue
+// does.
+void try_what_noise_hides(const model::Model& model, const Diagnosis& diagnosis,
+                          const DiagnosisData& data, AdditionJudge& judge,
+                          const DiagnosisSettings& settings, NextStep& next) {
+  const LikelyFormulas formulas = likely_formulas(model, diagnosis, data, settings);
+  if (!formulas.show_something || formulas.forms.empty()) return;
+  tell(formulas, next);
+  next.chance_of_forms = formulas.chance;
+  describe(diagnosis, formulas.descriptions, judge, next);
 }
 
 // Tries names and descriptions; false if no description holds.
@@ -260,15 +271,18 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
     return *likely;
   };
   if (!is_unknown || !events.empty()) {
-    const bool may_be_formula = !is_little && (is_unknown || needs_event(diagnosis, named));
+    const bool may_be_formula = !is_little && (is_unknown || needs_event(diagnosis));
     if (may_be_formula && try_forms(diagnosis, formulas(), judge, next)) return true;
     if (try_named(diagnosis, named, is_one || !events.empty(), judge, next) || is_little)
       return true;
   }
-  if (!is_unknown && try_instead(diagnosis, named, judge, next)) return true;
+  if (!is_unknown && (try_sets(sets_of_effects(diagnosis, named), judge, next) ||
+                      try_sets(certain_ones(diagnosis, named), judge, next))) {
+    if (leaves_noise(*next.addition, diagnosis.noise_floor_dph, judge.runs())) return true;
+  }
   const bool described =
       describe(diagnosis, possible_descriptions(diagnosis, named, formulas, next), judge, next);
-  next.together.clear();
+  if (described && !next.describes) return true;
   if (refutes_name(diagnosis, described, next)) next.name_is = Refuted::out_of_sample;
   return described;
 }
@@ -293,6 +307,8 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   bool nothing_describes = false;
   if (diagnosis.verdict != Verdict::none) {
     nothing_describes = !try_what_may_be_missing(model, diagnosis, data, judge, settings, next);
+  } else if (noise_may_hide(diagnosis)) {
+    try_what_noise_hides(model, diagnosis, data, judge, settings, next);
   }
   if (!next.addition) refine(model, judge, next);
   if (!next.addition && nothing_describes && may_learn(model, diagnosis, judge.runs())) {

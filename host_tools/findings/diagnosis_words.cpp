@@ -31,14 +31,24 @@ Headline missing_words(const diagnosis::Diagnosis& diagnosis) {
                  described.empty() ? "" : ("; " + described).c_str())};
 }
 
+std::string refutation_words(const diagnosis::Diagnosis& diagnosis) {
+  if (diagnosis.refuted != diagnosis::Refuted::by_formula) return " does not hold out of sample";
+  const diagnosis::CandidateFinding* const withdrawn = diagnosis.find(diagnosis.withdrawn);
+  return withdrawn != nullptr && model::is_event(withdrawn->term())
+             ? " follows a formula that needs no step"
+             : " needs a bias step beside it, and a formula needs none";
+}
+
 Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_holds) {
   if (diagnosis.faint) return {"something may be missing, too faint to be named", ""};
+  if (diagnosis.only_by_formula) {
+    return {
+        "something is missing: what looks like slow noise follows a formula outside the catalogue",
+        ""};
+  }
   if (!diagnosis.withdrawn.empty()) {
     return {"something is missing that no effect of the catalogue explains: what looks like " +
-                diagnosis.withdrawn +
-                (diagnosis.refuted == diagnosis::Refuted::by_formula
-                     ? " needs a bias step beside it, and a formula needs none"
-                     : " does not hold out of sample"),
+                diagnosis.withdrawn + refutation_words(diagnosis),
             ""};
   }
   const bool is_fast = diagnosis.fast_kind != diagnosis::FastKind::none;
@@ -240,7 +250,7 @@ BriefDiagnosis in_brief(const diagnosis::Diagnosis& diagnosis, const diagnosis::
 }
 
 std::string end_words(const diagnosis::Ladder& ladder) {
-  const auto [verdict, certainty] = verdict_words(ladder.last);
+  const auto [verdict, certainty] = verdict_words(ladder.last, !ladder.last_next.describes);
   std::string text = "at the end: " + verdict + (certainty.empty() ? "" : "; " + certainty);
   const diagnosis::NextStep& next = ladder.last_next;
   const std::string why = next.addition ? "" : nothing_holds_words(next);

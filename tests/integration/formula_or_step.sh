@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # formula_or_step.sh FOGCOMP: strain that follows the square of the temperature rate, late, is hidden on a programme
-# on which T dT/dt with a bias step imitates it. The form is found and proposed all the same. Where T dT/dt and a step
-# are hidden, they are named.
+# on which T dT/dt with a bias step imitates it, and |dT/dt| where a step alone does. The form is found and proposed all
+# the same. Where T dT/dt and a step are hidden, they are named.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: formula_or_step.sh FOGCOMP}")
@@ -36,3 +36,12 @@ done
 gyro both paper 903 temperature_rate_product:scale=5 bias_step:peak=0.05
 [[ $(value both.json explanations 0 effects | tr -d '[] \n') == '"temperature_rate_product","bias_step"' &&
   $(value both.json effect) == temperature_rate_product ]] || fail "$(cat both.json)"
+
+"$fogcomp" simulate -o size.csv --profile power_cycles --seed 905 --preset none --rate 0.1 --noise white=0.0014 \
+  --effect bias --effect bias_temperature --effect temperature_rate:coefficient=-0.027 \
+  --effect sensor:lag_s=9.7,resolution_k=0.0625 --effect rate_nonlinearity:form=magnitude,scale=6 >/dev/null
+"$fogcomp" fit size.csv -o size.model --effects bias,bias_temperature:order=2,temperature_rate >/dev/null
+"$fogcomp" diagnose size.model size.csv >size.txt
+grep -q 'what looks like bias_step follows a formula that needs no step$' size.txt || fail "$(cat size.txt)"
+grep -q 'outside the catalogue it looks like abs(dTdt)' size.txt || fail "$(cat size.txt)"
+eval "\"\$fogcomp\" $(sed -n 's/^  next: fogcomp //p' size.txt)" >added.txt || fail "refused: $(cat added.txt)"

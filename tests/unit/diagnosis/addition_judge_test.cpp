@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <random>
 
 #include "unit/fit/simulated_addition.hpp"
@@ -46,6 +47,55 @@ TEST(AdditionJudge, DoesNotLetTheOnlyRunThatShowsADescriptionJudgeIt) {
   runs.training.runs = {shaken_run(2, 0.05, 1), shaken_run(0, 0.05, 2)};
   const TriedAddition trial = described(runs);
   EXPECT_TRUE(trial.accepted) << trial.reason;
+}
+
+// A run whose drift has 0.05 deg/h sin(T) times `factor`(recording, row) beside that of truth().
+JudgingRuns run_with_sine(
+    const std::function<double(const recording::Recording&, std::size_t)>& factor) {
+  recording::Recording recording =
+      fog::test::recording_of(fog::test::truth(), fog::test::kAdditionNoise, 1);
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    const double sine = std::sin(recording.temperature_degc[i]);
+    recording.rate_dph[i] += 0.05 * sine * factor(recording, i);
+  }
+  JudgingRuns runs{fog::test::runs_of(fog::test::truth(), {}), {}};
+  runs.training.runs = {compare::run_in_blocks(recording, 10)};
+  return runs;
+}
+
+const AdditionRequest kSine{{}, "x = sin(T)", false, false};
+
+TEST(AdditionJudge, RefusesADescriptionThatContradictsItselfInTheOtherDirection) {
+  const auto judged = [](double in_cooling) {
+    const JudgingRuns runs = run_with_sine([&](const recording::Recording& r, std::size_t i) {
+      const bool cools = i > 0 && r.temperature_degc[i] < r.temperature_degc[i - 1];
+      return cools ? in_cooling : 1;
+    });
+    const model::Model model = fog::test::incomplete(fog::test::kComplete);
+    return AdditionJudge(model, runs, false).of_description(kSine);
+  };
+  EXPECT_TRUE(judged(1).accepted) << judged(1).reason;
+  const TriedAddition refused = judged(0.1);
+  EXPECT_FALSE(refused.accepted);
+  EXPECT_TRUE(refused.fails_far);
+  EXPECT_LT(refused.left(), 1) << "stretches do not show it";
+  EXPECT_NE(refused.reason.find("heating and cooling"), std::string::npos) << refused.reason;
+}
+
+TEST(AdditionJudge, RefusesWhatHarmsInThirdsOfTheRun) {
+  const auto judged = [](double in_the_last_third) {
+    const JudgingRuns runs = run_with_sine([&](const recording::Recording& r, std::size_t i) {
+      return i >= 2 * r.rows() / 3 ? in_the_last_third : 1;
+    });
+    const model::Model model = fog::test::incomplete(fog::test::kComplete);
+    return AdditionJudge(model, runs, false)(kSine);
+  };
+  EXPECT_TRUE(judged(1).accepted) << judged(1).reason;
+  const TriedAddition refused = judged(-0.45);
+  EXPECT_FALSE(refused.accepted);
+  EXPECT_TRUE(refused.fails_far);
+  EXPECT_LT(refused.left(), 1) << "stretches do not show it";
+  EXPECT_NE(refused.reason.find("thirds of every run"), std::string::npos) << refused.reason;
 }
 
 }  // namespace

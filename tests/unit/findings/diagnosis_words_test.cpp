@@ -82,6 +82,17 @@ TEST(DiagnosisWords, OfAWithdrawnNameSayWhatItLookedLike) {
             "needs a bias step beside it, and a formula needs none");
 }
 
+TEST(DiagnosisWords, OfAFormulaInSlowNoiseSaySo) {
+  diagnosis::Diagnosis found = only_together();
+  found.verdict = diagnosis::Verdict::none;
+  shown_by_formulas(found, 1e-9);
+  EXPECT_EQ(found.verdict, diagnosis::Verdict::unknown);
+  EXPECT_EQ(found.chance, 1e-9);
+  EXPECT_EQ(words_of(found, {}, kFiles).verdict,
+            "something is missing: what looks like slow noise follows a formula outside the "
+            "catalogue");
+}
+
 TEST(DiagnosisWords, AddWithABiasForEachRunWhereItWasJudgedSo) {
   diagnosis::NextStep next;
   next.addition = tried({"aging"});

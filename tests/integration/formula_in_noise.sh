@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# formula_in_noise.sh FOGCOMP: what follows the square of a late temperature rate, on a programme without a ramp of one
+# rate, looks like slow noise beside every effect of the catalogue. With formulas beside them it is found and proposed.
+# Of the same gyros without it nothing is missing.
+set -euo pipefail
+source "$(dirname "$0")/common.sh"
+fogcomp=$(realpath "${1:?usage: formula_in_noise.sh FOGCOMP}")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+
+# diagnosed SEED PART...: what is said of a gyro with these parts to a model without, in said.json and said.txt
+diagnosed() {
+  local seed=$1 parts=() part
+  shift
+  for part in bias bias_temperature temperature_rate:coefficient=0.08 "$@"; do parts+=(--effect "$part"); done
+  "$fogcomp" simulate -o run.csv --profile random_steps --seed "$seed" --preset none \
+    --noise white=0.0019,flicker=0.0008 "${parts[@]}" >/dev/null
+  "$fogcomp" fit run.csv -o run.model --effects bias,bias_temperature:order=2,temperature_rate >/dev/null
+  "$fogcomp" diagnose run.model run.csv --json >said.json
+  "$fogcomp" diagnose run.model run.csv >said.txt
+}
+
+for seed in 11 14; do
+  diagnosed "$seed" squared_lag:tau_s=700,scale=60
+  [[ $(value said.json verdict) == unknown && $(value said.json forms 0 name) == 'lag(dTdt,tau)^2' ]] ||
+    fail "seed $seed: $(cat said.txt)"
+  grep -q '^something is missing: what looks like slow noise follows a formula' said.txt || fail "$(cat said.txt)"
+  eval "\"\$fogcomp\" $(sed -n 's/^  next: fogcomp //p' said.txt)" >added.txt || fail "refused: $(cat added.txt)"
+  diagnosed "$seed"
+  [[ $(value said.json verdict) == none ]] || fail "seed $seed, clean: $(cat said.txt)"
+done
