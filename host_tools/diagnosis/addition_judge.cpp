@@ -70,6 +70,13 @@ std::string objection_to(const model::Model& model, const fit::Addition& additio
          "that was not fitted decide, with --holdout";
 }
 
+// Refuses the trial unless it already is, or there is no objection.
+void object(std::string objection, TriedAddition& trial) {
+  if (objection.empty() || !trial.accepted) return;
+  trial.accepted = false;
+  trial.reason = std::move(objection);
+}
+
 }  // namespace
 
 std::vector<std::string> AdditionRequest::names() const {
@@ -203,13 +210,6 @@ TriedAddition AdditionJudge::of_description(AdditionRequest request) {
   }
   take_model(addition, trial);
   return trial;
-}
-
-// Refuses the trial unless it already is, or there is no objection.
-void AdditionJudge::object(std::string objection, TriedAddition& trial) const {
-  if (objection.empty() || !trial.accepted) return;
-  trial.accepted = false;
-  trial.reason = std::move(objection);
 }
 
 // Reason why the addition harms in the direction of the temperature that was left out; "" if it

@@ -96,7 +96,6 @@ class AdditionJudge {
   // The verdict, without a model. `addition`: nothing if it could not be fitted.
   TriedAddition tried(AdditionRequest request, std::optional<fit::Addition>& addition);
   void take_model(std::optional<fit::Addition>& addition, TriedAddition& trial) const;
-  void object(std::string objection, TriedAddition& trial) const;
   std::string objection_of_directions(const fit::Addition& addition) const;
   std::string objection_of_run(const AdditionRequest& request, std::size_t run,
                                const fit::Addition& on_all) const;
