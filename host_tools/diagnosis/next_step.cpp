@@ -27,16 +27,20 @@ bool may_be_worth_adding(const model::Model& model, const Diagnosis& diagnosis) 
 }
 
 // Whether the addition is accepted; stores it in `next` in either case.
-bool try_out(AdditionRequest request, AdditionJudge& judge, NextStep& next) {
-  TriedAddition addition =
-      next.describes ? judge.of_description(std::move(request)) : judge(std::move(request));
-  const bool accepted = addition.accepted;
+bool keep(TriedAddition tried, NextStep& next) {
+  const bool accepted = tried.accepted;
   if (accepted) {
-    next.addition = std::move(addition);
+    next.addition = std::move(tried);
   } else {
-    next.refused.push_back(std::move(addition));
+    next.refused.push_back(std::move(tried));
   }
   return accepted;
+}
+
+// Likewise for what has not been tried.
+bool try_out(AdditionRequest request, AdditionJudge& judge, NextStep& next) {
+  return keep(next.describes ? judge.of_description(std::move(request)) : judge(std::move(request)),
+              next);
 }
 
 // Tries what the diagnosis names. `may_be_little`: it names a single effect and no rival, or an
@@ -56,12 +60,7 @@ bool try_named(const Diagnosis& diagnosis, const std::vector<std::string>& named
 bool try_sets(std::vector<Description> sets, AdditionJudge& judge, NextStep& next) {
   if (sets.size() > kMaxTried) sets.resize(kMaxTried);
   for (Description& set : sets) {
-    TriedAddition tried = judge.of_description(std::move(set.request));
-    if (!tried.accepted) {
-      next.refused.push_back(std::move(tried));
-      continue;
-    }
-    next.addition = std::move(tried);
+    if (!keep(judge.of_description(std::move(set.request)), next)) continue;
     if (set.effects.size() > 1) next.together = std::move(set.effects);
     return true;
   }
