@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# hidden_effects.sh [--quick] [--wide] [--seeds dev|final|second|third] [--cases N] [--case ID] [--jobs N]
-# [--stages LIST] [--build DIR] [-o DIR]: how well `fogcomp diagnose` names what is hidden in simulated gyros
+# hidden_effects.sh [--quick] [--wide] [--seeds dev|final|second|third] [--cases N|FIRST-LAST] [--case ID]
+# [--jobs N] [--stages LIST] [--build DIR] [-o DIR]: how well `fogcomp diagnose` names what is hidden in simulated gyros
 # (hidden_effects/README.md). Stages: make, answer, propose, told, score. Resumes: a case is made or answered again only
 # where something it depends on has changed.
 set -euo pipefail
@@ -30,6 +30,9 @@ done
 [[ $stages =~ ^(make|answer|propose|told|score)(,(make|answer|propose|told|score))*$ ]] ||
   { echo "--stages $stages: some of make,answer,propose,told,score" >&2; exit 2; }
 seeds=$wide$seeds cases=${cases:-$([[ $wide ]] && echo 280 || echo 1508)}
+[[ $cases =~ ^([0-9]+-)?[0-9]+$ ]] || { echo "--cases $cases: how many, or FIRST-LAST" >&2; exit 2; }
+first=1
+[[ $cases != *-* ]] || first=${cases%-*} cases=${cases#*-}
 out=$(realpath -m "${out:-$build/hidden_effects${wide:+_wide}}")
 fogcomp=$build/fogcomp programmes=$build/tests/bench/hidden_effects
 [[ -x $fogcomp && -x $programmes/plan_case ]] ||
@@ -40,7 +43,7 @@ if [[ $only ]]; then
   ids=("$only")
   export KEEP=1 # the rows of the truth stay, for a look
 else
-  mapfile -t ids < <(seq -f "$seeds%.0f" "$cases")
+  mapfile -t ids < <(seq -f "$seeds%.0f" "$first" "$cases")
 fi
 
 wants() { [[ ,$stages, == *,$1,* ]]; }
