@@ -78,8 +78,7 @@ WeightedMoments weighted_moments(const Eigen::VectorXd& values, const Eigen::Vec
 
 Comparison::SegmentError error_in(const Comparison& comparison, const recording::Segment& segment) {
   const auto part = [&](const Eigen::VectorXd& values) -> Eigen::VectorXd {
-    return values.segment(static_cast<Eigen::Index>(segment.rows.first),
-                          static_cast<Eigen::Index>(segment.rows.size()));
+    return series::of_rows(values, segment.rows);
   };
   Eigen::VectorXd weights = part(comparison.rows.weights);
   for (Eigen::Index i = 0; i < weights.size(); ++i) {

@@ -31,9 +31,7 @@ noise::NoiseModel noise_with_less_quiet(const series::Rows& rows,
   std::vector<noise::NoiseSample> samples =
       noise::noise_samples(noise::quiet_stretches(rows, residual));
   for (const recording::RowRange& run : rows.runs()) {
-    samples.push_back(
-        {rest.segment(static_cast<Eigen::Index>(run.first), static_cast<Eigen::Index>(run.size())),
-         first_frequency});
+    samples.push_back({series::of_rows(rest, run), first_frequency});
   }
   noise::NoiseModel noise = noise::fit_noise(samples, rows.row_s, rows.longest_run_s());
   noise.from_quiet_parts = fit.noise.from_quiet_parts;

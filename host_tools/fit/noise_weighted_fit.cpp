@@ -136,8 +136,7 @@ NoiseWeightedFit fit_determined(const KnownRegressors& known,
 Eigen::VectorXd step_column(const series::Rows& rows, std::size_t row) {
   const recording::RowRange run = rows.runs()[rows.run_at(row)];
   Eigen::VectorXd column = Eigen::VectorXd::Zero(rows.size());
-  column.segment(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(run.end - row))
-      .setOnes();
+  series::of_rows(column, {row, run.end}).setOnes();
   return column;
 }
 

@@ -8,6 +8,7 @@
 #include "fit/noise_weighted_fit.hpp"
 #include "fit/undetermined.hpp"
 #include "model/drift_model.hpp"
+#include "model/shape_parameter.hpp"
 #include "series/block_walk.hpp"
 
 namespace fogcomp::fit {
@@ -24,20 +25,12 @@ series::BlockSeries without_network(const model::Model& model, series::BlockSeri
   return blocks;
 }
 
-std::vector<model::EffectTerm> with_fixed_shapes(std::vector<model::EffectTerm> terms) {
-  for (model::EffectTerm& term : terms) {
-    term.identified.assign(term.identified.size(), false);
-  }
-  return terms;
-}
-
 // Mean square of the fitted drift, without the mean of each run.
 double drift_square(const series::Rows& rows, const NoiseWeightedFit& fit) {
   const Eigen::VectorXd described = fit.columns * fit.coefficients;
   double square = 0;
   for (const recording::RowRange& run : rows.runs()) {
-    const auto of_run = described.segment(static_cast<Eigen::Index>(run.first),
-                                          static_cast<Eigen::Index>(run.size()));
+    const auto of_run = series::of_rows(described, run);
     square += (of_run.array() - of_run.mean()).square().sum();
   }
   return square / static_cast<double>(rows.size());
@@ -66,7 +59,7 @@ std::vector<compare::TurnOnBias> turn_on_biases(const model::Model& model,
   }
   const Eigen::MatrixXd offsets = run_offset_columns(series.rows());
   const NoiseWeightedFit fit =
-      fit_rows(series, with_fixed_shapes(series.acting(model.terms)), offsets);
+      fit_rows(series, model::with_fixed_shapes(series.acting(model.terms)), offsets);
   if (series.rows().size() <= fit.linear() || !is_determined(fit)) return found;
   const Eigen::MatrixXd covariance = coefficient_covariance(series.rows(), fit);
   const double of_form = rules::kModelFormTolerance * drift_square(series.rows(), fit);

@@ -66,4 +66,13 @@ std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& term
   return parameters;
 }
 
+std::vector<EffectTerm> with_fixed_shapes(std::vector<EffectTerm> terms,
+                                          const std::vector<std::size_t>& free) {
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (std::find(free.begin(), free.end(), i) != free.end()) continue;
+    std::fill(terms[i].identified.begin(), terms[i].identified.end(), false);
+  }
+  return terms;
+}
+
 }  // namespace fogcomp::model

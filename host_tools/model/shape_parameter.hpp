@@ -24,4 +24,8 @@ struct ShapeParameter {
 
 std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& terms);
 
+/// Fixes the shapes of all terms but those at the positions `free`.
+std::vector<EffectTerm> with_fixed_shapes(std::vector<EffectTerm> terms,
+                                          const std::vector<std::size_t>& free = {});
+
 }  // namespace fogcomp::model

@@ -89,8 +89,7 @@ Eigen::VectorXd noise_scale(const series::Rows& rows, const Eigen::VectorXd& res
   const double share = shrinkage_factor(windows, typical);
   for (std::size_t i = 0; i < windows.ranges.size(); ++i) {
     if (!std::isfinite(windows.log_sigma[i])) continue;
-    const recording::RowRange& range = windows.ranges[i];
-    scale.segment(static_cast<Eigen::Index>(range.first), static_cast<Eigen::Index>(range.size()))
+    series::of_rows(scale, windows.ranges[i])
         .setConstant(std::exp(share * (windows.log_sigma[i] - typical)));
   }
   return scale;

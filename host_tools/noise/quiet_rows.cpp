@@ -78,8 +78,7 @@ std::vector<Eigen::VectorXd> parts_of(const Eigen::VectorXd& values,
                                       const std::vector<recording::RowRange>& ranges) {
   std::vector<Eigen::VectorXd> parts;
   for (const recording::RowRange& range : ranges) {
-    parts.push_back(values.segment(static_cast<Eigen::Index>(range.first),
-                                   static_cast<Eigen::Index>(range.size())));
+    parts.push_back(series::of_rows(values, range));
   }
   return parts;
 }

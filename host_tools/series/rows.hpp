@@ -44,6 +44,13 @@ struct Rows {
   std::vector<double> temperature_rates_degc_per_min() const;
 };
 
+/// The part of a vector with one value per row.
+template <class Vector>
+auto of_rows(Vector& values, const recording::RowRange& range) {
+  return values.segment(static_cast<Eigen::Index>(range.first),
+                        static_cast<Eigen::Index>(range.size()));
+}
+
 /// Averages the blocks of one recording to rows, appended to `rows`.
 class RowAverager {
  public:
