@@ -173,7 +173,8 @@ LikelyFormulas likely_formulas(const model::Model& model, const Diagnosis& diagn
   const Diagnosis offered = diagnose(model, data.with_offered(formulas), settings);
   LikelyFormulas likely;
   likely.chance = offered.chance;
-  likely.show_something = offered.verdict != Verdict::none && !offered.faint;
+  likely.show_something =
+      offered.verdict != Verdict::none && !offered.faint && !offered.walk.may_be_all();
   if (!diagnosis.experiment) likely.experiment = offered.experiment;
   double explained_fraction = 1;
   for (const CandidateFinding& finding : offered.candidates) {

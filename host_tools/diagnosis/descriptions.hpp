@@ -56,7 +56,7 @@ struct LikelyFormulas {
   std::vector<Description> descriptions;  ///< of the same
   std::optional<Experiment> experiment;   ///< that would tell these apart
   double chance = 1;            ///< that noise alone would look like this, all formulas counted
-  bool show_something = false;  ///< that chance is as small as a diagnosis asks
+  bool show_something = false;  ///< that chance is as small as a diagnosis asks, and no walk's
 };
 /// Diagnoses again, with all formulas over temperature, its rate and the one other input on which
 /// the residual depends (formulas_over()) beside the catalogue.

@@ -61,6 +61,10 @@ std::vector<VaryingSignal> varying_signals(const series::SignalSeries& series,
 std::string lag_text(const std::string& text) {
   return "lag(" + text + "," + kLagBounds + ")";
 }
+// Through two masses in a chain, such as housing and coil: no single lag begins as slowly.
+std::string twice_lag_text(const std::string& text) {
+  return "lag(" + lag_text(text) + ",?tau)";
+}
 
 // Forms of one signal. Not for what the catalogue has: powers of the temperature
 // (bias_temperature), periods in it (polarization_ripple), its rate with a lag (thermal_lag). A
@@ -72,6 +76,10 @@ void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
   const double span = signal.span();
   formulas.add(x + "_late_squared", lag_text(x) + "^2");
   if (x == "T") formulas.add("T_late_cubed", lag_text(x) + "^3");
+  if (x == "dTdt") {
+    formulas.add("dTdt_twice_late_squared", twice_lag_text(x) + "^2");
+    formulas.add("dTdt_twice_late_size", "abs(" + twice_lag_text(x) + ")");
+  }
   if (x != "T") {
     if (signal.is_extension) formulas.add(x + "_itself", x);
     formulas.add(x + "_squared", x + "^2");

@@ -23,10 +23,22 @@ diagnosed() {
 
 for seed in 11 14; do
   diagnosed "$seed" squared_lag:tau_s=700,scale=60
-  [[ $(value said.json verdict) == unknown && $(value said.json forms 0 name) == 'lag(dTdt,tau)^2' ]] ||
+  [[ $(value said.json verdict) == unknown && $(value said.json forms 0 name) == 'lag(lag(dTdt,tau),tau)^2' ]] ||
     fail "seed $seed: $(cat said.txt)"
   grep -q '^something is missing: what looks like slow noise follows a formula' said.txt || fail "$(cat said.txt)"
   eval "\"\$fogcomp\" $(sed -n 's/^  next: fogcomp //p' said.txt)" >added.txt || fail "refused: $(cat added.txt)"
   diagnosed "$seed"
   [[ $(value said.json verdict) == none ]] || fail "seed $seed, clean: $(cat said.txt)"
 done
+
+# The same where a random walk of the bias explains what is left as well as any effect of the catalogue.
+"$fogcomp" simulate -o walk.csv --profile ramp_rates --seed 72003632 --preset none --rate 0.1 --columns all \
+  --noise white=0.001188,flicker=0.003733,outliers=0.2,outlier_dph=4 --effect coil --latitude 34.27 \
+  --effect housing:housing_j_per_k=464,to_air_w_per_k=0.682,self_heating_w=2.79 \
+  --effect sensor:lag_s=9.8,resolution_k=0.03125,noise_k=0.0154 --effect bias:value_dph=-0.0376 \
+  --effect bias_temperature:slope=-1.394e-04,curvature=1.959e-06 --effect temperature_rate:coefficient=-0.0707 \
+  --effect squared_lag:tau_s=2647,scale=7.26973 >/dev/null
+"$fogcomp" fit walk.csv -o walk.model --effects bias,bias_temperature:order=2,temperature_rate >/dev/null
+"$fogcomp" diagnose walk.model walk.csv --json >said.json
+[[ $(value said.json forms 0 name) == 'lag(lag(dTdt,tau),tau)^2' ]] || fail "beside a walk: $(cat said.json)"
+awk -v chance="$(value said.json random_walk chance)" 'BEGIN { exit !(chance > 0.01) }' || fail 'no walk would explain it'

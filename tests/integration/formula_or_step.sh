@@ -25,7 +25,7 @@ for case in 902:300:8 904:600:5; do
   gyro late power_cycles "$seed" "squared_lag:tau_s=$tau_s,scale=$scale"
   likeliest=$(value late.json explanations 0 effects | tr -d '[] \n')
   [[ $likeliest == '"temperature_rate_product","bias_step"' ]] || fail "no imitation: $(cat late.json)"
-  [[ $(value late.json verdict) == unknown && $(value late.json forms 0 name) == 'lag(dTdt,tau)^2' ]] ||
+  [[ $(value late.json verdict) == unknown && $(value late.json forms 0 name) == 'lag(lag(dTdt,tau),tau)^2' ]] ||
     fail "seed $seed: $(cat late.json)"
   "$fogcomp" diagnose late.model late.csv >late.txt
   grep -q 'what looks like temperature_rate_product.* needs a bias step beside it, and a formula needs none$' late.txt ||

@@ -9,7 +9,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 
-# Strain that follows the square of the temperature rate, late: in the simulator alone.
+# Strain that follows the square of the temperature rate, behind two masses: in the simulator alone.
 hidden=squared_lag:scale=3
 parts="--effect $hidden --effect polarization_ripple:second=0" # one ripple, which the model then describes in full
 "$fogcomp" simulate -o run.csv --seed 4 $parts >/dev/null
@@ -20,12 +20,12 @@ known=bias,bias_temperature,temperature_rate,temperature_rate_product,polarizati
 "$fogcomp" diagnose gyro.model run.csv >alone.txt
 grep -q '^something is missing that no effect of the catalogue explains' alone.txt || fail "$(cat alone.txt)"
 # It finds the form by itself, says that this is no cause, and proposes what `add` accepts.
-grep -qF 'it looks like lag(dTdt,tau)^2' alone.txt || fail "the form: $(cat alone.txt)"
+grep -qF 'it looks like lag(lag(dTdt,tau),tau)^2' alone.txt || fail "the form: $(cat alone.txt)"
 grep -q 'this describes it, it does not say what it is' alone.txt || fail "a description: $(cat alone.txt)"
 eval "\"$fogcomp\" $(sed -n 's/^  next: fogcomp //p' alone.txt)" >described.txt || fail "refused: $(cat described.txt)"
 "$fogcomp" diagnose gyro.model run.csv --json >alone.json
-[[ $(value alone.json forms 0 name) == 'lag(dTdt,tau)^2' &&
-  $(value alone.json forms 1 name) == 'lag(dTdt^2,tau)' ]] || fail "forms: $(cat alone.json)"
+[[ $(value alone.json forms 0 name) == 'lag(lag(dTdt,tau),tau)^2' &&
+  $(value alone.json forms 1 name) == 'lag(dTdt,tau)^2' ]] || fail "forms: $(cat alone.json)"
 
 # What does not describe it is not named.
 "$fogcomp" diagnose gyro.model run.csv --effect-expr 'burst = T*T*dTdt' >wrong.txt

@@ -33,9 +33,9 @@ TEST(Forms, AreOfTheSignalsThatVaryAndHaveNamesOfTheirOwn) {
     EXPECT_TRUE(names.insert(term.name).second) << term.name;
     EXPECT_EQ(term.expression->expression.needs() & fog::kAllExtensionInputs, 0U) << term.name;
   }
-  for (const char* text :
-       {"dTdt^2", "abs(dTdt)", "T^2*dTdt", "T*dTdt^2", "lag(dTdt^2,tau)", "lag(dTdt,tau)^2",
-        "abs(lag(dTdt,tau))", "(T-c)^2*dTdt", "max(T-c,0)", "sin(6.2832*dTdt/p)"}) {
+  for (const char* text : {"dTdt^2", "abs(dTdt)", "T^2*dTdt", "T*dTdt^2", "lag(dTdt^2,tau)",
+                           "lag(dTdt,tau)^2", "abs(lag(dTdt,tau))", "lag(lag(dTdt,tau),tau)^2",
+                           "(T-c)^2*dTdt", "max(T-c,0)", "sin(6.2832*dTdt/p)"}) {
     EXPECT_TRUE(has_text(found, text)) << text;
   }
   EXPECT_FALSE(has_text(found, "T*dTdt")) << "the catalogue has it";
