@@ -205,23 +205,30 @@ TriedAddition AdditionJudge::of_description(AdditionRequest request) {
   });
   for (std::string& objection : objections) object(std::move(objection), trial);
   if (trial.accepted) {
-    object(objection_of_directions(*addition), trial);
+    object(objection_of_far_rows(*addition), trial);
     trial.fails_far = !trial.accepted;
   }
   take_model(addition, trial);
   return trial;
 }
 
-// Reason why the addition harms in the direction of the temperature that was left out; "" if it
+// Reason why the addition raises the error of rows unlike those that it was fitted to; "" if it
 // does not, if the runs do not show it, if holdouts judge, or for an event. A name is not asked
-// this: other effects that are missing stand out in one direction only.
-std::string AdditionJudge::objection_of_directions(const fit::Addition& addition) const {
+// this: other effects that are missing stand out in some of these rows only.
+std::string AdditionJudge::objection_of_far_rows(const fit::Addition& addition) const {
   if (!runs_.holdouts.empty() || !addition.out_of_sample || addition.changed.empty()) return "";
   const fit::Identification& fit = addition.fit.identified;
-  const auto judged = fit::judge_far_rows(
-      series_->known(), refitted_->model.terms, addition.model.terms, addition.changed,
-      {fit.noise, fit.row_weights, run_offsets_}, fit::FarRows::directions);
-  return judged && judged->harms() ? fit::harm_words(*judged) : "";
+  const fit::JudgedWith with{fit.noise, fit.row_weights, run_offsets_};
+  const fit::CrossValidation validation(series_->known(), refitted_->model.terms,
+                                        addition.model.terms, addition.changed, with);
+  const auto directions = validation.on_far_rows(fit::FarRows::directions);
+  if (directions && directions->harms()) return fit::harm_words(*directions);
+  const fit::TemperatureTest temperatures = validation.on_temperatures();
+  if (temperatures.judged && temperatures.judged->harms()) {
+    return fit::harm_words(*temperatures.judged);
+  }
+  if (temperatures.fails()) return fit::failure_words(temperatures);
+  return "";
 }
 
 // Reason why the addition, identified on the other runs, fails on this run; "" if it does not, or
@@ -252,8 +259,10 @@ bool AdditionJudge::others_show(const fit::Addition& on_all, std::size_t run) co
   }
   if (of_own_input.empty()) return true;
   const fit::Identification& fit = on_all.fit.identified;
-  return fit::others_determine(series_->known(), on_all.model.terms, of_own_input, run,
-                               {fit.noise, fit.row_weights, run_offsets_});
+  const fit::JudgedWith with{fit.noise, fit.row_weights, run_offsets_};
+  return fit::CrossValidation(series_->known(), refitted_->model.terms, on_all.model.terms,
+                              of_own_input, with)
+      .others_determine(run);
 }
 
 }  // namespace fogcomp::diagnosis

@@ -86,17 +86,18 @@ class AdditionJudge {
   /// (fit::possible_gain(), fit::rules::kVisible). A trial takes a hundred times as long.
   bool may_help(const AdditionRequest& request);
 
-  /// For a description without physics also requires every run, and no harm in either direction of
-  /// the temperature (fit::judge_far_rows()): stretches left out of a run have the temperatures and
-  /// rates of their neighbours, another programme has not. A run that alone moves an input of the
-  /// description does not judge it, nor does one that shows nothing of effects of the catalogue.
+  /// For a description without physics also requires every run, no harm in either direction of
+  /// the temperature, and no failure at temperatures that were not fitted (fit::TemperatureTest):
+  /// stretches left out of a run have the temperatures and rates of their neighbours, another
+  /// programme has not. A run that alone moves an input of the description does not judge
+  /// it, nor does one that shows nothing of effects of the catalogue.
   TriedAddition of_description(AdditionRequest request);
 
  private:
   // The verdict, without a model. `addition`: nothing if it could not be fitted.
   TriedAddition tried(AdditionRequest request, std::optional<fit::Addition>& addition);
   void take_model(std::optional<fit::Addition>& addition, TriedAddition& trial) const;
-  std::string objection_of_directions(const fit::Addition& addition) const;
+  std::string objection_of_far_rows(const fit::Addition& addition) const;
   std::string objection_of_run(const AdditionRequest& request, std::size_t run,
                                const fit::Addition& on_all) const;
   bool others_show(const fit::Addition& on_all, std::size_t run) const;

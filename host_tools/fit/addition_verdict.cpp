@@ -29,9 +29,11 @@ struct Judge {
   // `changed`: the terms of `after` that `before` lacks.
   OutOfSample operator()(const model::Model& before, const model::Model& after,
                          const std::vector<std::size_t>& changed) const {
-    if (pair.holdouts.empty()) {
-      return cross_validate(pair.known, before.terms, after.terms, changed, with);
-    }
+    if (!pair.holdouts.empty()) return on_holdouts(before, after);
+    return CrossValidation(pair.known, before.terms, after.terms, changed, with)
+        .on_runs_or_stretches();
+  }
+  OutOfSample on_holdouts(const model::Model& before, const model::Model& after) const {
     return judge_on_holdouts(without_network(before), without_network(after), pair.holdouts,
                              with.noise, with.run_offsets);
   }
@@ -106,6 +108,33 @@ std::vector<Addition::Part> judge_parts(const Judge& judge, PartsOfSet& models) 
   return parts;
 }
 
+// Judges the effects out of sample: all together, each of several, far from the rows fitted.
+void judge_rows(const Judge& judge, Addition& after) {
+  const FittedPair& pair = judge.pair;
+  std::optional<CrossValidation> validation;
+  if (pair.holdouts.empty() || !pair.settings.verdict_only) {
+    validation.emplace(pair.known, pair.before.terms, after.model.terms, after.changed, judge.with);
+  }
+  after.out_of_sample = pair.holdouts.empty() ? validation->on_runs_or_stretches()
+                                              : judge.on_holdouts(pair.before, after.model);
+  if (pair.settings.verdict_only && !after.out_of_sample->helps()) return;
+  if (after.changed.size() > 1) {
+    PartsOfSet models(pair, after.model);
+    after.parts = judge_parts(judge, models);
+  }
+  if (!pair.settings.verdict_only) after.halves = validation->on_halves();
+  const bool has_needless = std::any_of(after.parts.begin(), after.parts.end(), is_needless);
+  if (after.out_of_sample->within_runs && after.out_of_sample->helps() && !has_needless) {
+    after.thirds = validation->on_far_rows(FarRows::thirds);
+  }
+}
+
+std::optional<double> ask_walk(const Judge& judge, const Addition& after) {
+  if (!judge.with.noise.from_quiet_parts) return std::nullopt;
+  return chance_of_walk_instead(judge.pair.before.terms, after.model.terms, after.changed,
+                                judge.pair.known, judge.with);
+}
+
 // Reason not to accept a new part of a term although it helps.
 struct Doubt {
   std::string sentence;  // "" if there is none
@@ -152,40 +181,22 @@ std::vector<std::size_t> places_of(const EffectChange& change,
 void judge_effects(const FittedPair& pair, Addition& after) {
   const AddSettings& settings = pair.settings;
   const Identification& identified = after.fit.identified;
-  const std::vector<model::EffectTerm>& without = pair.before.terms;
   const Judge judge{pair, {identified.noise, identified.row_weights, settings.run_offsets}};
-  std::optional<double> chance_of_walk;
-  const auto ask_walk = [&] {
-    if (!identified.noise.from_quiet_parts) return;
-    chance_of_walk =
-        chance_of_walk_instead(without, after.model.terms, after.changed, pair.known, judge.with);
-  };
   // Few runs are judged by their stretches, and then a walk is asked for: both at once.
   const std::size_t runs = pair.known.series().rows().runs().size();
   const bool few = pair.holdouts.empty() && runs < rules::kEnoughRuns;
+  std::optional<double> chance_of_walk;
   std::atomic<bool> has_failed{false};
   for_each_index(few ? 2 : 1, [&](std::size_t i) {
-    if (i == 1 && !has_failed) ask_walk();
-    if (i == 1) return;
-    after.out_of_sample = judge(pair.before, after.model, after.changed);
-    has_failed = settings.verdict_only && !after.out_of_sample->helps();
+    if (i == 0) {
+      judge_rows(judge, after);
+      has_failed = settings.verdict_only && !after.out_of_sample->helps();
+    } else if (!has_failed) {
+      chance_of_walk = ask_walk(judge, after);
+    }
   });
-  if (has_failed) return;
-  if (after.changed.size() > 1) {
-    PartsOfSet models(pair, after.model);
-    after.parts = judge_parts(judge, models);
-  }
-  if (!settings.verdict_only) {
-    after.halves = judge_halves(pair.known, without, after.model.terms, after.changed, judge.with);
-  }
-  if (!after.out_of_sample->within_runs) return;
-  const bool has_needless = std::any_of(after.parts.begin(), after.parts.end(), is_needless);
-  if (after.out_of_sample->helps() && !has_needless) {
-    after.thirds = judge_far_rows(pair.known, without, after.model.terms, after.changed, judge.with,
-                                  FarRows::thirds);
-  }
-  if (!few) ask_walk();
-  after.chance_of_walk = chance_of_walk;
+  if (has_failed || !after.out_of_sample->within_runs) return;
+  after.chance_of_walk = few ? chance_of_walk : ask_walk(judge, after);
 }
 
 void judge_network(const FittedPair& pair, Addition& after) {

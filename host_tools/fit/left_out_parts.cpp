@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "fit/decision_rules.hpp"
 #include "noise/autocorrelation.hpp"
@@ -71,6 +72,22 @@ std::vector<Part> directions_of(const series::Rows& rows) {
     if (rates[row] < -rules::kRampDegcPerMin) cooling.push_back({row, row + 1});
   }
   return {heating, cooling};
+}
+
+std::vector<Part> temperatures_of(const series::Rows& rows) {
+  const std::vector<double> degc = rows.temperatures_degc();
+  std::vector<std::size_t> coldest_first(degc.size());
+  std::iota(coldest_first.begin(), coldest_first.end(), std::size_t{0});
+  std::stable_sort(coldest_first.begin(), coldest_first.end(),
+                   [&](std::size_t a, std::size_t b) { return degc[a] < degc[b]; });
+  std::vector<Part> thirds(3);
+  std::vector<std::size_t> third_of(degc.size());
+  for (std::size_t i = 0; i < degc.size(); ++i) {
+    third_of[coldest_first[i]] = i * thirds.size() / degc.size();
+  }
+  for (std::size_t row = 0; row < degc.size(); ++row)
+    thirds[third_of[row]].push_back({row, row + 1});
+  return thirds;
 }
 
 std::string how_of(const std::vector<Part>& parts, const series::Rows& rows) {

@@ -27,6 +27,9 @@ std::vector<Part> cut_runs(const series::Rows& rows, std::size_t count);
 /// Rows in ramps: heating, cooling (rules::kRampDegcPerMin).
 std::vector<Part> directions_of(const series::Rows& rows);
 
+/// A third of the rows each: the coldest, the middle, the warmest.
+std::vector<Part> temperatures_of(const series::Rows& rows);
+
 /// "on stretches of 7.08 min, a fifth of them left out in turn"
 std::string how_of(const std::vector<Part>& parts, const series::Rows& rows);
 

@@ -116,8 +116,6 @@ LinearFit WhitenedProblem::solve(const std::vector<model::ShapeParameter>& param
   return solve_with_instruments(columns, instruments, measured_);
 }
 
-// Derivative of the sum of regressors, with these coefficients, by the parameter's position in its
-// range, 0 to 1; not whitened.
 Eigen::VectorXd WhitenedProblem::derivative(const model::ShapeParameter& parameter,
                                             const Eigen::VectorXd& coefficients) const {
   model::EffectTerm moved = terms_[parameter.term];

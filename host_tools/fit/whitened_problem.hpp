@@ -34,6 +34,10 @@ class WhitenedProblem {
   /// matrix() and, after it, the derivatives by each parameter's position in its range, with the
   /// best coefficients.
   Eigen::MatrixXd jacobian(const std::vector<model::ShapeParameter>& parameters) const;
+  /// Derivative of the sum of a term's regressors, with these coefficients, by its parameter's
+  /// position in its range, 0 to 1; not whitened.
+  Eigen::VectorXd derivative(const model::ShapeParameter& parameter,
+                             const Eigen::VectorXd& coefficients) const;
 
   /// Of the columns that a shape moves, the others projected out: the best coefficients and the
   /// residual sum of squares with them (infinite if an expression overflows). There must be a shape
@@ -62,8 +66,6 @@ class WhitenedProblem {
   Eigen::MatrixXd whitened(const model::EffectTerm& term,
                            series::Reading reading = series::Reading::of_sensor) const;
   void project_out_fixed();
-  Eigen::VectorXd derivative(const model::ShapeParameter& parameter,
-                             const Eigen::VectorXd& coefficients) const;
   /// Whitened, one per parameter; `coefficients` are those of `columns`, which are those of each
   /// term.
   Eigen::MatrixXd derivatives(const std::vector<model::ShapeParameter>& parameters,

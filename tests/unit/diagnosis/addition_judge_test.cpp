@@ -49,18 +49,24 @@ TEST(AdditionJudge, DoesNotLetTheOnlyRunThatShowsADescriptionJudgeIt) {
   EXPECT_TRUE(trial.accepted) << trial.reason;
 }
 
-// A run whose drift has 0.05 deg/h sin(T) times `factor`(recording, row) beside that of truth().
-JudgingRuns run_with_sine(
-    const std::function<double(const recording::Recording&, std::size_t)>& factor) {
+// A run with `drift_dph`(recording, row) beside the drift of truth().
+JudgingRuns run_with(
+    const std::function<double(const recording::Recording&, std::size_t)>& drift_dph) {
   recording::Recording recording =
       fog::test::recording_of(fog::test::truth(), fog::test::kAdditionNoise, 1);
   for (std::size_t i = 0; i < recording.rows(); ++i) {
-    const double sine = std::sin(recording.temperature_degc[i]);
-    recording.rate_dph[i] += 0.05 * sine * factor(recording, i);
+    recording.rate_dph[i] += drift_dph(recording, i);
   }
   JudgingRuns runs{fog::test::runs_of(fog::test::truth(), {}), {}};
   runs.training.runs = {compare::run_in_blocks(recording, 10)};
   return runs;
+}
+// The same with 0.05 deg/h sin(T) times `factor`(recording, row).
+JudgingRuns run_with_sine(
+    const std::function<double(const recording::Recording&, std::size_t)>& factor) {
+  return run_with([&](const recording::Recording& r, std::size_t i) {
+    return 0.05 * std::sin(r.temperature_degc[i]) * factor(r, i);
+  });
 }
 
 const AdditionRequest kSine{{}, "x = sin(T)", false, false};
@@ -80,6 +86,24 @@ TEST(AdditionJudge, RefusesADescriptionThatContradictsItselfInTheOtherDirection)
   EXPECT_TRUE(refused.fails_far);
   EXPECT_LT(refused.left(), 1) << "stretches do not show it";
   EXPECT_NE(refused.reason.find("heating and cooling"), std::string::npos) << refused.reason;
+}
+
+// Something that begins in the warm, described by a power of the temperature: each stretch lies
+// between rows of its own temperature, which tell, and the cold has nothing of it.
+TEST(AdditionJudge, RefusesADescriptionThatFailsAtTemperaturesNotFitted) {
+  const JudgingRuns runs = run_with([](const recording::Recording& r, std::size_t i) {
+    return 0.01 * std::max(0.0, r.temperature_degc[i] - 20);
+  });
+  const model::Model model = fog::test::incomplete(fog::test::kComplete);
+  AdditionJudge judge(model, runs, false);
+  const TriedAddition kink = judge.of_description({{}, "kink = max(T-20,0)", false, false});
+  EXPECT_TRUE(kink.accepted) << kink.reason;
+  const TriedAddition power = judge.of_description({{}, "power = T^5", false, false});
+  EXPECT_FALSE(power.accepted);
+  EXPECT_TRUE(power.fails_far);
+  EXPECT_LT(power.left(), 1) << "stretches do not show it";
+  EXPECT_NE(power.reason.find("temperatures that were not fitted"), std::string::npos)
+      << power.reason;
 }
 
 TEST(AdditionJudge, RefusesWhatHarmsInThirdsOfTheRun) {

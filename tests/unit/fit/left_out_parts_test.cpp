@@ -38,5 +38,17 @@ TEST(LeftOutParts, TellHeatingFromCoolingAndLeaveSoaks) {
   EXPECT_EQ(directions[1].back().end, 101U);
 }
 
+TEST(LeftOutParts, DivideRowsByTemperature) {
+  const auto ramp_and_back = [](double row) { return 20 + std::abs(row - 150); };
+  const std::vector<Part> thirds = temperatures_of(fog::test::made_rows(300, ramp_and_back));
+  ASSERT_EQ(thirds.size(), 3U);
+  for (const Part& third : thirds) EXPECT_EQ(rows_of(third), 100U);
+  for (const recording::RowRange& row : thirds[0]) {
+    EXPECT_NEAR(static_cast<double>(row.first), 150, 51);
+  }
+  EXPECT_EQ(thirds[2].front().first, 0U);
+  EXPECT_EQ(thirds[2].back().end, 300U);
+}
+
 }  // namespace
 }  // namespace fogcomp::fit

@@ -27,6 +27,7 @@ inline fogcomp::series::Rows made_rows(std::size_t count,
     signals.block.temperature = signals.temperature;
     signals.block.elapsed = row;
     rows.signals.push_back(signals);
+    rows.inputs.push_back(signals.block);
   }
   return rows;
 }

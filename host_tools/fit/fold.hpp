@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "fit/known_regressors.hpp"
+#include "fit/left_out_parts.hpp"
+#include "fit/out_of_sample.hpp"
+
+namespace fogcomp::fit {
+
+/// A set of effects, identified without some of the rows.
+struct Fold {
+  std::vector<model::EffectTerm> terms;  ///< with the shapes of this fit
+  Eigen::VectorXd residual_dph;          ///< in all rows
+  bool determined = false;               ///< the rows that are left determine every coefficient
+  Eigen::VectorXd sigma_dph;             ///< of the coefficients, if determined
+};
+
+/// Solves for all coefficients of `terms` and, if anything is left out, for those of their shapes
+/// that are identified: with all rows the fit that is judged has found them.
+Fold leave_out(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
+               const Part& left_out, const JudgedWith& with);
+
+/// Standard deviation of what a fold predicts in each row, deg/h, by the uncertainty of its
+/// coefficients and shapes; that of noise as strong and as correlated as what the fit leaves.
+/// `left_out`, `with`: those of the fold, which must be determined.
+Eigen::VectorXd prediction_sigma_dph(const KnownRegressors& known, const Fold& fold,
+                                     const Part& left_out, const JudgedWith& with);
+
+/// Standard deviation of what a fold predicts in each row, deg/h, by the uncertainty of its
+/// coefficients and shapes, with noise as strong and as long as what the fit leaves. `left_out`,
+/// `with`: those of leave_out(). Infinite if the fold is not determined.
+Eigen::VectorXd prediction_sigma_dph(const KnownRegressors& known, const Fold& fold,
+                                     const Part& left_out, const JudgedWith& with);
+
+/// Whether the rows of `fold` determine every coefficient not far worse than all rows do
+/// (rules::kFarWorse times their sigma).
+bool determines_all(const Fold& fold, const Fold& all);
+
+/// Whether they determine terms[i], i in `asked`, not much worse (rules::kMuchWorse).
+bool determines_terms(const Fold& fold, const Fold& all, const KnownRegressors& known,
+                      const std::vector<model::EffectTerm>& terms,
+                      const std::vector<std::size_t>& asked);
+
+}  // namespace fogcomp::fit
