@@ -81,6 +81,18 @@ bool is_large(const JudgingRuns& runs) {
   return blocks > kMaxBlocks;
 }
 
+// Refuses a description that leaves nearly all that is above the noise.
+void refuse_if_little(double noise_floor_dph, TriedAddition& tried) {
+  const double before = tried.rms_before_dph * tried.rms_before_dph;
+  const double fall = before - tried.rms_after_dph * tried.rms_after_dph;
+  const double above_noise = before - noise_floor_dph * noise_floor_dph;
+  if (!tried.accepted || fall >= rules::kHardlyHelps * above_noise) return;
+  tried.accepted = false;
+  tried.reason =
+      format("it leaves nearly all that is above the noise: %s -> %s deg/h",
+             rounded(tried.rms_before_dph).c_str(), rounded(tried.rms_after_dph).c_str());
+}
+
 // Tries the first few descriptions; of those accepted the one that leaves least out of sample is
 // taken, an earlier one if that is nearly as good. The addition that `next` has is the first.
 bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
@@ -91,6 +103,7 @@ bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
   std::vector<TriedAddition> tried(descriptions.size());
   const auto judge_one = [&](std::size_t i) {
     tried[i] = judge.of_description(std::move(descriptions[i].request));
+    refuse_if_little(diagnosis.noise_floor_dph, tried[i]);
   };
   judge_one(0);  // with all threads: often it is the one
   if (leaves_noise(tried[0], diagnosis.noise_floor_dph, judge.runs())) {
@@ -234,9 +247,12 @@ bool may_learn(const model::Model& model, const Diagnosis& diagnosis, const Judg
   return has_other_runs && is_function_of_signals(diagnosis) && !model.network.present();
 }
 
-// Whether what these runs call their own slow noise is enough to hide an effect.
+// Whether what is left may be slow noise, by these runs alone, and enough to hide an effect.
 bool noise_may_hide(const Diagnosis& diagnosis) {
-  return !diagnosis.blind_spot.empty() &&
+  const bool may_be_noise = diagnosis.verdict == Verdict::none
+                                ? !diagnosis.blind_spot.empty()
+                                : diagnosis.walk.may_be_all() && !is_mainly_fast(diagnosis);
+  return may_be_noise &&
          diagnosis.residual_rms_dph > (1 + rules::kMuchAboveWhite) * diagnosis.noise.white_dph();
 }
 
@@ -306,7 +322,8 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   bool nothing_describes = false;
   if (diagnosis.verdict != Verdict::none) {
     nothing_describes = !try_what_may_be_missing(model, diagnosis, data, judge, settings, next);
-  } else if (noise_may_hide(diagnosis)) {
+  }
+  if (!next.addition && noise_may_hide(diagnosis)) {
     try_what_noise_hides(model, diagnosis, data, judge, settings, next);
   }
   if (!next.addition) refine(model, judge, next);
