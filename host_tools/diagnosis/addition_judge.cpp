@@ -259,10 +259,8 @@ bool AdditionJudge::others_show(const fit::Addition& on_all, std::size_t run) co
   }
   if (of_own_input.empty()) return true;
   const fit::Identification& fit = on_all.fit.identified;
-  const fit::JudgedWith with{fit.noise, fit.row_weights, run_offsets_};
-  return fit::CrossValidation(series_->known(), refitted_->model.terms, on_all.model.terms,
-                              of_own_input, with)
-      .others_determine(run);
+  return fit::others_determine(series_->known(), on_all.model.terms, of_own_input, run,
+                               {fit.noise, fit.row_weights, run_offsets_});
 }
 
 }  // namespace fogcomp::diagnosis

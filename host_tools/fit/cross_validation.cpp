@@ -154,18 +154,18 @@ std::optional<OutOfSample> CrossValidation::on_far_rows(FarRows far) const {
 TemperatureTest CrossValidation::on_temperatures() const {
   const LeftOut left = leave_out_each(temperatures_of(rows_));
   TemperatureTest test{judge_far(left, "on thirds of the temperatures, each left out once")};
+  const std::vector<bool> everywhere(left.parts.size(), true);
+  const Eigen::VectorXd weights = noise::counted_weights(rows_, with_.row_weights);
   const auto rms = [&](const std::function<Eigen::VectorXd(std::size_t)>& values_of) {
-    const std::vector<bool> all(left.parts.size(), true);
-    return weighted_rms(left.joined(all, values_of),
-                        noise::counted_weights(rows_, with_.row_weights));
+    return weighted_rms(left.joined(everywhere, values_of), weights);
   };
   test.rms_before_dph = rms([&](std::size_t i) { return left.folds[i].before.residual_dph; });
   test.rms_after_dph = rms([&](std::size_t i) { return left.folds[i].after.residual_dph; });
-  const double left_of_all_dph = rms([&](std::size_t) { return all_.after.residual_dph; });
+  if (test.rms_after_dph <= test.rms_before_dph) return test;
   const double uncertain_dph = rms([&](std::size_t i) {
     return prediction_sigma_dph(known_, left.folds[i].after, left.parts[i], with_);
   });
-  test.rms_expected_dph = std::hypot(left_of_all_dph, uncertain_dph);
+  test.rms_expected_dph = std::hypot(weighted_rms(all_.after.residual_dph, weights), uncertain_dph);
   return test;
 }
 
@@ -187,10 +187,6 @@ std::vector<HalfTest> CrossValidation::on_halves() const {
     tests.push_back(test);
   }
   return tests;
-}
-
-bool CrossValidation::others_determine(std::size_t run) const {
-  return determine_changed(leave_out(known_, after_, {rows_.runs()[run]}, with_));
 }
 
 OutOfSample cross_validate_learner(const series::Rows& rows, const Eigen::VectorXd& residual_dph,

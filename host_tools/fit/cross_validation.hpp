@@ -27,7 +27,7 @@ struct TemperatureTest {
   double rms_before_dph = 0;
   double rms_after_dph = 0;
   /// By what the second set leaves of all rows and by the uncertainty of its coefficients and
-  /// shapes.
+  /// shapes; 0 if the error does not rise.
   double rms_expected_dph = 0;
 
   /// The error rises to more than rules::kBeyondExpected times what is expected: not for want of
@@ -77,10 +77,6 @@ class CrossValidation {
 
   /// First and second half.
   std::vector<HalfTest> on_halves() const;
-
-  /// Whether the runs but one determine the changed terms not much worse than all runs do: only
-  /// then can that one judge them.
-  bool others_determine(std::size_t run) const;
 
  private:
   // Folds of both sets.

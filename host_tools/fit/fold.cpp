@@ -128,4 +128,13 @@ bool determines_terms(const Fold& fold, const Fold& all, const KnownRegressors& 
   return true;
 }
 
+bool others_determine(const KnownRegressors& known, const std::vector<model::EffectTerm>& after,
+                      const std::vector<std::size_t>& changed, std::size_t run,
+                      const JudgedWith& with) {
+  const std::vector<model::EffectTerm> terms = model::with_fixed_shapes(after, changed);
+  const Fold all = leave_out(known, terms, {}, with);
+  const Fold others = leave_out(known, terms, {known.series().rows().runs()[run]}, with);
+  return determines_terms(others, all, known, terms, changed);
+}
+
 }  // namespace fogcomp::fit

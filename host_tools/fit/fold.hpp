@@ -23,12 +23,6 @@ Fold leave_out(const KnownRegressors& known, const std::vector<model::EffectTerm
                const Part& left_out, const JudgedWith& with);
 
 /// Standard deviation of what a fold predicts in each row, deg/h, by the uncertainty of its
-/// coefficients and shapes; that of noise as strong and as correlated as what the fit leaves.
-/// `left_out`, `with`: those of the fold, which must be determined.
-Eigen::VectorXd prediction_sigma_dph(const KnownRegressors& known, const Fold& fold,
-                                     const Part& left_out, const JudgedWith& with);
-
-/// Standard deviation of what a fold predicts in each row, deg/h, by the uncertainty of its
 /// coefficients and shapes, with noise as strong and as long as what the fit leaves. `left_out`,
 /// `with`: those of leave_out(). Infinite if the fold is not determined.
 Eigen::VectorXd prediction_sigma_dph(const KnownRegressors& known, const Fold& fold,
@@ -42,5 +36,11 @@ bool determines_all(const Fold& fold, const Fold& all);
 bool determines_terms(const Fold& fold, const Fold& all, const KnownRegressors& known,
                       const std::vector<model::EffectTerm>& terms,
                       const std::vector<std::size_t>& asked);
+
+/// Whether the runs but one determine after[i], i in `changed`, not much worse than all runs do:
+/// only then can that one judge them. `after`: identified on all rows.
+bool others_determine(const KnownRegressors& known, const std::vector<model::EffectTerm>& after,
+                      const std::vector<std::size_t>& changed, std::size_t run,
+                      const JudgedWith& with);
 
 }  // namespace fogcomp::fit

@@ -35,8 +35,8 @@ const std::string kLockUp = "processor locked up (QEMU gives up; the watchdog re
 const std::string kHang = "NO ANSWER, NO RESTART";
 const std::string kUnseen = "NOT SEEN";
 
-// A sound board may restart before the flip: QEMU's clock is the host's, and on a busy machine the
-// processor stands still for longer than the watchdog waits.
+// A sound board may restart before the flip: while its processor sleeps, QEMU's clock follows the
+// host's, and a host that stands still then lets the watchdog expire.
 constexpr int kAttempts = 3;
 struct NotHealthy : std::runtime_error {
   using runtime_error::runtime_error;
