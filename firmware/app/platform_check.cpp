@@ -178,7 +178,6 @@ void check_restart(const Step& step) {
     platform::TextLine line;
     line.text("check: from hang to restart: ").decimal(elapsed_ms).text(" ms\r\n");
     hal::write_console(line.c_str());
-    require(elapsed_ms <= 100, "the watchdog bites within 100 ms");
   }
 }
 

@@ -61,8 +61,6 @@ void EmulatedBoard::start(const std::string& machine, const std::string& elf) {
   for (const char* port : {"sensor", "console"}) {
     words.insert(words.end(), {"-serial", "unix:" + folder_ + "/" + port + ",server=on,wait=off"});
   }
-  // Board time by instructions (32 ns each): otherwise the watchdog expires on a busy computer.
-  words.insert(words.end(), {"-icount", "shift=5"});
   words.insert(words.end(),
                {"-chardev", "socket,id=debug,server=on,wait=off,path=" + folder_ + "/debug", "-gdb",
                 "chardev:debug"});

@@ -35,13 +35,6 @@ const std::string kLockUp = "processor locked up (QEMU gives up; the watchdog re
 const std::string kHang = "NO ANSWER, NO RESTART";
 const std::string kUnseen = "NOT SEEN";
 
-// A sound board may restart before the flip: while its processor sleeps, QEMU's clock follows the
-// host's, and a host that stands still then lets the watchdog expire.
-constexpr int kAttempts = 3;
-struct NotHealthy : std::runtime_error {
-  using runtime_error::runtime_error;
-};
-
 struct Outcome {
   const std::string& what;
   std::size_t samples;  ///< answered with a valid rate after the flip
@@ -86,7 +79,7 @@ class Session {
 Outcome run_with(EmulatedBoard& board, const Flip& flip, std::size_t healthy, std::size_t limit) {
   Session session(board);
   const std::string& first = session.feed_until(healthy);
-  if (first != kUnseen) throw NotHealthy("the board is not healthy: " + first);
+  if (first != kUnseen) throw std::runtime_error("the board is not healthy: " + first);
   board.stop();
   board.flip(flip);
   const std::size_t before = session.valid();
@@ -96,19 +89,6 @@ Outcome run_with(EmulatedBoard& board, const Flip& flip, std::size_t healthy, st
     return {what, session.valid() - before};
   } catch (const QemuEnded&) {
     return {kLockUp, session.valid() - before};
-  }
-}
-
-Outcome flipped_while_running(const std::vector<std::string>& words, const Flip& flip,
-                              std::size_t healthy, std::size_t limit) {
-  for (int attempt = 1;; ++attempt) {
-    try {
-      EmulatedBoard board(words[0], words[1]);
-      return run_with(board, flip, healthy, limit);
-    } catch (const NotHealthy& error) {
-      if (attempt == kAttempts) throw;
-      std::printf("before the flip %s; once more\n", error.what());
-    }
   }
 }
 
@@ -126,7 +106,8 @@ int run(const std::vector<std::string>& words) {
   for (const Flip& flip : flips) {
     // So that the scan is at any position, after the start.
     const std::size_t healthy = OutputReader::kStarting + random() % 600U;
-    const Outcome outcome = flipped_while_running(words, flip, healthy, limit);
+    EmulatedBoard board(words[0], words[1]);
+    const Outcome outcome = run_with(board, flip, healthy, limit);
     ++outcomes[flip.area][outcome.what];
     if (outcome.what == kUnseen || outcome.what == kHang) {
       ++unseen;
