@@ -295,9 +295,18 @@ const std::vector<Formula> kFormulas{
        return Columns{map(h.time_s, [&](double t) { return std::exp(-t / shape[0]); })};
      }},
     {"aging",
-     {{60}, {50000}},
+     {{60, 1}, {50000, 1}, {2000, 1.3}},
      [](const History& h, const Values& shape) {
-       return Columns{map(h.time_s, [&](double t) { return std::log1p(t / shape[0]); })};
+       const Values above = above_20(h);
+       Values logarithm;
+       double age_s = 0;
+       double before_s = 0;
+       for (std::size_t i = 0; i < h.size(); ++i) {
+         age_s += std::pow(shape[1], above[i] / 10) * (h.time_s[i] - before_s);
+         before_s = h.time_s[i];
+         logarithm.push_back(std::log1p(age_s / shape[0]));
+       }
+       return Columns{logarithm};
      }},
     {"magnetic",
      {{}},

@@ -12,8 +12,9 @@
 // Why nothing drifts over 10^8 blocks (three years), or any number. An effect is one of three
 // kinds:
 //  * without state (polynomials, ripple, glass transition, field...): nothing to drift;
-//  * a function of the block count (warm_up, aging): exact integer time, computed anew each block;
-//  * with state: play operators, whose clamp is exact and idempotent, and first-order lags.
+//  * a function of the block count (warm_up): exact integer time, computed anew each block;
+//  * with state: play operators, whose clamp is exact and idempotent, first-order lags, and the
+//    age of aging, a sum of whole blocks, each rounded once where q10 is not 1.
 // A lag's update y' = y + round(decay * round(x - y)) is for constant x a map of y alone. It moves
 // y towards x, never past it, and by nothing once |x - y| < 2^-23 or so: from there y is a fixed
 // point, and a fixed point of a deterministic map stays for ever. For x that varies, the update

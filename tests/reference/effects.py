@@ -182,10 +182,21 @@ class WarmUp(Effect):
 
 
 class Aging(Effect):
-    constants = (POSITIVE,)
+    constants = (POSITIVE, NOT_NEGATIVE, POSITIVE)
+
+    def __init__(self, constants):
+        super().__init__(constants)
+        self.age = self.counted = 0
 
     def regressors(self, signals):
-        return [logarithm(self.c[0] + (signals.means.blocks << 9), 9) - logarithm(self.c[0], 9)]
+        below = max((130 << 16) - signals.trained, 0)
+        speed = round_shift(exponential(scaled(below * self.c[1], 21)) * self.c[2], 30)
+        now = signals.means.blocks
+        passed = now if now < self.counted else now - self.counted
+        self.age = min(self.age + passed * speed, (2**31 - 1) << 16)
+        self.counted = now
+        onset = self.c[0] << 7
+        return [logarithm(onset + self.age, 16) - logarithm(onset, 16)]
 
 
 class Magnetic(Effect):

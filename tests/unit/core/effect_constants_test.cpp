@@ -74,7 +74,11 @@ const EffectLimits kEffects[] = {
      {{1, 1}, {36864000, 119305}, {kMax, 3072}},
      {{0, 1}, {1, 0}, {kMax, 3073}, {kMax, kMax}}},
     {"warm_up", 11, 1, {{1}, {kMax}}, {{0}, {-1}}},
-    {"aging", 12, 1, {{1}, {kMax}}, {{0}, {-1}}},
+    {"aging",
+     12,
+     1,
+     {{1, 0, 1}, {kMax, kMax, kMax}},
+     {{0, 0, 1}, {-1, 0, 1}, {1, -1, 1}, {1, 0, 0}, {1, 0, -1}}},
 };
 
 TEST(EffectConstants, AreAcceptedUpToTheirLimitsAndRefusedBeyond) {
