@@ -19,6 +19,17 @@ void warn_of_late_start(const recording::Recording& recording, const recording::
                    recording.time_s[0]));
 }
 
+// A sensor stream has one power-on.
+void warn_of_restart(const recording::Recording& recording, const recording::ReadWatch& watch) {
+  for (std::size_t row = 1; row < recording.rows(); ++row) {
+    if (!recording.restarts_at(row)) continue;
+    watch.say(recording.file,
+              format("was switched on again at %g s; the board sees it as if it had stayed on",
+                     recording.time_s[row]));
+    return;
+  }
+}
+
 }  // namespace
 
 StreamSource::StreamSource(const std::string& path, const recording::ReadOptions& options,
@@ -41,6 +52,7 @@ StreamSource::StreamSource(const std::string& path, const recording::ReadOptions
   all_rows.every_row = true;
   recording_ = recording::read_recording(*file, all_rows);
   if (has(needs, fog::Input::elapsed)) warn_of_late_start(recording_, watch_);
+  warn_of_restart(recording_, watch_);
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     const fog::Input input = fog::extension_input(i);
     if (!has(extension_, input) || !recording_[input].empty()) continue;

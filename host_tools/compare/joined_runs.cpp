@@ -46,10 +46,13 @@ void append(BlockSeries& run, const BlockSeries& next) {
   const std::int64_t offset =
       std::max<std::int64_t>(elapsed, run.blocks.back().number + 1 - next.blocks.front().number);
   average_clock(run, next);
+  const double power_on = run.blocks.back().means.power_on.at;
+  const std::size_t first = run.blocks.size();
   for (BlockSeries::Block block : next.blocks) {
     block.number += offset;
     run.blocks.push_back(block);
   }
+  run.blocks[first].restarts = next.first.power_on.at > power_on + 1;
   run.recordings.insert(run.recordings.end(), next.recordings.begin(), next.recordings.end());
   series::widen(run.input_ranges, next.input_ranges);
   run.rounding_dph = std::max(run.rounding_dph, next.rounding_dph);

@@ -65,7 +65,7 @@ RunInBlocks run_in_blocks(const recording::Recording& recording, double average_
   const double row_s = series::row_length_s(average_s, run.blocks.block_s);
   run.noise_floor_dph = noise::noise_floor_dph(recording, row_s);
   run.notes = long_row_notes(recording, run.segments, row_s);
-  if (recording.power_on_unknown) {
+  if (recording.power_on_unknown && recording.uptime_s.empty()) {
     run.notes.push_back(recording.file +
                         ": power-on is not known: effects of the time since then (warm_up, aging) "
                         "count from its first sample");

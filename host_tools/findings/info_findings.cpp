@@ -75,6 +75,8 @@ void add_extent(Document& document, const recording::Recording& recording) {
   if (recording.rows_per_row > 1) text += format(", each the mean of %zu", recording.rows_per_row);
   const std::size_t gaps = recording.stretch_starts.size() - 1;
   if (gaps > 0) text += ", " + counted(gaps, "gap");
+  const std::size_t restarts = recording.restarts();
+  if (restarts > 0) text += ", " + counted(restarts, "restart");
   if (recording.bad_rows > 0) text += ", " + counted(recording.bad_rows, "bad row") + " left out";
   if (recording.empty_rows > 0) {
     text += ", " + counted(recording.empty_rows, "sample") + " without a value left out";

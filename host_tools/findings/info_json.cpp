@@ -77,6 +77,7 @@ Json info_json(const recording::Recording& recording, const compare::RunSummary&
       .set("empty_rows", recording.empty_rows)
       .set("refused_rows", recording.refused_rows)
       .set("gaps", recording.stretch_starts.size() - 1)
+      .set("restarts", recording.restarts())
       .set("period_s", recording.period_s)
       .set("average_s", summary.average_s)
       .set("outliers", summary.outliers)

@@ -37,26 +37,35 @@ double read_parameter(ModelReader& in, const fog::ParameterDescription& paramete
   return value;
 }
 
-// Effects whose parameters were added after the first model files: without them the defaults are
-// used.
+// Without its parameters in the first model files: the defaults are used.
 constexpr const char* kFirstWithoutParameters = "scale_factor_temperature";
+
+// Whether the effect was as with the defaults before it got its parameters from `count` on.
+bool may_end_at(std::size_t count, const CatalogueEntry& entry) {
+  if (count == 0 && kFirstWithoutParameters == std::string_view(entry.description.name))
+    return true;
+  for (std::size_t i = count; i < entry.parameters.size(); ++i) {
+    if (!is_optional_part(entry.parameters[i]) &&
+        entry.parameters[i].not_given != fog::NotGiven::kept) {
+      return false;
+    }
+  }
+  return count <= entry.parameters.size();
+}
 
 void read_parameters(ModelReader& in, const CatalogueEntry& entry, EffectTerm& term) {
   const std::size_t count = in.count(16);
-  if (count == 0 && term.name == kFirstWithoutParameters) {
-    for (const fog::ParameterDescription& parameter : entry.parameters) {
-      term.parameters.push_back(parameter.default_milli / 1000.0);
-    }
-    term.identified.assign(term.parameters.size(), false);
-    term.parameter_sigma.assign(term.parameters.size(), 0);
-    return;
-  }
-  if (count != entry.parameters.size()) in.fail("wrong number of parameters");
-  for (const fog::ParameterDescription& parameter : entry.parameters) {
-    term.parameters.push_back(read_parameter(in, parameter));
+  if (!may_end_at(count, entry)) in.fail("wrong number of parameters");
+  for (std::size_t i = 0; i < count; ++i) {
+    term.parameters.push_back(read_parameter(in, entry.parameters[i]));
   }
   for (std::size_t i = 0; i < count; ++i) term.identified.push_back(in.count(1) == 1);
   term.parameter_sigma = in.numbers(count);
+  for (std::size_t i = count; i < entry.parameters.size(); ++i) {
+    term.parameters.push_back(entry.parameters[i].default_milli / 1000.0);
+    term.identified.push_back(false);
+    term.parameter_sigma.push_back(0);
+  }
 }
 
 EffectTerm read_effect(ModelReader& in) {

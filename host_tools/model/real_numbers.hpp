@@ -14,6 +14,17 @@ struct RealNumbers {
   using Regressor = double;
   using Elapsed = double;
   using RateRise = double;
+  /// When the power came on last, and for how long it had been on and off before; blocks.
+  struct PowerOn {
+    double at = 0;
+    double was_on = 0;
+    double was_off = 0;
+  };
+  static double since(const PowerOn& start, double now) { return now - start.at; }
+  /// `decay` after a start from cold, less what was left of the warmth before.
+  static double from_cold(const PowerOn& start, double per_tau, double decay) {
+    return decay * (1 + std::expm1(-start.was_on * per_tau) * std::exp(-start.was_off * per_tau));
+  }
   template <int kFractionalBits>
   using Number = double;
   template <int kFractionalBits>

@@ -182,7 +182,7 @@ std::optional<std::size_t> ColumnName::optional_slot() const {
   if (unit->quantity == Quantity::rate && has_word({"input"}))
     return slot_of(Column::input_rate_dph);
   const std::string base = join(words, "_");
-  for (std::size_t slot = kFirstExtensionColumn; slot < kColumns.size(); ++slot) {
+  for (std::size_t slot = slot_of(Column::uptime_s); slot < kColumns.size(); ++slot) {
     if (base == base_of(kColumns[slot]) && quantity_of(slot) == unit->quantity) return slot;
   }
   return std::nullopt;

@@ -39,6 +39,7 @@ inline constexpr auto kColumns = [] {
   }
   columns[static_cast<std::size_t>(Column::rate_dph)] = {Column::rate_dph, "rate_dph", 6, -1e9,
                                                          1e9};
+  columns[static_cast<std::size_t>(Column::uptime_s)] = {Column::uptime_s, "uptime_s", 6, 0, 1e12};
   return columns;
 }();
 

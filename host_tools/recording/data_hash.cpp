@@ -15,14 +15,15 @@ std::uint32_t data_hash(const Recording& recording, std::uint32_t crc) {
   add(recording.temperature_degc);
   add(recording.rate_dph);
   add(recording.input_rate_dph);
-  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    const std::vector<double>& column = recording.extension[i];
-    if (column.empty()) continue;
-    // Includes the column's number, so that the same values in another column give another hash.
+  // Includes the column's number, so that the same values in another column give another hash.
+  const auto add_optional = [&](std::size_t i, const std::vector<double>& column) {
+    if (column.empty()) return;
     const auto number = static_cast<std::uint8_t>(i);
     crc = fog::crc32(&number, 1, crc);
     add(column);
-  }
+  };
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) add_optional(i, recording.extension[i]);
+  add_optional(fog::kExtensionInputs, recording.uptime_s);
   return crc;
 }
 

@@ -57,12 +57,20 @@ std::vector<double>& Recording::operator[](Column column) {
       return rate_dph;
     case Column::input_rate_dph:
       return input_rate_dph;
+    case Column::uptime_s:
+      return uptime_s;
   }
   return extension[static_cast<std::size_t>(column) - kFirstExtensionColumn];
 }
 
 const std::vector<double>& Recording::operator[](Column column) const {
   return const_cast<Recording&>(*this)[column];
+}
+
+std::size_t Recording::restarts() const {
+  std::size_t count = 0;
+  for (std::size_t row = 1; row < rows(); ++row) count += restarts_at(row) ? 1 : 0;
+  return count;
 }
 
 std::vector<double> bias_dph(const Recording& recording) {

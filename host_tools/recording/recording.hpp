@@ -30,8 +30,8 @@ struct CaptureCounts {
 };
 
 /// Columns of a recording. From kFirstExtensionColumn on: the extension inputs, in their order.
-enum class Column : std::uint8_t { time_s, temperature_degc, rate_dph, input_rate_dph };
-constexpr std::size_t kFirstExtensionColumn = 4;
+enum class Column : std::uint8_t { time_s, temperature_degc, rate_dph, input_rate_dph, uptime_s };
+constexpr std::size_t kFirstExtensionColumn = 5;
 
 /// A recording in memory, one vector per column; all have the same length or, for missing columns,
 /// are empty. Columns and units: columns.hpp.
@@ -43,8 +43,10 @@ struct Recording {
   std::vector<double> temperature_degc;
   std::vector<double> rate_dph;
   std::vector<double> input_rate_dph;
+  std::vector<double> uptime_s;  ///< since the last power-on, where time_s goes on after it
   std::array<std::vector<double>, fog::kExtensionInputs> extension;
-  /// First row of each stretch without a gap (spacing at most 1.5 times the median); starts with 0.
+  /// First row of each stretch without a gap (spacing at most 1.5 times the median) or restart;
+  /// starts with 0.
   std::vector<std::size_t> stretch_starts;
   /// From a column `segment`: each text and its first row; else empty.
   struct Label {
@@ -62,6 +64,11 @@ struct Recording {
   std::vector<Mask> masks;  ///< times whose rates are not used
 
   std::size_t rows() const { return time_s.size(); }
+  /// Whether the power was off before a row, as its uptime says.
+  bool restarts_at(std::size_t row) const {
+    return row > 0 && !uptime_s.empty() && uptime_s[row] < uptime_s[row - 1];
+  }
+  std::size_t restarts() const;
 
   std::vector<double>& operator[](Column column);
   const std::vector<double>& operator[](Column column) const;

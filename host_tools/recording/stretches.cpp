@@ -43,7 +43,7 @@ void find_stretches(Recording& recording) {
   std::size_t spacings = 0;
   for (std::size_t i = 1; i < time_s.size(); ++i) {
     const double spacing_s = time_s[i] - time_s[i - 1];
-    if (is_gap(spacing_s, typical_s)) {
+    if (is_gap(spacing_s, typical_s) || recording.restarts_at(i)) {
       recording.stretch_starts.push_back(i);
     } else {
       spanned_s += spacing_s;

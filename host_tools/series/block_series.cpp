@@ -58,6 +58,22 @@ fog::InputMask inputs_of(const recording::Recording& recording) {
   return inputs;
 }
 
+using PowerOn = model::RealNumbers::PowerOn;
+
+// The last power-on before a row: time_s is since then unless the uptime says more. `before`: that
+// of the row before it.
+PowerOn power_on_at(const recording::Recording& recording, std::size_t row, double block_s,
+                    const PowerOn& before) {
+  if (recording.uptime_s.empty()) return {};
+  PowerOn start;
+  start.at = (recording.time_s[row] - recording.uptime_s[row]) / block_s;
+  if (row == 0) return start;
+  const double off = recording.time_s[row - 1] / block_s;
+  start.was_on = off - before.at;
+  start.was_off = start.at - off;
+  return start;
+}
+
 // Changes across a gap are not used.
 model::InputRanges input_ranges_of(const recording::Recording& recording) {
   model::InputRanges ranges{};
@@ -125,7 +141,10 @@ void widen(model::InputRanges& ranges, const model::InputRanges& by) {
   }
 }
 
-BlockSeries make_blocks(const recording::Recording& recording) {
+namespace {
+
+// All that is known before the blocks are formed.
+BlockSeries without_blocks(const recording::Recording& recording) {
   BlockSeries series;
   series.file = recording.file;
   series.recordings = {recording::rows_hash(recording)};
@@ -135,13 +154,20 @@ BlockSeries make_blocks(const recording::Recording& recording) {
   series.inputs = inputs_of(recording);
   series.input_ranges = input_ranges_of(recording);
   series.rounding_dph = recording::rate_resolution(recording).rounding_dph();
-  // Blocks between power-on and the start of the recording.
-  const double earlier = recording.time_s[0] / series.block_s;
   series.first = means_of_row(recording, 0);
-  series.first.elapsed = earlier;
+  series.first.elapsed = recording.time_s[0] / series.block_s;
+  series.first.power_on = power_on_at(recording, 0, series.block_s, {});
+  return series;
+}
+
+}  // namespace
+
+BlockSeries make_blocks(const recording::Recording& recording) {
+  BlockSeries series = without_blocks(recording);
   const std::int64_t blocks =
       sample_number(recording, recording.rows() - 1) / series.samples_per_block + 1;
   std::vector<std::size_t> first_rows;
+  PowerOn power_on = series.first.power_on;
   series.blocks.reserve(std::min(recording.rows(), static_cast<std::size_t>(blocks)));
   for (std::size_t row = 0; row < recording.rows(); ++row) {
     const std::int64_t number = sample_number(recording, row) / series.samples_per_block;
@@ -151,6 +177,11 @@ BlockSeries make_blocks(const recording::Recording& recording) {
       first_rows.push_back(row);
     }
     BlockSeries::Block& block = series.blocks.back();
+    if (recording.restarts_at(row)) {
+      block.restarts = true;
+      power_on = power_on_at(recording, row, series.block_s, power_on);
+    }
+    block.means.power_on = power_on;
     ++block.samples;
     block.time_s += recording.time_s[row];
     block.rate_dph += recording.rate_dph[row];
@@ -158,7 +189,7 @@ BlockSeries make_blocks(const recording::Recording& recording) {
   }
   for (BlockSeries::Block& block : series.blocks) {
     make_means(block, recording.masks);
-    block.means.elapsed = earlier + static_cast<double>(block.number) + 1;
+    block.means.elapsed = series.first.elapsed + static_cast<double>(block.number) + 1;
   }
   add_rises_of_input_rate(recording, first_rows, series);
   require_unmasked(series);

@@ -21,9 +21,10 @@ struct BlockSeries {
   struct Block {
     std::int64_t number = 0;  ///< since the first sample; gaps skip numbers
     std::uint32_t samples = 0;
-    double time_s = 0;    ///< mean of its samples
-    double rate_dph = 0;  ///< measured
-    bool masked = false;  ///< its rate is not used, its means are (recording/mask.hpp)
+    double time_s = 0;      ///< mean of its samples
+    double rate_dph = 0;    ///< measured
+    bool restarts = false;  ///< the power was off before one of its samples
+    bool masked = false;    ///< its rate is not used, its means are (recording/mask.hpp)
     fog::BlockMeans<model::RealNumbers> means;
   };
   std::vector<Block> blocks;

@@ -16,7 +16,8 @@ inline std::uint32_t hold_blocks(double block_s) {
 
 /// Runs a model (start(means), step(means), see_rate(means)) over a recording like the
 /// board: the first sample starts it; a block's means act from the next block on; a gap is bridged
-/// by the board's own rule or, if longer than the board holds its drift, restarts the model. Calls
+/// by the board's own rule or, if longer than the board holds its drift, restarts the model, as a
+/// power-on does. Calls
 /// visit(block) for every block with a valid drift, before that block's means are used; its input
 /// rate has been passed already, because the board has it at every sample. `first` and
 /// `means_of(i)`: values for the first sample and the means of block i.
@@ -33,7 +34,7 @@ void run_blocks(const BlockSeries& series, const fog::BlockMeans<model::RealNumb
     const fog::BlockMeans<model::RealNumbers>& means = means_of(i);
     const auto missing = static_cast<std::uint32_t>(std::min(block.number - before - 1, too_many));
     before = block.number;
-    if (bridge.bridge_to(means, missing)) {
+    if (!block.restarts && bridge.bridge_to(means, missing)) {
       model.see_rate(means);
       visit(block);
       while (bridge.remaining() > 0) model.step(bridge.next());

@@ -17,6 +17,9 @@ void add_weighted(double weight, const Means& means, Means& sum) {
   sum.temperature += weight * means.temperature;
   sum.input_rate += weight * means.input_rate;
   sum.elapsed += weight * means.elapsed;
+  sum.power_on.at += weight * means.power_on.at;
+  sum.power_on.was_on += weight * means.power_on.was_on;
+  sum.power_on.was_off += weight * means.power_on.was_off;
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     sum.extension[i] += weight * means.extension[i];
   }

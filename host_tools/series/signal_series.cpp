@@ -35,6 +35,10 @@ void SignalSeries::Run::keep(const Signals& signals, bool restart) {
   const fog::BlockMeans<model::RealNumbers>& means = signals.block;
   blocks.push_back({{signals.temperature, signals.temperature_rate}, means.elapsed, kNoRow, 0});
   restarts.push_back(restart);
+  if (means.power_on.at != 0 || !power_on.empty()) {
+    power_on.resize(blocks.size() - 1);
+    power_on.push_back(means.power_on);
+  }
   if (has(inputs, fog::Input::input_rate)) {
     input_rate.push_back({means.input_rate, means.input_rate, means.input_rate_rise});
   }
@@ -55,6 +59,7 @@ void SignalSeries::Run::read(std::size_t block, Reading reading, Signals& signal
     signals.block.input_rate_rise = input_rate[block].rise_dph;
   }
   signals.block.elapsed = kept.elapsed;
+  if (!power_on.empty()) signals.block.power_on = power_on[block];
   if (!extension.empty()) signals.block.extension = extension[block];
 }
 
@@ -90,7 +95,7 @@ class SignalSeries::Recorder {
 
 void SignalSeries::add(const BlockSeries& series) {
   require_inputs(model_, series);
-  runs_.push_back({series.block_s, series.inputs, series.recordings, {}, {}, {}, {}, {}});
+  runs_.push_back({series.block_s, series.inputs, series.recordings, {}, {}, {}, {}, {}, {}});
   runs_.back().blocks.reserve(series.blocks.size() + 1);
   RowAverager rows(series, model_.average_s, rows_);
   if (phase_ == Phase::board) {

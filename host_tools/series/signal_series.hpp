@@ -68,6 +68,7 @@ class SignalSeries {
     double temperature_rate = 0;
   };
   using Extension = decltype(fog::BlockMeans<model::RealNumbers>::extension);
+  using PowerOn = model::RealNumbers::PowerOn;
   struct InputRate {
     double before_dph = 0;  ///< of the block whose means the signals are
     double dph = 0;         ///< in the block in which the signals are used
@@ -86,6 +87,7 @@ class SignalSeries {
     std::vector<std::uint64_t> recordings;
     std::vector<Block> blocks;
     std::vector<bool> restarts;         ///< per block
+    std::vector<PowerOn> power_on;      ///< per block; empty if it is time 0 for all
     std::vector<InputRate> input_rate;  ///< per block; empty if the recording lacks it
     std::vector<Extension> extension;   ///< the same
     std::vector<Seen> smoothed;         ///< per block; empty in Phase::zero

@@ -80,7 +80,7 @@ void each_stretch(const BlockSeries& series, const Visit& visit) {
   const auto max_held = static_cast<std::int64_t>(hold_blocks(series.block_s));
   std::size_t first = 0;
   for (std::size_t end = 1; end <= series.blocks.size(); ++end) {
-    const bool goes_on = end < series.blocks.size() &&
+    const bool goes_on = end < series.blocks.size() && !series.blocks[end].restarts &&
                          series.blocks[end].number - series.blocks[end - 1].number - 1 <= max_held;
     if (goes_on) continue;
     visit(first, end);

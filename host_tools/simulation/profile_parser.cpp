@@ -146,7 +146,10 @@ class ProfileParser {
     }
   }
 
-  void power(ProfileLine& line) { conditions_.powered = line.choice({"off", "on"}) == 1; }
+  void power(ProfileLine& line) {
+    conditions_.powered = line.choice({"off", "on"}) == 1;
+    programme_.switches_power = programme_.switches_power || !conditions_.powered;
+  }
   void heater(ProfileLine& line) { conditions_.heater_w = line.quantity(Dimension::power); }
   void axis(ProfileLine& line) {
     conditions_.axis =

@@ -15,7 +15,7 @@ namespace fogcomp::simulation {
 ///   ramp to -40 degC at 0.5 degC/min    moves it in a straight line
 ///   step to 60 degC                     moves it at once; takes no time by itself
 ///   random_steps 10 degC to 30 degC at 3 degC/min every 15 min for 10 h
-///   power on | off                      no rows are recorded while off
+///   power on | off                      no rows while off; then the recording has uptime_s
 ///   heater 2 W                          on the spool
 ///   axis up | down | north | south | east | west
 ///   rate 10 deg/s                       of the rate table (units deg/s, deg/h)

@@ -42,6 +42,7 @@ struct Programme {
   std::vector<Leg> legs;   ///< without gaps, the first from time 0
   bool sets_axis = false;  ///< the profile names an axis
   bool sets_rate = false;  ///< the profile turns a rate table
+  bool switches_power = false;
 
   double duration_s() const { return legs.empty() ? 0 : legs.back().end_s; }
 };

@@ -33,7 +33,8 @@ Simulation::Simulation(const GyroDescription& gyro, const Programme& programme,
       noises_(make_noise(gyro.part("noise"), period_s_, options.seed)),
       quantizer_(gyro.part("noise")["quantization"], period_s_),
       means_(options.grid.step_s, period_s_, channel_kinds(gyro.effects().size()),
-             channel_values()) {
+             channel_values()),
+      switches_power_(programme.switches_power) {
   for (const auto& effect : gyro.effects()) effect_names_.push_back(effect.description->name);
   for (const NamedNoise& noise : noises_) noise_names_.push_back(noise.name);
 }
@@ -53,6 +54,25 @@ std::vector<double> Simulation::channel_values() const {
   const std::vector<double>& effects = model_.contributions_dph();
   values.insert(values.end(), effects.begin(), effects.end());
   return values;
+}
+
+// The true means of the present row.
+void Simulation::keep(const std::vector<double>& means, RowChunk& chunk) const {
+  chunk.time_s.push_back(static_cast<double>(row_) * period_s_);
+  chunk.temperature_degc.push_back(means[kSensor]);
+  chunk.rate_dph.push_back(means[kRate]);
+  chunk.input_rate_dph.push_back(means[kInputRate]);
+  if (switches_power_) {
+    chunk.uptime_s.push_back(static_cast<double>(row_ - power_on_row_) * period_s_);
+  }
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    chunk.extension[i].push_back(means[kFirstInput + i]);
+  }
+  chunk.coil_degc.push_back(means[kCoil]);
+  chunk.chamber_degc.push_back(means[kAir]);
+  for (std::size_t e = 0; e < effect_names_.size(); ++e) {
+    chunk.effects_dph[e].push_back(means[kFirstEffect + e]);
+  }
 }
 
 bool Simulation::next(RowChunk& chunk) {
@@ -77,19 +97,12 @@ bool Simulation::next(RowChunk& chunk) {
       means_.push(channel_values());
     }
     means_.next_row(means.data());
-    if (means[kPowered] < 1 - 1e-6) continue;
-    chunk.time_s.push_back(static_cast<double>(row_) * period_s_);
-    chunk.temperature_degc.push_back(means[kSensor]);
-    chunk.rate_dph.push_back(means[kRate] + noise_sum[row]);
-    chunk.input_rate_dph.push_back(means[kInputRate]);
-    for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-      chunk.extension[i].push_back(means[kFirstInput + i]);
+    if (means[kPowered] < 1 - 1e-6) {
+      power_on_row_ = row_ + 1;
+      continue;
     }
-    chunk.coil_degc.push_back(means[kCoil]);
-    chunk.chamber_degc.push_back(means[kAir]);
-    for (std::size_t e = 0; e < effect_names_.size(); ++e) {
-      chunk.effects_dph[e].push_back(means[kFirstEffect + e]);
-    }
+    keep(means, chunk);
+    chunk.rate_dph.back() += noise_sum[row];
     for (std::size_t n = 0; n < noises.size(); ++n) chunk.noises_dph[n].push_back(noises[n][row]);
   }
   quantizer_.apply(chunk.rate_dph.data(), chunk.rows());

@@ -19,8 +19,8 @@ struct SimulationOptions {
   ThermalGrid grid;
 };
 
-/// Rows of a run: all columns of a recording, and the true values. Times are those of the rows'
-/// starts.
+/// Rows of a run: all columns of a recording (the uptime where the programme switches the power
+/// off), and the true values. Times are those of the rows' starts.
 struct RowChunk : recording::Recording {
   /// True temperatures, then each effect and noise source by name; all as long as the columns.
   std::vector<double> coil_degc;
@@ -51,6 +51,7 @@ class Simulation {
 
  private:
   std::vector<double> channel_values() const;
+  void keep(const std::vector<double>& means, RowChunk& chunk) const;
 
   std::vector<std::string> effect_names_;
   std::vector<std::string> noise_names_;
@@ -62,6 +63,8 @@ class Simulation {
   AngleQuantizer quantizer_;
   RowMeans means_;
   std::size_t row_ = 0;
+  bool switches_power_;
+  std::size_t power_on_row_ = 0;  ///< the first with power since it was off
 };
 
 }  // namespace fogcomp::simulation

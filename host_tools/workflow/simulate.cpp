@@ -72,6 +72,7 @@ std::vector<recording::Column> columns_of(const SimulateRequest& request,
   const bool stream = request.format == recording::RecordingFormat::sensor_stream;
   const bool turns = request.options.earth.latitude_deg.has_value() || programme.sets_rate;
   std::vector<recording::Column> columns = chosen_columns(request.columns, !stream && turns);
+  if (!stream && programme.switches_power) columns.push_back(recording::Column::uptime_s);
   if (stream && std::find(columns.begin(), columns.end(), recording::Column::input_rate_dph) !=
                     columns.end()) {
     throw InputError("--columns",

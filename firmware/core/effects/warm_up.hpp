@@ -10,6 +10,9 @@ namespace fog::effects {
 /// power-on, not a state: no error accumulates, and a restart of the thermal state does not repeat
 /// the warm-up.
 ///
+/// A board cannot know how long the power was off: it takes every start for a cold one. A recording
+/// that goes on after a restart tells it; then what has cooled meanwhile warms up again.
+///
 /// tau is at most 5 h. Slower decays are those of the housing's temperature, which the sensor
 /// measures, and would be confused with ageing.
 ///
@@ -22,10 +25,12 @@ class WarmUp {
       "warm_up",
       11,
       "warm-up after power-on",
-      "b = A exp(-t / tau), t since power-on",
+      "b = A (1 - w) exp(-t / tau), t since power-on, w what is left of the warmth before it: 0 on "
+      "a "
+      "board",
       "A 0.01 to 0.5 deg/h, tau 5 to 30 min",
       "tau=1200 A=0.3",
-      "locked to power-on, not to temperature; the same after every restart",
+      "locked to power-on, not to temperature; the same after every cold restart",
       "IEEE Std 952, warm-up time; sizes are general knowledge of the field",
       bit_of(Input::elapsed)};
   static constexpr std::array<ParameterDescription, 1> parameters{
@@ -46,8 +51,9 @@ class WarmUp {
   void reset(const Signals<N>& /*signals*/) {}
   void step(const Signals<N>& signals, typename N::Regressor* regressors) {
     using Exponent = typename N::template Number<26>;  // clips at 32; exp(-32) is 0
-    const auto exponent = saturate_to<Exponent>(signals.block.elapsed * per_tau_);
-    regressors[0] = round_to<typename N::Regressor>(N::exponential_decay(exponent));
+    const auto exponent = saturate_to<Exponent>(signals.block.since_power_on() * per_tau_);
+    regressors[0] = round_to<typename N::Regressor>(
+        N::from_cold(signals.block.power_on, per_tau_, N::exponential_decay(exponent)));
   }
 
  private:

@@ -35,6 +35,13 @@ struct BoardNumbers {
   /// A slow state: 64 bits, so that a lag of 10^5 s still moves.
   template <int kFractionalBits>
   using Wide = Fixed<std::int64_t, kFractionalBits>;
+  /// A board's time begins with its power-on, from cold. On the host a recording may go on after a
+  /// restart.
+  struct PowerOn {};
+  static Elapsed since(PowerOn /*start*/, Elapsed now) { return now; }
+  static Number<30> from_cold(PowerOn /*start*/, Number<31> /*per_tau*/, Number<30> decay) {
+    return decay;
+  }
   /// For effects that follow the input rate: a coefficient in deg/h, the same as a fraction of the
   /// rate, and their exact product with a rate.
   using Coefficient = Fixed<std::int64_t, 40>;

@@ -16,6 +16,10 @@ struct BlockMeans {
   std::array<typename N::template Number<16>, kExtensionInputs> extension{};
   /// From the block's beginning to its end: on the host alone, only a recording tells it.
   [[no_unique_address]] typename N::RateRise input_rate_rise{};
+  /// The last power-on: on the host alone, a recording may go on after it.
+  [[no_unique_address]] typename N::PowerOn power_on{};
+
+  typename N::Elapsed since_power_on() const { return N::since(power_on, elapsed); }
 
   /// Value of an extension input, in its unit.
   typename N::template Number<16> operator[](Input input) const {

@@ -18,7 +18,7 @@ template <InputMask kPossible, class N, class Use>
 constexpr auto use_value(const Signals<N>& signals, Input input, Use use) {
   const auto is = [input](Input other) { return has(kPossible, other) && input == other; };
   if (is(Input::temperature_rate)) return use(signals.temperature_rate);
-  if (is(Input::elapsed)) return use(signals.block.elapsed);
+  if (is(Input::elapsed)) return use(signals.block.since_power_on());
   if (is(Input::input_rate)) return use(signals.block.input_rate);
   if constexpr ((kPossible & kAllExtensionInputs) != 0U) {
     if (is_extension(input)) return use(signals.block[input]);

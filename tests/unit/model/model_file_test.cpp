@@ -42,20 +42,27 @@ TEST(ModelFile, ReadsAFileWithoutTheLaterEntries) {
   EXPECT_FALSE(read.history[0].excess_removed().has_value());
 }
 
-// Its reference was 20 degC and its order 1 before it had parameters.
-TEST(ModelFile, ReadsAScaleFactorFromBeforeItHadParameters) {
+void expect_that_reads_as_now(const EffectTerm& term, const std::string& before,
+                              const std::string& now) {
   Model model = fog::test::paper_like_model();
-  model.terms = {fog::test::natural_term("scale_factor_temperature", {1, 20}, {300})};
+  model.terms = {term};
   std::string text = model_text(model);
-  const std::string now = "effect scale_factor_temperature 2 1 20 0 0 0 0 1 ";
   const std::size_t at = text.find(now);
   ASSERT_NE(at, std::string::npos) << text;
-  text.replace(at, now.size(), "effect scale_factor_temperature 0 1 ");
+  text.replace(at, now.size(), before);
   text.erase(text.rfind("crc "));
   const std::uint32_t crc =
       fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   const Model read = parse_model(text + format("crc %08x\n", crc), "old.model");
   EXPECT_EQ(model_text(read), model_text(model));
+}
+
+TEST(ModelFile, ReadsEffectsFromBeforeTheyHadAllTheirParameters) {
+  expect_that_reads_as_now(fog::test::natural_term("scale_factor_temperature", {1, 20}, {300}),
+                           "effect scale_factor_temperature 0 1 ",
+                           "effect scale_factor_temperature 2 1 20 0 0 0 0 1 ");
+  expect_that_reads_as_now(fog::test::natural_term("aging", {7200, 1}, {0.1}),
+                           "effect aging 1 7200 0 0 1 ", "effect aging 2 7200 1 0 0 0 0 1 ");
 }
 
 TEST(ModelFile, KeepsTheWholeHistory) {

@@ -67,6 +67,14 @@ TEST(CsvReader, StartsAStretchAfterMoreThanOneAndAHalfPeriods) {
   EXPECT_EQ(recording.stretch_starts, (std::vector<std::size_t>{0, 4}));
 }
 
+TEST(CsvReader, StartsAStretchWhereTheUptimeFalls) {
+  const Recording recording = read_text(
+      "time_s,temperature_degc,rate_dph,uptime [min]\n"
+      "0,20,1,5\n10,20,1,5.2\n20,20,1,0.1\n30,20,1,0.3\n");
+  EXPECT_EQ(recording.uptime_s, (std::vector<double>{300, 312, 6, 18}));
+  EXPECT_EQ(recording.stretch_starts, (std::vector<std::size_t>{0, 2}));
+}
+
 TEST(CsvReader, TurnsCountsIntoDegreesPerHour) {
   ReadOptions options;
   options.scale_factor = 7200;  // counts per deg/s: two counts per deg/h

@@ -43,5 +43,73 @@ TEST(SignalSeries, BeginsALagAtRestWithAndWithoutTheBoardsDelay) {
   EXPECT_LT((board - zero).cwiseAbs().maxCoeff(), 0.06 * max);
 }
 
+// On for an hour, off for ten minutes, on again; the recorder's clock goes on.
+recording::Recording switched_off_once() {
+  recording::Recording recording;
+  recording.file = "restart.csv";
+  recording.period_s = 10;
+  for (int time_s = 0; time_s < 7200; time_s += 10) {
+    if (time_s >= 3600 && time_s < 4200) continue;
+    recording.time_s.push_back(time_s);
+    recording.uptime_s.push_back(time_s < 4200 ? time_s : time_s - 4200);
+    recording.temperature_degc.push_back(20 + 0.01 * time_s);
+    recording.rate_dph.push_back(0.001 * (time_s / 10 % 7));
+  }
+  recording.stretch_starts = {0, 360};
+  return recording;
+}
+
+Eigen::VectorXd regressor_of(const std::string& effect, const recording::Recording& recording) {
+  model::Model model;
+  model.average_s = 10;
+  SignalSeries series(model);
+  series.add(make_blocks(recording));
+  return series.regressors(model::parse_effects(effect)[0]).col(0);
+}
+
+// The row at 4210 s: at a restart the first block only starts the model.
+constexpr Eigen::Index kRestart = 360;
+
+TEST(SignalSeries, BeginsAWarmUpAnewAtARestartAsFarAsItHasCooled) {
+  const Eigen::VectorXd warm_up = regressor_of("warm_up:tau=900", switched_off_once());
+  ASSERT_EQ(warm_up.size(), 659);
+  const double warm = 1 - std::exp(-3590.0 / 900);
+  const double cooled = 1 - warm * std::exp(-610.0 / 900);
+  EXPECT_NEAR(warm_up[kRestart], cooled * std::exp(-10.0 / 900), 1e-6);
+  EXPECT_NEAR(warm_up[kRestart + 90] / warm_up[kRestart], std::exp(-1.0), 1e-6);
+}
+
+TEST(SignalSeries, AgesOnThroughARestart) {
+  const Eigen::VectorXd age = regressor_of("aging:t0=3600", switched_off_once());
+  EXPECT_NEAR(4 * age[kRestart], std::log1p(4210.0 / 3600), 1e-6);
+  const Eigen::VectorXd hastened = regressor_of("aging:t0=3600,q10=1.3", switched_off_once());
+  EXPECT_GT(hastened[kRestart], age[kRestart]);
+}
+
+TEST(SignalSeries, BeginsLagsAnewAtARestartHoweverShort) {
+  recording::Recording recording = switched_off_once();
+  const double gone_on = regressor_of("thermal_lag:tau=900", recording)[kRestart];
+  for (std::size_t row = 360; row < recording.rows(); ++row) recording.time_s[row] -= 600;
+  const Eigen::VectorXd lag = regressor_of("thermal_lag:tau=900", recording);
+  EXPECT_EQ(lag.size(), 659);
+  EXPECT_NEAR(lag[kRestart], gone_on, 1e-6);
+  recording.uptime_s.clear();
+  EXPECT_EQ(regressor_of("thermal_lag:tau=900", recording).size(), 660);
+}
+
+TEST(SignalSeries, KnowsThePowerOnOfARecordingThatBeganLater) {
+  recording::Recording recording = switched_off_once();
+  recording.time_s.resize(300);
+  recording.temperature_degc.resize(300);
+  recording.rate_dph.resize(300);
+  recording.stretch_starts = {0};
+  recording.uptime_s = recording.time_s;
+  for (double& uptime_s : recording.uptime_s) uptime_s += 900;
+  const Eigen::VectorXd late = regressor_of("warm_up:tau=900", recording);
+  recording.uptime_s.clear();
+  const Eigen::VectorXd from_start = regressor_of("warm_up:tau=900", recording);
+  EXPECT_NEAR(late[0] / from_start[0], std::exp(-1.0), 1e-9);
+}
+
 }  // namespace
 }  // namespace fogcomp::series

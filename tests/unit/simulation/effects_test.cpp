@@ -199,6 +199,8 @@ TEST(PowerOff, LeavesAGapAndNoRowOfIt) {
   EXPECT_EQ(result.rows.rows(), 720U);
   EXPECT_EQ(result.rows.time_s[359], 3590);
   EXPECT_EQ(result.rows.time_s[360], 7200);
+  EXPECT_EQ(result.rows.uptime_s[359], 3590);
+  EXPECT_EQ(result.rows.uptime_s[360], 0);
 }
 
 TEST(Aging, OnlyGrowsAndIgnoresPowerCycles) {

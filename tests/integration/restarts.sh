@@ -1,0 +1,38 @@
+#!/usr/bin/env bash
+# restarts.sh FOGCOMP: a gyro that is switched off and on while the recorder goes on. The recording says so in uptime_s;
+# then a warm-up that was identified at one power-on is right after the others, and a run with restarts tells it from
+# an ageing, as the proposed experiment promises.
+set -euo pipefail
+fogcomp=$(realpath "$1")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+gyro=(--preset none --rate 0.1 --noise white=0.0015 --effect bias --effect temperature_rate
+      --effect warm_up:amplitude_dph=0.3,tau_s=1500)
+"$fogcomp" simulate -o steps.csv --profile random_steps --seed 3 "${gyro[@]}" >/dev/null
+"$fogcomp" simulate -o restarts.csv --profile power_cycles --seed 4 "${gyro[@]}" >/dev/null
+head -n 1 restarts.csv | grep -x 'time_s,temperature_degc,rate_dph,uptime_s' >/dev/null
+! head -n 1 steps.csv | grep -q uptime_s
+"$fogcomp" info restarts.csv | grep -q '5640 samples at 0.1 Hz, 17.67 h, 3 gaps, 3 restarts'
+cut -d, -f1-3 restarts.csv >untold.csv
+"$fogcomp" fit steps.csv -o gyro.model --effects bias,temperature_rate,warm_up >/dev/null
+
+# left RUN: what the model leaves of it, in units of its noise floor.
+left() {
+  "$fogcomp" compare gyro.model "$1" --json |
+    sed -nE 's/.*"residual_rms_dph": ?([0-9.e-]+).*"noise_floor_dph": ?([0-9.e-]+).*/\1 \2/p' |
+    awk '{ printf "%.3f", $1 / $2 }'
+}
+echo "left: $(left restarts.csv) of the noise, $(left untold.csv) if nobody says that the power was off"
+awk -v told="$(left restarts.csv)" -v untold="$(left untold.csv)" 'BEGIN { exit !(told < 1.1 && untold > 1.3) }'
+
+"$fogcomp" fit restarts.csv -o declared.model --effects bias,temperature_rate >/dev/null
+"$fogcomp" diagnose declared.model restarts.csv | tee said.txt | grep '^missing effect: warm_up ' >/dev/null ||
+  { cat said.txt >&2; exit 1; }
+
+"$fogcomp" convert restarts.csv -o again.csv 2>/dev/null
+cmp restarts.csv again.csv
+"$fogcomp" replay gyro.model restarts.csv -o board.bin 2>&1 |
+  grep 'restarts.csv: was switched on again at [0-9]* s; the board sees it as if it had stayed on' >/dev/null
+echo "restarts are seen, and told"
