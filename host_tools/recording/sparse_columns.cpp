@@ -29,12 +29,30 @@ void join_readings(const std::vector<double>& time_s, std::vector<double>& colum
   }
 }
 
-void complete(const std::vector<double>& time_s, std::vector<double>& column) {
+// The power was off in the longest pause between two readings: the uptime grows up to it, and
+// from 0 after it.
+void join_over_restart(const std::vector<double>& time_s, std::vector<double>& uptime_s,
+                       std::size_t before, std::size_t after) {
+  std::size_t on = after;
+  for (std::size_t row = before + 1; row < after; ++row) {
+    if (time_s[row] - time_s[row - 1] > time_s[on] - time_s[on - 1]) on = row;
+  }
+  for (std::size_t row = before + 1; row < after; ++row) {
+    uptime_s[row] = row < on ? uptime_s[before] + (time_s[row] - time_s[before])
+                             : std::max(0.0, uptime_s[after] - (time_s[after] - time_s[row]));
+  }
+}
+
+void complete(const std::vector<double>& time_s, std::vector<double>& column, bool is_uptime) {
   const std::size_t rows = column.size();
   std::size_t last = rows;  // the last reading; none yet
   for (std::size_t row = 0; row < rows; ++row) {
     if (std::isnan(column[row])) continue;
-    if (last < rows) join_readings(time_s, column, last, row);
+    if (last < rows && is_uptime && column[row] < column[last]) {
+      join_over_restart(time_s, column, last, row);
+    } else if (last < rows) {
+      join_readings(time_s, column, last, row);
+    }
     last = row;
   }
   for (std::size_t row = last + 1; row < rows; ++row) {
@@ -94,7 +112,7 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
     if (readings == 0 && info.column == Column::temperature_degc) {
       throw InputError(recording.file, std::string(info.name) + " has no value in any sample");
     }
-    if (readings > 0) complete(recording.time_s, column);
+    if (readings > 0) complete(recording.time_s, column, info.column == Column::uptime_s);
     const bool complete_now = readings_in(column) == column.size();
     if (readings > 0 && (complete_now || is_needed(info.column))) {
       say_how_sparse(recording, info, readings, watch);

@@ -75,6 +75,14 @@ TEST(CsvReader, StartsAStretchWhereTheUptimeFalls) {
   EXPECT_EQ(recording.stretch_starts, (std::vector<std::size_t>{0, 2}));
 }
 
+TEST(CsvReader, SeesOneRestartBetweenTwoReadingsOfTheUptime) {
+  const Recording recording = read_text(
+      "time_s,temperature_degc,rate_dph,uptime_s\n"
+      "0,20,1,500\n1,20,1,\n2,20,1,\n9,20,1,\n10,20,1,\n11,20,1,4\n");
+  EXPECT_EQ(recording.uptime_s, (std::vector<double>{500, 501, 502, 2, 3, 4}));
+  EXPECT_EQ(recording.stretch_starts, (std::vector<std::size_t>{0, 3}));
+}
+
 TEST(CsvReader, TurnsCountsIntoDegreesPerHour) {
   ReadOptions options;
   options.scale_factor = 7200;  // counts per deg/s: two counts per deg/h
