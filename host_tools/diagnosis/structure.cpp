@@ -48,7 +48,10 @@ Eigen::VectorXd beyond_play(const series::Rows& rows, const Eigen::VectorXd& x, 
   fog::Play<model::RealNumbers> play(radius);
   Eigen::VectorXd beyond(x.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    if (rows.starts_run(static_cast<std::size_t>(i))) play.centre(x[i]);
+    if (rows.starts_run(static_cast<std::size_t>(i))) {
+      play = fog::Play<model::RealNumbers>(radius);
+      play.start(x[i]);
+    }
     beyond[i] = play.step(x[i]);
   }
   return beyond;

@@ -29,12 +29,14 @@ double ExpressionEffect::evaluate(const fog::Signals<RealNumbers>& signals, bool
       state = restart ? left : state + (left - state) * RealNumbers::decay(block_s_ / right);
       values_[i] = state;
     } else if (node.kind == NodeKind::play) {
-      state = restart ? left : std::clamp(state, left - right, left + right);
+      const bool is_new = restart && !started_;
+      state = is_new ? left : std::clamp(state, left - right, left + right);
       values_[i] = state;
     } else {
       values_[i] = apply(node.kind, left, right);
     }
   }
+  started_ = true;
   return std::ldexp(values_.back(), -term_.scale_log2);
 }
 

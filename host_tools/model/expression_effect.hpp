@@ -47,6 +47,7 @@ class ExpressionEffect : public RealEffect {
   double block_s_;
   std::vector<double> values_;  // of all nodes; constants never change
   std::vector<double> states_;  // of lags and plays, by node
+  bool started_ = false;
 };
 
 }  // namespace fogcomp::model

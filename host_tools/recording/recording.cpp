@@ -69,7 +69,9 @@ const std::vector<double>& Recording::operator[](Column column) const {
 
 std::size_t Recording::restarts() const {
   std::size_t count = 0;
-  for (std::size_t row = 1; row < rows(); ++row) count += restarts_at(row) ? 1 : 0;
+  for (std::size_t row = 1; row < rows(); ++row) {
+    if (restarts_at(row)) ++count;
+  }
   return count;
 }
 

@@ -130,11 +130,11 @@ Values above_20(const History& history) {
 }
 
 // Backlash of so many degC to either side: on the way up it is at least x - r, on the way down at
-// most x + r.
-Values play(const History& history, const Values& x, double radius) {
+// most x + r. A gap does not change it.
+Values play(const Values& x, double radius) {
   Values y(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
-    if (history.starts[i])
+    if (i == 0)
       y[i] = x[i];
     else if (x[i] >= x[i - 1])
       y[i] = std::max(y[i - 1], x[i] - radius);
@@ -179,7 +179,7 @@ Columns hysteresis(const History& h, const Values& radii) {
   Columns columns;
   for (const double radius : radii) {
     if (radius == 0) continue;
-    const Values behind = difference(above, play(h, above, radius));
+    const Values behind = difference(above, play(above, radius));
     columns.push_back(map(behind, [&](double x) { return x / radius; }));
   }
   return columns;

@@ -120,7 +120,7 @@ void print_lags(Random& random) {
   fog::FirstOrderLag<fog::BoardNumbers> lag(Q31::from_raw(kDecay));
   lag.reset(fog::round_to<decltype(lag)::State>(fog::Temperature::from_raw(1310720)));
   fog::Play<fog::BoardNumbers> play(Q22::from_raw(3 << 22));
-  play.centre(Q22::from_raw(20 << 22));
+  play.start(Q22::from_raw(20 << 22));
   fog::FilteredDerivative<fog::BoardNumbers> derivative(
       {Q31::from_raw(kDecay), fog::Fixed<std::int32_t, 24>::from_raw(33001354)});
   derivative.reset(fog::Temperature::from_raw(1310720));

@@ -38,12 +38,12 @@ class Lag:
 class Play:
     def __init__(self, radius):
         self.radius = radius
-        self.reset(0)
+        self.y, self.lo, self.hi = 0, 1 << 22, 0
 
     def reset(self, x):
-        self.y = x
-        self.lo = i32(x - self.radius)
-        self.hi = i32(x + self.radius)
+        below, above = i32(x - self.radius), i32(x + self.radius)
+        self.y = x if self.lo > self.hi else clamp(self.y, below, above)
+        self.lo, self.hi = below, above
 
     def step(self, x):
         below, above = i32(x - self.radius), i32(x + self.radius)

@@ -14,7 +14,7 @@ namespace fog::effects {
 ///
 /// After power-on the branch is unknown. The operators start centred; the first excursion of twice
 /// the radius makes them right. Until then the error is up to |h| and the status has
-/// history_unknown.
+/// history_unknown, and so it has after a gap, over which the branch is kept.
 template <class N>
 class ThermalHysteresis {
  public:
@@ -63,8 +63,8 @@ class ThermalHysteresis {
 
   std::size_t regressor_count() const { return two_ ? 2 : 1; }
   void reset(const Signals<N>& signals) {
-    first_.centre(operand(signals));
-    second_.centre(operand(signals));
+    first_.start(operand(signals));
+    second_.start(operand(signals));
   }
   bool history_known() const { return first_.history_known() && second_.history_known(); }
   void step(const Signals<N>& signals, typename N::Regressor* regressors) {

@@ -97,8 +97,8 @@ class ExpressionBank {
     constexpr auto kMax = Play::Value::from_raw(1 << 30);
     const auto input = clamp(Play::Value::from_raw(x), -kMax, kMax);
     if (restart) {
-      state.play = Play(Play::Value::from_raw(radius));
-      state.play.centre(input);
+      state.play.set_radius(Play::Value::from_raw(radius));
+      state.play.start(input);
     }
     const std::int32_t y = (input - state.play.step(input)).raw();
     history_known_ = history_known_ && state.play.history_known();

@@ -14,11 +14,18 @@ class Play {
   using Value = typename N::template Number<22>;  ///< +-512 degC
 
   explicit Play(Value radius) : radius_(radius) {}
+  /// Before start(), of one whose radius was not known when it was made.
+  void set_radius(Value radius) { radius_ = radius; }
 
-  void centre(Value x) {
-    y_ = x;
-    lowest_ = x - radius_;
-    highest_ = x + radius_;
+  /// At power-on y is in the middle. After a gap, in which x may have gone anywhere, it is where
+  /// the straight way would have left it: a coil's glue does not forget while nobody looks. How it
+  /// came there is unknown in either case.
+  void start(Value x) {
+    const Value low = x - radius_;
+    const Value high = x + radius_;
+    y_ = is_new() ? x : clamp(y_, low, high);
+    lowest_ = low;
+    highest_ = high;
   }
   /// Takes x and returns x - y: within +-radius, the whole radius on the branches of a loop.
   Value step(Value x) {
@@ -40,9 +47,11 @@ class Play {
   }
 
  private:
+  bool is_new() const { return highest_ < lowest_; }
+
   Value radius_;
   Value y_{};
-  Value lowest_{};  // range of possible y
+  Value lowest_ = from_integer<Value>(1);  // range of possible y; of a new one empty
   Value highest_{};
 };
 
