@@ -177,6 +177,23 @@ TEST(Identify, FindsASecondRadiusOfHysteresisWhereAsked) {
   EXPECT_EQ(one.terms.back().coefficients_dph.size(), 1U);
 }
 
+TEST(Identify, FindsHowMuchFasterAnAgeingIsWhenWarmWhereAsked) {
+  Model real = truth();
+  real.terms.push_back(fog::test::natural_term("aging", {5000, 1.4}, {0.2}));
+  const auto recording = fog::test::recording_of(real, {0.024, 0.003, 300}, 2);
+  const std::string others = "bias,bias_temperature:order=3,temperature_rate,";
+  Model model = unknown();
+  model.terms = model::parse_effects(others + "aging:q10=?");
+  fit(model, recording);
+  const model::EffectTerm& term = model.terms.back();
+  EXPECT_NEAR(term.parameters[1], 1.4, 4 * term.parameter_sigma[1]);
+  EXPECT_LT(term.parameter_sigma[1], 0.1);
+  Model plain = unknown();
+  plain.terms = model::parse_effects(others + "aging");
+  fit(plain, recording);
+  EXPECT_EQ(plain.terms.back().parameters[1], 1);
+}
+
 TEST(EffectList, KeepsWhatIsGivenAndLeavesTheRestToTheFit) {
   const auto terms = model::parse_effects("bias,bias_temperature:order=3,temperature_rate");
   ASSERT_EQ(terms.size(), 3U);
