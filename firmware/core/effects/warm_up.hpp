@@ -25,9 +25,8 @@ class WarmUp {
       "warm_up",
       11,
       "warm-up after power-on",
-      "b = A (1 - w) exp(-t / tau), t since power-on, w what is left of the warmth before it: 0 on "
-      "a "
-      "board",
+      "b = A (1 - w) exp(-t / tau), t since power-on, w what is left of the warmth before it: "
+      "0 on a board",
       "A 0.01 to 0.5 deg/h, tau 5 to 30 min",
       "tau=1200 A=0.3",
       "locked to power-on, not to temperature; the same after every cold restart",
