@@ -42,6 +42,7 @@ inline WholeRun whole_run(const GyroDescription& gyro, const Programme& programm
     append(rows[fog::Input::temperature2], chunk[fog::Input::temperature2]);
     append(rows.rate_dph, chunk.rate_dph);
     append(rows.input_rate_dph, chunk.input_rate_dph);
+    append(rows.uptime_s, chunk.uptime_s);
     append(rows.coil_degc, chunk.coil_degc);
     for (std::size_t i = 0; i < rows.effects_dph.size(); ++i) {
       append(rows.effects_dph[i], chunk.effects_dph[i]);
