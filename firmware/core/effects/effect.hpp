@@ -19,7 +19,7 @@
      static bool constants_valid(const typename N::Constant*);      may the constructor have them?
      explicit Effect(const typename N::Constant* constants);
      std::size_t regressor_count() const;                           at most R
-     void reset(const Signals<N>&);                                 state at power-on
+     void reset(const Signals<N>&);                at power-on; after a gap, what a gap undoes
      void step(const Signals<N>&, typename N::Regressor*);          once per block
 
    (an effect without shape parameters inherits the middle four from NoParameters). An effect that
