@@ -171,8 +171,8 @@ std::vector<std::string> limits_of(const Diagnosis& diagnosis, bool noise_is_kno
   }
   if (!noise_is_known && !diagnosis.noise.from_quiet_parts && diagnosis.verdict != Verdict::none) {
     notes.emplace_back(
-        "no part of these recordings is quiet (settled temperature), so that slow noise is not "
-        "known: give a recording at rest with --static");
+        "no part of these recordings is quiet (settled temperature, constant input rate), so that "
+        "slow noise is not known: give a recording at rest with --static");
   }
   return notes;
 }
@@ -186,8 +186,9 @@ std::string blind_spot_of(const Diagnosis& diagnosis, const series::Rows& rows,
   }
   if (noise_is_known || at_rest(rows)) return "";
   if (!diagnosis.noise.from_quiet_parts) {
-    return "no part of them is quiet (settled temperature), so that slow noise is not known and "
-           "may be a missing effect: a recording at rest, given with --static, would show it";
+    return "no part of them is quiet (settled temperature, constant input rate), so that slow "
+           "noise is not known and may be a missing effect: a recording at rest, given with "
+           "--static, would show it";
   }
   const double above_white = diagnosis.residual_rms_dph / diagnosis.noise.white_dph() - 1;
   if (above_white <= rules::kMuchAboveWhite) return "";

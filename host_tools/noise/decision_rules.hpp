@@ -48,6 +48,14 @@ constexpr std::size_t kMinQuietRows = 32;
 /// Fraction of an input's range: a larger change from row to row is a rotation of the axis or a
 /// field that is switched. Chosen. quiet_rows_test.
 constexpr double kInputJump = 0.25;
+/// Standard deviations of an input's changes from row to row, by their median: a column that is
+/// noise does not jump. quiet_rows_test.
+constexpr double kInputJumpSigmas = 5;
+/// The input rate may change within quiet rows by this fraction of its range, or by 0.1 deg/s,
+/// which is more than Earth's rate and a reference's noise: a rate table that sweeps makes errors
+/// of the scale factor. Chosen. quiet_rows_test.
+constexpr double kMaxTurning = 0.01;
+constexpr double kMinTurning_dph = 360;
 
 // ---- Noise model ------------------------------------------------------------------------------
 /// Standard deviations at which a row is clipped for its periodogram: exceeded by noise alone in 1

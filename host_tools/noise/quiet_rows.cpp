@@ -1,11 +1,11 @@
 #include "noise/quiet_rows.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "model/input_value.hpp"
 #include "noise/decision_rules.hpp"
+#include "support/median.hpp"
 
 namespace fogcomp::noise {
 namespace {
@@ -19,37 +19,54 @@ double rate_limit(const series::Rows& rows) {
   return std::max(rules::kMaxQuietRate, rules::kQuietShareOfRamps * *at);
 }
 
-// Finds changes such as a rotation of the axis or a field that is switched, which are not noise.
-class InputJumps {
+// Finds changes of other inputs, which change a residual and are not noise: a rotation of the axis,
+// a field that is switched, a table that turns.
+class InputChanges {
  public:
-  explicit InputJumps(const series::Rows& rows) : rows_(rows) {
+  explicit InputChanges(const series::Rows& rows) : rows_(rows) {
     for (std::size_t i = 0; i < kValues; ++i) {
       double min = HUGE_VAL;
       double max = -HUGE_VAL;
-      for (const auto& signals : rows.signals) {
-        min = std::min(min, value(signals, i));
-        max = std::max(max, value(signals, i));
+      std::vector<double> steps;
+      for (std::size_t row = 0; row < rows.signals.size(); ++row) {
+        min = std::min(min, value(row, i));
+        max = std::max(max, value(row, i));
+        if (row > 0) steps.push_back(value(row, i) - value(row - 1, i));
       }
-      jump_[i] = rules::kInputJump * (max - min);
+      if (!(max > min)) continue;
+      changes_.push_back({i,
+                          std::max(rules::kInputJump * (max - min),
+                                   rules::kInputJumpSigmas * sigma_by_median(steps)),
+                          HUGE_VAL});
+      if (model::kOptionalInputs[i] == fog::Input::input_rate) {
+        changes_.back().max = std::max(rules::kMaxTurning * (max - min), rules::kMinTurning_dph);
+      }
     }
   }
-  bool between(std::size_t before, std::size_t row) const {
-    for (std::size_t i = 0; i < kValues; ++i) {
-      const double change =
-          std::abs(value(rows_.signals[row], i) - value(rows_.signals[before], i));
-      if (jump_[i] > 0 && change > jump_[i]) return true;
-    }
-    return false;
+  // `before`: the row before; `begin`: the first of the range.
+  bool at(std::size_t row, std::size_t before, std::size_t begin) const {
+    return std::any_of(changes_.begin(), changes_.end(), [&](const Change& change) {
+      const auto since = [&](std::size_t other) {
+        return std::abs(value(row, change.input) - value(other, change.input));
+      };
+      return since(before) > change.jump || since(begin) > change.max;
+    });
   }
 
  private:
   static constexpr std::size_t kValues = model::kOptionalInputs.size();
-  static double value(const fog::Signals<model::RealNumbers>& signals, std::size_t i) {
-    return model::optional_input(model::kOptionalInputs[i], signals.block);
+  struct Change {
+    std::size_t input;
+    double jump;  // from row to row
+    double max;   // within a range
+  };
+
+  double value(std::size_t row, std::size_t i) const {
+    return model::optional_input(model::kOptionalInputs[i], rows_.signals[row].block);
   }
 
   const series::Rows& rows_;
-  std::array<double, kValues> jump_{};
+  std::vector<Change> changes_;
 };
 
 }  // namespace
@@ -59,14 +76,15 @@ std::vector<recording::RowRange> quiet_ranges(const series::Rows& rows) {
   const auto size = static_cast<std::size_t>(rows.size());
   if (size < rules::kMinQuietRows) return ranges;
   const double limit = rate_limit(rows);
-  const InputJumps jumps(rows);
+  const InputChanges changes(rows);
   std::size_t begin = 0;
   const auto finish = [&](std::size_t end) {
     if (end - begin >= rules::kMinQuietRows) ranges.push_back({begin, end});
   };
   for (std::size_t row = 0; row < size; ++row) {
     const bool quiet = std::abs(rows.signals[row].temperature_rate) <= limit;
-    if (quiet && (row == begin || (rows.follows(row) && !jumps.between(row - 1, row)))) continue;
+    if (quiet && (row == begin || (rows.follows(row) && !changes.at(row, row - 1, begin))))
+      continue;
     finish(row);
     begin = quiet ? row : row + 1;
   }

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 #include "unit/fit/made_rows.hpp"
 
@@ -59,6 +61,35 @@ TEST(QuietRows, EndWhereAnInputJumpsByMoreThanAQuarterOfItsRange) {
   };
   EXPECT_EQ(quiet(rows_with(0.2)), (Ends{{0, 199}}));
   EXPECT_EQ(quiet(rows_with(0.3)), (Ends{{0, 99}, {100, 199}}));
+}
+
+// A logged quantity of which only the noise changes; then it is switched as well.
+TEST(QuietRows, DoNotEndAtTheNoiseOfAnInput) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise;
+  series::Rows rows = made_rows(200, [](double) { return 20; });
+  for (auto& signals : rows.signals) signals.block.extension[0] = 100 + noise(random);
+  EXPECT_EQ(quiet(rows), (Ends{{0, 199}}));
+  for (std::size_t i = 80; i < 200; ++i) rows.signals[i].block.extension[0] += 20;
+  EXPECT_EQ(quiet(rows), (Ends{{0, 79}, {80, 199}}));
+}
+
+// 30 deg/s within 90 s, beside rows at rest.
+TEST(QuietRows, AreNotThoseInWhichARateTableSweeps) {
+  series::Rows rows = made_rows(200, [](double) { return 20; });
+  for (std::size_t i = 100; i < 200; ++i) {
+    rows.signals[i].block.input_rate =
+        108000 * std::sin(static_cast<double>(i - 99) * 2 * M_PI / 9);
+  }
+  EXPECT_EQ(quiet(rows), (Ends{{0, 99}}));
+}
+
+TEST(QuietRows, MayHaveTheNoiseOfAReferenceAtRest) {
+  std::mt19937 random(2);
+  std::normal_distribution<double> noise(10, 5);  // deg/h
+  series::Rows rows = made_rows(200, [](double) { return 20; });
+  for (auto& signals : rows.signals) signals.block.input_rate = noise(random);
+  EXPECT_EQ(quiet(rows), (Ends{{0, 199}}));
 }
 
 // Two soaks with a slow temperature drift of so many degC/min, and a ramp of 1 degC/min.
