@@ -52,6 +52,7 @@ void append(BlockSeries& run, const BlockSeries& next) {
     block.number += offset;
     run.blocks.push_back(block);
   }
+  run.input_rates.insert(run.input_rates.end(), next.input_rates.begin(), next.input_rates.end());
   run.blocks[first].restarts = next.first.power_on.at > power_on + 1;
   run.recordings.insert(run.recordings.end(), next.recordings.begin(), next.recordings.end());
   series::widen(run.input_ranges, next.input_ranges);

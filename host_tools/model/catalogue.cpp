@@ -33,7 +33,7 @@ class RealInstance : public RealEffect {
         std::array<double, Effect<RealNumbers>::coefficients.size()> one{};
         one[i] = 1;
         effect_.set(signals, one.data());
-        regressors[i] = effect_.at(signals.block.input_rate);
+        regressors[i] = mean_at(signals.block);
       }
     } else {
       effect_.step(signals, regressors);
@@ -42,6 +42,17 @@ class RealInstance : public RealEffect {
 
  private:
   static constexpr bool kFollowsRate = FollowsRate<Effect<RealNumbers>>::value;
+
+  // The board takes the rate of every sample: within a block in which the rate changes, the mean of
+  // a nonlinear effect is not the effect of the mean.
+  double mean_at(const fog::BlockMeans<RealNumbers>& block) const {
+    const RealNumbers::RateWithin& within = block.rate_within;
+    if (within.count == 0) return effect_.at(block.input_rate);
+    double sum = 0;
+    for (std::size_t i = 0; i < within.count; ++i) sum += effect_.at(within.samples[i]);
+    return sum / static_cast<double>(within.count);
+  }
+
   Effect<RealNumbers> effect_;
 };
 

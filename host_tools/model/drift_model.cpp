@@ -105,7 +105,7 @@ void RealDriftModel::step(const RealBlock& block) {
 
 void RealDriftModel::see_rate(const RealBlock& block) {
   signals_.block.input_rate = block.input_rate;
-  signals_.block.input_rate_rise = block.input_rate_rise;
+  signals_.block.rate_within = block.rate_within;
   sum(bank_.see_rate(signals_));
 }
 

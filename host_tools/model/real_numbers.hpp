@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace fogcomp::model {
@@ -13,7 +14,13 @@ struct RealNumbers {
   using TemperatureRate = double;
   using Regressor = double;
   using Elapsed = double;
-  using RateRise = double;
+  /// The input rate within a block.
+  struct RateWithin {
+    double rise = 0;  ///< from the block's beginning to its end, deg/h
+    /// deg/h, if they differ; owned by the series of the blocks.
+    const double* samples = nullptr;
+    std::size_t count = 0;
+  };
   /// When the power came on last, and for how long it had been on and off before; blocks.
   struct PowerOn {
     double at = 0;

@@ -14,6 +14,9 @@ namespace {
 
 using Means = fog::BlockMeans<model::RealNumbers>;
 
+// A change within a block that makes no nonlinearity: 0.01 deg/s.
+constexpr double kMinChange_dph = 36;
+
 Means means_of_row(const recording::Recording& recording, std::size_t row) {
   Means means;
   means.temperature = recording.temperature_degc[row];
@@ -91,24 +94,34 @@ model::InputRanges input_ranges_of(const recording::Recording& recording) {
   return ranges;
 }
 
-// Of blocks in `first_rows`, each up to the next one's first row.
-void add_rises_of_input_rate(const recording::Recording& recording,
-                             const std::vector<std::size_t>& first_rows, BlockSeries& series) {
+// Of blocks that begin with `first_rows`.
+void set_rates_within(const recording::Recording& recording,
+                      const std::vector<std::size_t>& first_rows, BlockSeries& series) {
   const std::vector<double>& rate_dph = recording.input_rate_dph;
   if (rate_dph.empty()) return;
-  const std::vector<std::size_t>& starts = recording.stretch_starts;
-  for (std::size_t i = 0; i < first_rows.size(); ++i) {
-    const auto next = std::upper_bound(starts.begin(), starts.end(), first_rows[i]);
-    const std::size_t begin = *(next - 1);
-    const std::size_t end = next == starts.end() ? rate_dph.size() : *next;
-    const auto row = static_cast<std::ptrdiff_t>(first_rows[i] - begin);
-    const auto samples = static_cast<std::ptrdiff_t>(series.blocks[i].samples);
-    const auto size = static_cast<std::ptrdiff_t>(end - begin);
-    const auto at_end_of = [&](std::ptrdiff_t k) {
-      return value_at_end_of(rate_dph.data() + begin, size, std::min(k, size - 1));
-    };
-    series.blocks[i].means.input_rate_rise = at_end_of(row + samples - 1) - at_end_of(row - 1);
+  const auto changes_within = [&](std::size_t i) {
+    const auto first = rate_dph.begin() + static_cast<std::ptrdiff_t>(first_rows[i]);
+    const auto [min, max] = std::minmax_element(first, first + series.blocks[i].samples);
+    return *max - *min > kMinChange_dph;
+  };
+  std::vector<bool> changing(series.blocks.size());
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < changing.size(); ++i) {
+    changing[i] = changes_within(i);
+    if (changing[i]) size += series.blocks[i].samples;
   }
+  auto kept = std::make_shared<std::vector<double>>();
+  kept->reserve(size);  // pointers into it stay valid
+  for (std::size_t i = 0; i < changing.size(); ++i) {
+    model::RealNumbers::RateWithin& within = series.blocks[i].means.rate_within;
+    within.rise = rise_of_input_rate(recording, first_rows[i], series.blocks[i].samples);
+    if (!changing[i]) continue;
+    const auto first = rate_dph.begin() + static_cast<std::ptrdiff_t>(first_rows[i]);
+    within.samples = kept->data() + kept->size();
+    within.count = series.blocks[i].samples;
+    kept->insert(kept->end(), first, first + series.blocks[i].samples);
+  }
+  series.input_rates.push_back(std::move(kept));
 }
 
 void require_unmasked(const BlockSeries& series) {
@@ -119,6 +132,21 @@ void require_unmasked(const BlockSeries& series) {
 }
 
 }  // namespace
+
+double rise_of_input_rate(const recording::Recording& recording, std::size_t first,
+                          std::uint32_t rows) {
+  const std::vector<double>& rate_dph = recording.input_rate_dph;
+  const std::vector<std::size_t>& starts = recording.stretch_starts;
+  const auto next = std::upper_bound(starts.begin(), starts.end(), first);
+  const std::size_t begin = *(next - 1);
+  const std::size_t end = next == starts.end() ? rate_dph.size() : *next;
+  const auto row = static_cast<std::ptrdiff_t>(first - begin);
+  const auto size = static_cast<std::ptrdiff_t>(end - begin);
+  const auto at_end_of = [&](std::ptrdiff_t k) {
+    return value_at_end_of(rate_dph.data() + begin, size, std::min(k, size - 1));
+  };
+  return at_end_of(row + static_cast<std::ptrdiff_t>(rows) - 1) - at_end_of(row - 1);
+}
 
 std::int64_t sample_number(const recording::Recording& recording, std::size_t row) {
   if (row == 0) return 0;
@@ -191,7 +219,7 @@ BlockSeries make_blocks(const recording::Recording& recording) {
     make_means(block, recording.masks);
     block.means.elapsed = series.first.elapsed + static_cast<double>(block.number) + 1;
   }
-  add_rises_of_input_rate(recording, first_rows, series);
+  set_rates_within(recording, first_rows, series);
   require_unmasked(series);
   return series;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,8 @@ struct BlockSeries {
     fog::BlockMeans<model::RealNumbers> means;
   };
   std::vector<Block> blocks;
+  /// Owners of the input rates to which the blocks' means point: one for each file.
+  std::vector<std::shared_ptr<const std::vector<double>>> input_rates;
   fog::BlockMeans<model::RealNumbers> first;  ///< the first sample, from which the board starts
   fog::InputMask inputs = 0;                  ///< of the recording
   model::InputRanges input_ranges{};          ///< of its rows
@@ -42,6 +45,11 @@ std::int64_t sample_number(const recording::Recording& recording, std::size_t ro
 std::uint32_t samples_per_block(double period_s);
 
 BlockSeries make_blocks(const recording::Recording& recording);
+
+/// Change of the input rate, deg/h, from the beginning of a row to the end of the last of `rows`
+/// rows, all of one stretch. Requires a recording with an input rate.
+double rise_of_input_rate(const recording::Recording& recording, std::size_t row,
+                          std::uint32_t rows);
 
 /// Extends `ranges` by those of another recording.
 void widen(model::InputRanges& ranges, const model::InputRanges& others);

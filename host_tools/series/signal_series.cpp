@@ -40,7 +40,7 @@ void SignalSeries::Run::keep(const Signals& signals, bool restart) {
     power_on.push_back(means.power_on);
   }
   if (has(inputs, fog::Input::input_rate)) {
-    input_rate.push_back({means.input_rate, means.input_rate, means.input_rate_rise});
+    input_rate.push_back({means.input_rate, means.input_rate, means.rate_within});
   }
   if ((inputs & fog::kAllExtensionInputs) != 0) extension.push_back(means.extension);
 }
@@ -56,7 +56,7 @@ void SignalSeries::Run::read(std::size_t block, Reading reading, Signals& signal
   signals.block.temperature = seen.temperature;
   if (!input_rate.empty()) {
     signals.block.input_rate = input_rate[block].before_dph;
-    signals.block.input_rate_rise = input_rate[block].rise_dph;
+    signals.block.rate_within = input_rate[block].within;
   }
   signals.block.elapsed = kept.elapsed;
   if (!power_on.empty()) signals.block.power_on = power_on[block];
@@ -95,7 +95,16 @@ class SignalSeries::Recorder {
 
 void SignalSeries::add(const BlockSeries& series) {
   require_inputs(model_, series);
-  runs_.push_back({series.block_s, series.inputs, series.recordings, {}, {}, {}, {}, {}, {}});
+  runs_.push_back({series.block_s,
+                   series.inputs,
+                   series.recordings,
+                   {},
+                   {},
+                   {},
+                   {},
+                   {},
+                   {},
+                   series.input_rates});
   runs_.back().blocks.reserve(series.blocks.size() + 1);
   RowAverager rows(series, model_.average_s, rows_);
   if (phase_ == Phase::board) {
@@ -119,7 +128,7 @@ void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows
     Block& current = run.blocks.back();
     if (!run.input_rate.empty()) {
       run.input_rate.back().dph = block.means.input_rate;
-      run.input_rate.back().rise_dph = block.means.input_rate_rise;
+      run.input_rate.back().within = block.means.rate_within;
     }
     current.row = rows.take(block, run.signals(run.blocks.size() - 1, Reading::of_sensor));
     current.samples = block.samples;

@@ -70,9 +70,9 @@ class SignalSeries {
   using Extension = decltype(fog::BlockMeans<model::RealNumbers>::extension);
   using PowerOn = model::RealNumbers::PowerOn;
   struct InputRate {
-    double before_dph = 0;  ///< of the block whose means the signals are
-    double dph = 0;         ///< in the block in which the signals are used
-    double rise_dph = 0;    ///< from that block's beginning to its end
+    double before_dph = 0;                  ///< of the block whose means the signals are
+    double dph = 0;                         ///< in the block in which the signals are used
+    model::RealNumbers::RateWithin within;  ///< in that block
   };
   // State of the thermal stage during one block.
   struct Block {
@@ -91,6 +91,7 @@ class SignalSeries {
     std::vector<InputRate> input_rate;  ///< per block; empty if the recording lacks it
     std::vector<Extension> extension;   ///< the same
     std::vector<Seen> smoothed;         ///< per block; empty in Phase::zero
+    decltype(BlockSeries::input_rates) rates_within;  ///< owners of what `input_rate` points to
 
     void keep(const Signals& signals, bool restart);
     void read(std::size_t block, Reading reading, Signals& signals) const;

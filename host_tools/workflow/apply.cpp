@@ -125,11 +125,13 @@ class RealSeries {
     }
   }
 
-  void rows_of(const series::BlockSeries::Block& block, const model::RealDriftModel& drift) {
+  // The effects that follow the input rate act on each sample's own.
+  void rows_of(const series::BlockSeries::Block& block, model::RealDriftModel& drift) {
     const bool clamped =
         block.means.temperature < model_.min_degc || block.means.temperature > model_.max_degc;
     const fog::Status flags = status_if(clamped, fog::Status::temperature_clamped);
     for (; row_ < recording_.rows() && block_of(row_) == block.number; ++row_) {
+      if (has_input()) drift.see_rate(inputs_of_row(block));
       std::vector<double> values = measured();
       for (std::size_t term = 0; term < model_.terms.size(); ++term) {
         values.push_back(drift.effect_dph(term));
@@ -144,6 +146,15 @@ class RealSeries {
     }
   }
 
+  // The rise is that of a whole block, as the effects take it.
+  model::RealBlock inputs_of_row(const series::BlockSeries::Block& block) const {
+    model::RealBlock inputs = block.means;
+    inputs.input_rate = recording_.input_rate_dph[row_];
+    inputs.rate_within = {};
+    inputs.rate_within.rise = samples_per_block_ * series::rise_of_input_rate(recording_, row_, 1);
+    return inputs;
+  }
+
   std::vector<double> measured() const {
     std::vector<double> values{recording_.time_s[row_], recording_.temperature_degc[row_],
                                recording_.rate_dph[row_]};
@@ -155,7 +166,7 @@ class RealSeries {
   const model::Model& model_;
   const recording::Recording& recording_;
   RowsOut& out_;
-  std::int64_t samples_per_block_ = 1;
+  std::uint32_t samples_per_block_ = 1;
   std::size_t row_ = 0;
 };
 

@@ -335,7 +335,7 @@ fogcomp::model::RealBlock block_of(const History& history, std::size_t i) {
   block.temperature = history.mean_degc[i];
   block.input_rate = history.input_rate_dph[i];
   const double t = history.time_s[i];
-  block.input_rate_rise = 3e5 * (std::sin(t / 400) - std::sin((t - kBlock_s) / 400));
+  block.rate_within.rise = 3e5 * (std::sin(t / 400) - std::sin((t - kBlock_s) / 400));
   block.elapsed = history.time_s[i] / kBlock_s;
   const auto set = [&](fog::Input input, double value) { block[input] = value; };
   set(fog::Input::temperature2, history.second_mean_degc[i]);

@@ -44,10 +44,10 @@ class LateReference : public NoParameters {
   std::size_t regressor_count() const { return 1; }
   void reset(const Signals<N>& /*signals*/) {}
   void step(const Signals<N>& signals, typename N::Regressor* regressors) {
-    if constexpr (std::is_empty_v<typename N::RateRise>) {
+    if constexpr (std::is_empty_v<typename N::RateWithin>) {
       regressors[0] = {};
     } else {
-      regressors[0] = divide_by_power_of_two<19>(signals.block.input_rate_rise * per_second_);
+      regressors[0] = divide_by_power_of_two<19>(signals.block.rate_within.rise * per_second_);
     }
   }
 

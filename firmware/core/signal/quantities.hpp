@@ -28,7 +28,7 @@ struct BoardNumbers {
   using TemperatureRate = fog::TemperatureRate;
   using Regressor = fog::Regressor;
   using Elapsed = fog::Elapsed;
-  struct RateRise {};
+  struct RateWithin {};
   /// A value with F fractional bits.
   template <int kFractionalBits>
   using Number = Fixed<std::int32_t, kFractionalBits>;

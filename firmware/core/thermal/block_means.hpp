@@ -14,8 +14,8 @@ struct BlockMeans {
   typename N::Rate input_rate{};          ///< about the axis
   typename N::Elapsed elapsed{};          ///< blocks from power-on to the end of this one
   std::array<typename N::template Number<16>, kExtensionInputs> extension{};
-  /// From the block's beginning to its end: on the host alone, only a recording tells it.
-  [[no_unique_address]] typename N::RateRise input_rate_rise{};
+  /// How the input rate changes within the block: on the host alone, only a recording tells it.
+  [[no_unique_address]] typename N::RateWithin rate_within{};
   /// The last power-on: on the host alone, a recording may go on after it.
   [[no_unique_address]] typename N::PowerOn power_on{};
 

@@ -111,5 +111,36 @@ TEST(SignalSeries, KnowsThePowerOnOfARecordingThatBeganLater) {
   EXPECT_NEAR(late[0] / from_start[0], std::exp(-1.0), 1e-9);
 }
 
+// A rate table that turns at once, half way through a block: the board takes each sample's rate.
+TEST(SignalSeries, TakesANonlinearityOfEverySampleAndNotOfTheMean) {
+  recording::Recording recording;
+  recording.file = "table.csv";
+  recording.period_s = 0.1;
+  recording.stretch_starts = {0};
+  for (int row = 0; row < 400; ++row) {
+    recording.time_s.push_back(0.1 * row);
+    recording.temperature_degc.push_back(20);
+    recording.input_rate_dph.push_back(row < 205 ? 0 : 720000);
+    recording.rate_dph.push_back(recording.input_rate_dph.back() + 0.001 * (row % 7));
+  }
+  const BlockSeries blocks = make_blocks(recording);
+  const auto effect =
+      model::parse_effects("scale_factor_nonlinearity:order=3,full_scale=200").front();
+  for (const Phase phase : {Phase::board, Phase::zero}) {
+    model::Model model;
+    model.average_s = 1;
+    SignalSeries series(model, phase);
+    series.add(blocks);
+    const Eigen::MatrixXd columns = series.regressors(effect);
+    const Eigen::Index rows = columns.rows();
+    EXPECT_EQ(columns.topRows(rows - 21).cwiseAbs().maxCoeff(), 0);
+    for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+      const double whole = columns(rows - 1, i);
+      EXPECT_GT(whole, 0);
+      EXPECT_NEAR(columns(rows - 20, i), whole / 2, 1e-12 * whole);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fogcomp::series

@@ -14,6 +14,7 @@
 #include "core/frames/compact_frame.hpp"
 #include "model/model_file.hpp"
 #include "support/input_error.hpp"
+#include "support/sample_models.hpp"
 #include "support/text.hpp"
 #include "unit/recording/temporary_file.hpp"
 #include "workflow/add.hpp"
@@ -190,6 +191,32 @@ TEST_F(UseCases, ApplyGivesTheSeriesWhoseMeansCompareHas) {
   const compare::Comparison comparison = compare(judged)[0].runs[0].comparison;
   EXPECT_NEAR(std::sqrt(square), comparison.whole.rms_dph, 0.03 * comparison.whole.rms_dph);
   EXPECT_NEAR(outcome.compensated_std_dph, std::sqrt(square - mean * mean), 1e-4);
+}
+
+// A table that starts and stops within a block: the board compensates each sample by its own rate.
+TEST_F(UseCases, ApplyFollowsTheInputRateFromSampleToSample) {
+  model::Model gyro = fog::test::paper_like_model();
+  gyro.network = {};
+  gyro.terms = {fog::test::natural_term("scale_factor", {}, {1000})};
+  gyro.terms[0].sigma_dph = {0};
+  model::save_model(gyro, path("table.model"));
+  std::ofstream table(path("table.csv"));
+  table << "time_s,temperature_degc,rate_dph,input_rate_dph\n";
+  for (int row = 0; row < 400; ++row) {
+    const double rate_dph = row / 30 % 2 == 0 ? 0 : 3600.0 * (row % 30);
+    table << format("%.1f,20,%.3f,%.3f\n", 0.1 * row, 1.001 * rate_dph + 0.01 * (row % 3),
+                    rate_dph);
+  }
+  table.close();
+  ApplyRequest request;
+  request.weights = path("table.model");
+  request.run = path("table.csv");
+  AppliedSeries series;
+  apply(request, series.sink());
+  ASSERT_EQ(series.rows.size(), 400U);
+  for (const std::vector<double>& row : series.rows) {
+    EXPECT_NEAR(row[series.place("compensated_dph")], row[series.place("input_rate_dph")], 0.03);
+  }
 }
 
 // The second file does not begin at power-on: its lags go on from the first.
