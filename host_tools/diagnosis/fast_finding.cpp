@@ -8,6 +8,7 @@
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/refit.hpp"
+#include "diagnosis/structure.hpp"
 #include "noise/input_rate.hpp"
 #include "noise/quiet_rows.hpp"
 #include "support/least_squares.hpp"
@@ -43,13 +44,28 @@ bool band_remains(const std::vector<model::EffectTerm>& terms, const series::Sig
   return find_fast_structure(series.rows(), own.whitened_residual).band_log_p < rules::kFastLogP;
 }
 
+// The input rate, and its magnitude and square, with factors that change slowly: whatever the
+// temperature does to a scale factor.
+Eigen::MatrixXd modulated_input_rate(const series::Rows& rows) {
+  Eigen::ArrayXd rate(rows.size());
+  for (Eigen::Index i = 0; i < rows.size(); ++i) {
+    rate[i] = rows.inputs[static_cast<std::size_t>(i)].input_rate;
+  }
+  rate /= std::max(rate.abs().maxCoeff(), 1.0);
+  const Eigen::MatrixXd slow = smooths_in_time(rows);
+  return side_by_side({rate.matrix().asDiagonal() * slow, rate.abs().matrix().asDiagonal() * slow,
+                       rate.square().matrix().asDiagonal() * slow},
+                      rows.size());
+}
+
 // Removes what the input rate has as well: on a rate table such a line is the programme's own.
 // Columns of which the model leaves next to nothing are rounding errors and are not used.
 Eigen::VectorXd without_input_rate(const EvidenceSpace& evidence, const series::Rows& rows,
                                    Eigen::VectorXd whitened) {
   constexpr double kAboveRounding = 1e-3;
-  const Eigen::MatrixXd columns = noise::input_rate_columns(rows);
+  Eigen::MatrixXd columns = noise::input_rate_columns(rows);
   if (columns.cols() == 0) return whitened;
+  columns = side_by_side({columns, modulated_input_rate(rows)}, rows.size());
   VisiblePart part = evidence.residualizer(columns);
   Eigen::Index kept = 0;
   for (Eigen::Index i = 0; i < part.columns.cols(); ++i) {

@@ -57,7 +57,9 @@ Eigen::VectorXd beyond_play(const series::Rows& rows, const Eigen::VectorXd& x, 
   return beyond;
 }
 
-Eigen::MatrixXd of_time(const series::Rows& rows) {
+}  // namespace
+
+Eigen::MatrixXd smooths_in_time(const series::Rows& rows) {
   const auto runs = static_cast<int>(rows.run_starts.size());
   const int knots = std::clamp(kMaxTimeKnots / runs, 3, kTimeKnots);
   std::vector<Eigen::MatrixXd> parts;
@@ -72,8 +74,6 @@ Eigen::MatrixXd of_time(const series::Rows& rows) {
   }
   return side_by_side(parts, rows.size());
 }
-
-}  // namespace
 
 Eigen::VectorXd temperature_beyond(const series::Rows& rows, const Eigen::VectorXd& temperature,
                                    const TemperatureHistory& history) {
@@ -98,7 +98,7 @@ std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
     history.push_back(temperature_beyond(rows, temperature, each));
   }
   groups.push_back({"temperature history", side_by_side(history, rows.size())});
-  groups.push_back({"time_s", of_time(rows)});
+  groups.push_back({"time_s", smooths_in_time(rows)});
 
   for (std::size_t i = static_cast<std::size_t>(fog::Input::input_rate); i < fog::kInputs; ++i) {
     const fog::InputDescription& input = fog::kInputTable[i];

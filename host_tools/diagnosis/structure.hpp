@@ -29,6 +29,9 @@ inline constexpr std::array<TemperatureHistory, 8> kTemperatureHistories{
 Eigen::VectorXd temperature_beyond(const series::Rows& rows, const Eigen::VectorXd& temperature,
                                    const TemperatureHistory& history);
 
+/// Smooth functions of the time within each run, rows x any.
+Eigen::MatrixXd smooths_in_time(const series::Rows& rows);
+
 /// Smooth functions of temperature, its rate, their product, history (lagged temperatures and play
 /// operators), time within each run, and every further input that varies.
 std::vector<StructureGroup> structure_groups(const series::Rows& rows);

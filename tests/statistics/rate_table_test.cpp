@@ -102,6 +102,23 @@ TEST(RateTable, WhatTheInputRateDrivesIsNotTakenForACycle) {
   EXPECT_EQ(diagnosis.variable, "input_rate_dph");
 }
 
+// A source that is warmed a minute later than the sensor: sweeps whose size follows the temperature
+// and its rate are the table's, too.
+TEST(RateTable, WhatALateSourceLeavesIsNotTakenForACycleAndItsLagIsFound) {
+  double before_degc = 25;
+  const auto recording = on_the_table(5, [&](double w, double t, double) {
+    const double late_degc = t - 60 * (t - before_degc);
+    before_degc = t;
+    return w * (2e-3 - 4e-4 * (late_degc - kMeanDegc));
+  });
+  const Diagnosis late = diagnosed(recording, "bias,scale_factor,scale_factor_temperature");
+  EXPECT_EQ(late.fast_kind, fogcomp::diagnosis::FastKind::none);
+  const Diagnosis complete =
+      diagnosed(recording, "bias,scale_factor,scale_factor_temperature:lag=?");
+  EXPECT_LT(complete.residual_rms_dph, 0.1 * late.residual_rms_dph);
+  EXPECT_NEAR(complete.terms.back().parameters.back(), 60, 10);
+}
+
 // With all errors in the model, only noise is left.
 TEST(RateTable, LeavesNothingBehindACompleteModel) {
   const auto recording = on_the_table(7, [](double w, double t, double) {
