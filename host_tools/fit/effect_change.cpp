@@ -35,6 +35,12 @@ std::string given_parameters(const model::EffectTerm& term) {
   return text;
 }
 
+bool sets(const std::string& effect, const std::string& parameter) {
+  return effect.find(':' + parameter + '=') != std::string::npos ||
+         effect.find(',' + parameter + '=') != std::string::npos;
+}
+
+// What was searched for is searched for again, unless it is set.
 model::EffectTerm with_settings(const model::EffectTerm& old, const std::string& effect) {
   const std::size_t colon = effect.find(':');
   std::string given = given_parameters(old);
@@ -42,6 +48,10 @@ model::EffectTerm with_settings(const model::EffectTerm& old, const std::string&
     given += (given.empty() ? ":" : ",") + effect.substr(colon + 1);
   }
   model::EffectTerm term = parse_one(old.name + given);
+  const model::CatalogueEntry& entry = model::find_effect(old.name);
+  for (std::size_t i = 0; i < term.parameters.size(); ++i) {
+    if (old.identified[i] && !sets(effect, entry.parameters[i].name)) term.identified[i] = true;
+  }
   for (const model::ShapeParameter& shape : model::shape_parameters({term})) {
     const double value = old.parameters[shape.index];
     if (shape.min <= value && value <= shape.max) term.parameters[shape.index] = value;

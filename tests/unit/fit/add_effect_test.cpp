@@ -25,6 +25,20 @@ TEST(AddEffect, AcceptsATrueEffect) {
   EXPECT_FALSE(result.model.history.back().forced);
 }
 
+// The lag was searched for: another order must not set it back to 0.
+TEST(AddEffect, SearchesAgainForWhatWasSearchedFor) {
+  std::vector<fogcomp::model::EffectTerm> terms =
+      fogcomp::model::parse_effects("bias,scale_factor_temperature:lag=?");
+  terms[1].parameters[2] = -120;
+  const auto changed = fogcomp::fit::change_effect(terms, "scale_factor_temperature:order=2");
+  EXPECT_EQ(changed.terms[1].parameters[0], 2);
+  EXPECT_EQ(changed.terms[1].parameters[2], -120);
+  EXPECT_TRUE(changed.terms[1].identified[2]);
+  const auto given = fogcomp::fit::change_effect(terms, "scale_factor_temperature:lag=60");
+  EXPECT_EQ(given.terms[1].parameters[2], 60);
+  EXPECT_FALSE(given.terms[1].identified[2]);
+}
+
 // The verdict is the same; the model is fitted in its own rows.
 TEST(AddEffect, JudgesWhateverTheRowsOfTheModel) {
   const fogcomp::fit::TrainingRuns runs = runs_of(truth(), {1});
