@@ -206,7 +206,9 @@ Columns axial(const History& h, const Values& shape) {
 }
 
 Columns rate_and_temperature(const History& h, const Values& shape) {
-  const Values above = map(above_20(h), [&](double t) { return t + 20 - shape[1]; });
+  const Values change = map(rate_of(h), [&](double per_min) { return shape[2] / 60 * per_min; });
+  const Values late = difference(above_20(h), change);
+  const Values above = map(late, [&](double t) { return t + 20 - shape[1]; });
   Columns columns;
   for (double k = 1; k <= shape[0]; ++k) {
     const Values power = map(above, [&](double t) { return 1e-6 * std::pow(t, k); });
@@ -270,7 +272,7 @@ const std::vector<Formula> kFormulas{
      [](const History& h, const Values&) {
        return Columns{map(h.input_rate_dph, [](double w) { return 1e-6 * w; })};
      }},
-    {"scale_factor_temperature", {{1, 20}, {3, -7.5}}, rate_and_temperature},
+    {"scale_factor_temperature", {{1, 20, 0}, {1, 20, 90}, {3, -7.5, -300}}, rate_and_temperature},
     {"scale_factor_nonlinearity", {{2, 90}, {3, 60}, {5, 83.5}, {5, 500}}, nonlinearity},
     {"scale_factor_asymmetry",
      {{0.01}, {10}},

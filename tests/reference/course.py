@@ -136,7 +136,7 @@ class Course:
     def _follow(self, w):
         if self.to_make is not None:
             for effect in self.following:
-                effect.make(self.to_make.trained)
+                effect.make(self.to_make)
             self.to_make = None
             self.coefficients_made = True
         drift = self.base

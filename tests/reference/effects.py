@@ -254,7 +254,7 @@ class Following:
         """What the limits of single constants do not say."""
         return True
 
-    def make(self, trained):
+    def make(self, signals):
         raise NotImplementedError
 
     def drift(self, w):
@@ -262,19 +262,20 @@ class Following:
 
 
 class ScaleFactor(Following):
-    def make(self, trained):
+    def make(self, signals):
         self.e = clamp(sat32(round_shift(self.k[0], 27)), -2**30, 2**30)
 
 
 class ScaleFactorTemperature(Following):
-    constants = ((1, 3), (-256 << 16, 256 << 16))
+    constants = ((1, 3), (-256 << 16, 256 << 16), ANY)
 
     @staticmethod
     def counts(constants):
         return constants[0]
 
-    def make(self, trained):
-        x = trained - self.c[1]
+    def make(self, signals):
+        late = round_shift(self.c[2] * signals.change, 33)
+        x = clamp(signals.trained - self.c[1] - late, -386 << 16, 386 << 16)
         s = 0
         for k in reversed(self.k):
             s = clamp(round_shift(k, 23) + round_shift(s * x, 22), -2**36, 2**36)
@@ -294,7 +295,7 @@ class ScaleFactorNonlinearity(Following):
     def counts(constants):
         return constants[0] - 1
 
-    def make(self, trained):
+    def make(self, signals):
         e2, e3, e4, e5 = [sat32(round_shift(k, 22)) for k in self.k] + [0] * (4 - len(self.k))
         polynomial = (-24 * e3 + 30 * e5, 24 * e2 - 60 * e4, 40 * e3 - 140 * e5, 70 * e4, 126 * e5)
         self.p = [clamp(sat32(round_shift(p, 5)), -402653184, 402653184) for p in polynomial]
@@ -315,7 +316,7 @@ class ScaleFactorAsymmetry(Following):
     def accepts(constants):
         return constants[0] * constants[1] <= 3 * 2**41
 
-    def make(self, trained):
+    def make(self, signals):
         self.e = clamp(sat32(round_shift(self.k[0], 27)), -2**28, 2**28)
 
     def drift(self, w):

@@ -176,7 +176,7 @@ class FunctionVectors:
         signals = self.signals_given[i]
         if number in FOLLOWING:
             effect = FOLLOWING[number](entry.constants, entry.coefficients, self.table.fraction)
-            effect.make(signals.trained)
+            effect.make(signals)
             return 0, effect.drift(signals.means.rate)
         effect = FOR_A_BLOCK[number](entry.constants)
         effect = self._stepped(number, effect, lambda state, first: state.reset(first))

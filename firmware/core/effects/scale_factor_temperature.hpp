@@ -1,45 +1,52 @@
 #pragma once
 
 #include <array>
+#include <type_traits>
 
 #include "core/effects/effect.hpp"
 
 namespace fog::effects {
 
 /// Scale factor that follows the source's wavelength and the coil's size: an error proportional to
-/// the rate, up to a quarter of it. With x = T - reference the first regressor is W x / 2^25 deg/h
-/// degC, each further one its predecessor times x / 64 degC. In steps of 64 degC every coefficient
-/// is a scale factor error / 2^19; Horner's rule sums their polynomial once per block, to 2^-36.
+/// the rate, up to a quarter of it. With x = T - lag dT/dt - reference the first regressor is
+/// W x / 2^25 deg/h degC, each further one its predecessor times x / 64 degC. In steps of 64 degC
+/// every coefficient is a scale factor error / 2^19; Horner's rule sums their polynomial once per
+/// block, to 2^-36.
 ///
-/// With the reference of its rows the first order is orthogonal to a constant scale factor error.
+/// The lag stands, to first order, for a source or loop that is warmed later than the sensor, or,
+/// where it is negative, earlier. With the reference of its rows the first order is orthogonal to a
+/// constant scale factor error.
 template <class N>
 class ScaleFactorTemperature {
   static constexpr std::int32_t kLsbsPerDegc = 1 << 16;
   static constexpr std::int32_t kMaxReference = 256;  // degC: 386 of any temperature
+  static constexpr std::int32_t kMaxDistance = 386;
+  static constexpr int kLagFraction = 24;
 
  public:
   static constexpr EffectDescription description{
       "scale_factor_temperature",
       10,
       "scale factor: source wavelength and coil size",
-      "b = W sum over i = 1..order of ki (T - reference)^i, W the input rate",
+      "b = W sum over i = 1..order of ki (T - lag dT/dt - reference)^i, W the input rate",
       "k1 1 to 10 ppm/degC (erbium), 200 to 400 ppm/degC (SLD without cooler), coil 2 to 10 "
-      "ppm/degC; k2 to 1 ppm/degC^2",
-      "order=1 reference=20 k1=300",
+      "ppm/degC; k2 to 1 ppm/degC^2; lag of the source -5 to 5 min",
+      "order=1 reference=20 lag=60 k1=300",
       "in proportion to the input rate and reversed with it, another size at each temperature; in "
       "one static position the same as bias_temperature",
       "US8254416; IEEE Std 952, scale factor temperature sensitivity",
       bit_of(Input::input_rate)};
-  static constexpr std::array<ParameterDescription, 2> parameters{
+  static constexpr std::array<ParameterDescription, 3> parameters{
       {{"order", "1", 1000, 3000, 1000, Scale::whole},
        {"reference", "degC", -100000, 200000, 20000, Scale::linear, nullptr, nullptr,
-        NotGiven::mean_temperature}}};
+        NotGiven::mean_temperature},
+       {"lag", "s", -900000, 900000, 0, Scale::linear, nullptr, nullptr, NotGiven::kept}}};
   static constexpr std::array<CoefficientDescription, 3> coefficients{
       {{"k1", "ppm/degC", 25, Multiplies::level, 1000000},
        {"k2", "ppm/degC^2", 31, Multiplies::level, 1000000},
        {"k3", "ppm/degC^3", 37, Multiplies::level, 1000000}}};
 
-  static constexpr std::array<int, 2> constant_fractions{0, 16};
+  static constexpr std::array<int, 3> constant_fractions{0, 16, kLagFraction};
   template <class Real>
   static void board_constants(const Real* given, Real /*block_s*/, Real* constants) {
     constants[0] = given[0];
@@ -49,6 +56,7 @@ class ScaleFactorTemperature {
     constants[1] =
         static_cast<Real>(static_cast<std::int64_t>(lsbs + (lsbs < 0 ? -1 : 1) / Real{2})) /
         kLsbsPerDegc;
+    constants[2] = given[2] / 60;
   }
   static bool constants_valid(const typename N::Constant* constants) {
     const auto max = from_integer<typename N::Temperature>(kMaxReference);
@@ -58,11 +66,12 @@ class ScaleFactorTemperature {
 
   explicit ScaleFactorTemperature(const typename N::Constant* constants)
       : order_(static_cast<std::size_t>(N::integer(constants[0]))),
-        reference_(N::template number<16>(constants[1])) {}
+        reference_(N::template number<16>(constants[1])),
+        lag_min_(N::template number<kLagFraction>(constants[2])) {}
 
   std::size_t regressor_count() const { return order_; }
   void set(const Signals<N>& signals, const typename N::Coefficient* given) {
-    const auto x = divide_by_power_of_two<6>(signals.temperature - reference_);
+    const auto x = distance(signals);
     Partial sum{};
     for (std::size_t i = order_; i-- > 0;) {
       const auto own = round_to<Partial>(divide_by_power_of_two<19>(given[i]));
@@ -79,8 +88,19 @@ class ScaleFactorTemperature {
     return clamp(sum, -from_integer<Partial>(1), from_integer<Partial>(1));
   }
 
+  // From the reference to the late temperature, in 64 degC.
+  auto distance(const Signals<N>& signals) const {
+    const auto now = divide_by_power_of_two<6>(signals.temperature - reference_);
+    using Distance = std::remove_const_t<decltype(now)>;
+    const Distance late =
+        round_to<Distance>(divide_by_power_of_two<6>(lag_min_ * signals.temperature_rate));
+    const auto max = divide_by_power_of_two<6>(from_integer<typename N::Temperature>(kMaxDistance));
+    return clamp(now - late, -max, max);
+  }
+
   std::size_t order_;
   typename N::Temperature reference_;
+  typename N::template Number<kLagFraction> lag_min_;
   typename N::ScaleFactorError error_{};
 };
 

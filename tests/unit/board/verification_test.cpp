@@ -14,7 +14,7 @@ TEST(Verification, AScaleFactorWithALargeSlopeIsWithinTheLimitAtAnyReferenceAndR
   for (const double off : {0.0, 3e-6, 7.5e-6, 1.1e-5}) {
     model::Model model = fog::test::paper_like_model();
     model.network = {};
-    model.terms = {fog::test::natural_term("scale_factor_temperature", {1, 25.5 + off}, {-400})};
+    model.terms = {fog::test::natural_term("scale_factor_temperature", {1, 25.5 + off, 0}, {-400})};
     model.min_degc = 21 + off;
     model.max_degc = 46 - off;
     const BoardTable table = make_board_table(model, {200, fog::OutputSelection::kvh, false});

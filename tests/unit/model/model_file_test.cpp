@@ -58,9 +58,11 @@ void expect_that_reads_as_now(const EffectTerm& term, const std::string& before,
 }
 
 TEST(ModelFile, ReadsEffectsFromBeforeTheyHadAllTheirParameters) {
-  expect_that_reads_as_now(fog::test::natural_term("scale_factor_temperature", {1, 20}, {300}),
-                           "effect scale_factor_temperature 0 1 ",
-                           "effect scale_factor_temperature 2 1 20 0 0 0 0 1 ");
+  for (const char* const before : {"effect scale_factor_temperature 0 1 ",
+                                   "effect scale_factor_temperature 2 1 20 0 0 0 0 1 "}) {
+    expect_that_reads_as_now(fog::test::natural_term("scale_factor_temperature", {1, 20, 0}, {300}),
+                             before, "effect scale_factor_temperature 3 1 20 0 0 0 0 0 0 0 1 ");
+  }
   expect_that_reads_as_now(fog::test::natural_term("aging", {7200, 1}, {0.1}),
                            "effect aging 1 7200 0 0 1 ", "effect aging 2 7200 1 0 0 0 0 1 ");
 }
