@@ -16,6 +16,7 @@
 #include "support/input_error.hpp"
 #include "support/sample_models.hpp"
 #include "support/text.hpp"
+#include "support/typical_effects.hpp"
 #include "unit/recording/temporary_file.hpp"
 #include "workflow/add.hpp"
 #include "workflow/apply.hpp"
