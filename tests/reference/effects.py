@@ -274,12 +274,12 @@ class ScaleFactorTemperature(Following):
         return constants[0]
 
     def make(self, signals):
-        late = round_shift(self.c[2] * signals.change, 33)
-        x = clamp(signals.trained - self.c[1] - late, -386 << 16, 386 << 16)
+        late = round_shift(self.c[2] * signals.change, 30)
+        x = clamp(((signals.trained - self.c[1]) << 3) - late, -386 << 19, 386 << 19)
         s = 0
         for k in reversed(self.k):
-            s = clamp(round_shift(k, 23) + round_shift(s * x, 22), -2**36, 2**36)
-        self.e = clamp(sat32(round_shift(s * x, 27)), -2**29, 2**29)
+            s = clamp(round_shift(k, 24) + round_shift(s * x, 25), -2**35, 2**35)
+        self.e = clamp(sat32(round_shift(s * x, 29)), -2**29, 2**29)
 
 
 class ScaleFactorNonlinearity(Following):

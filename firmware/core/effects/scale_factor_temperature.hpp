@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <type_traits>
 
 #include "core/effects/effect.hpp"
 
@@ -11,7 +10,7 @@ namespace fog::effects {
 /// the rate, up to a quarter of it. With x = T - lag dT/dt - reference the first regressor is
 /// W x / 2^25 deg/h degC, each further one its predecessor times x / 64 degC. In steps of 64 degC
 /// every coefficient is a scale factor error / 2^19; Horner's rule sums their polynomial once per
-/// block, to 2^-36.
+/// block, to 2^-35.
 ///
 /// The lag stands, to first order, for a source or loop that is warmed later than the sensor, or,
 /// where it is negative, earlier. With the reference of its rows the first order is orthogonal to a
@@ -40,7 +39,7 @@ class ScaleFactorTemperature {
       {{"order", "1", 1000, 3000, 1000, Scale::whole},
        {"reference", "degC", -100000, 200000, 20000, Scale::linear, nullptr, nullptr,
         NotGiven::mean_temperature},
-       {"lag", "s", -900000, 900000, 0, Scale::linear, nullptr, nullptr, NotGiven::kept}}};
+       {"lag", "s", -300000, 300000, 0, Scale::linear, nullptr, nullptr, NotGiven::kept}}};
   static constexpr std::array<CoefficientDescription, 3> coefficients{
       {{"k1", "ppm/degC", 25, Multiplies::level, 1000000},
        {"k2", "ppm/degC^2", 31, Multiplies::level, 1000000},
@@ -82,20 +81,22 @@ class ScaleFactorTemperature {
   typename N::RateDrift at(typename N::Rate rate) const { return rate * error_; }
 
  private:
-  // Clipped to 1; times x, below 386 / 64, it is below 2^61.
-  using Partial = typename N::template Wide<36>;
+  // Clipped to 1; times x, below 386 / 64, it is below 2^63.
+  using Partial = typename N::template Wide<35>;
   static Partial held_within_one(Partial sum) {
     return clamp(sum, -from_integer<Partial>(1), from_integer<Partial>(1));
   }
 
-  // From the reference to the late temperature, in 64 degC.
-  auto distance(const Signals<N>& signals) const {
-    const auto now = divide_by_power_of_two<6>(signals.temperature - reference_);
-    using Distance = std::remove_const_t<decltype(now)>;
-    const Distance late =
-        round_to<Distance>(divide_by_power_of_two<6>(lag_min_ * signals.temperature_rate));
-    const auto max = divide_by_power_of_two<6>(from_integer<typename N::Temperature>(kMaxDistance));
-    return clamp(now - late, -max, max);
+  // From the reference to the late temperature, in 64 degC; finer than a temperature, because
+  // 300 ppm/degC of 582 deg/s make 5 LSB of half an LSB of it.
+  using Distance = typename N::template Number<25>;
+  Distance distance(const Signals<N>& signals) const {
+    using Far = typename N::template Wide<25>;
+    const auto now = round_to<Far>(divide_by_power_of_two<6>(signals.temperature - reference_));
+    const auto late = round_to<Far>(divide_by_power_of_two<6>(lag_min_ * signals.temperature_rate));
+    const auto max = round_to<Far>(
+        divide_by_power_of_two<6>(from_integer<typename N::Temperature>(kMaxDistance)));
+    return round_to<Distance>(clamp(now - late, -max, max));
   }
 
   std::size_t order_;
