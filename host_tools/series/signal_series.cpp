@@ -95,17 +95,12 @@ class SignalSeries::Recorder {
 
 void SignalSeries::add(const BlockSeries& series) {
   require_inputs(model_, series);
-  runs_.push_back({series.block_s,
-                   series.inputs,
-                   series.recordings,
-                   {},
-                   {},
-                   {},
-                   {},
-                   {},
-                   {},
-                   series.input_rates});
-  runs_.back().blocks.reserve(series.blocks.size() + 1);
+  Run& run = runs_.emplace_back();
+  run.block_s = series.block_s;
+  run.inputs = series.inputs;
+  run.recordings = series.recordings;
+  run.rates_within = series.input_rates;
+  run.blocks.reserve(series.blocks.size() + 1);
   RowAverager rows(series, model_.average_s, rows_);
   if (phase_ == Phase::board) {
     add_as_the_board(series, rows);
