@@ -44,17 +44,12 @@ bool band_remains(const std::vector<model::EffectTerm>& terms, const series::Sig
   return find_fast_structure(series.rows(), own.whitened_residual).band_log_p < rules::kFastLogP;
 }
 
-// The input rate, and its magnitude and square, with factors that change slowly: whatever the
+// A rate, its magnitude and its square, each with factors that change slowly: whatever the
 // temperature does to a scale factor.
-Eigen::MatrixXd modulated_input_rate(const series::Rows& rows) {
-  Eigen::ArrayXd rate(rows.size());
-  for (Eigen::Index i = 0; i < rows.size(); ++i) {
-    rate[i] = rows.inputs[static_cast<std::size_t>(i)].input_rate;
-  }
-  rate /= std::max(rate.abs().maxCoeff(), 1.0);
+Eigen::MatrixXd modulated(const Eigen::VectorXd& rate, const series::Rows& rows) {
   const Eigen::MatrixXd slow = smooths_in_time(rows);
-  return side_by_side({rate.matrix().asDiagonal() * slow, rate.abs().matrix().asDiagonal() * slow,
-                       rate.square().matrix().asDiagonal() * slow},
+  return side_by_side({rate.asDiagonal() * slow, rate.cwiseAbs().asDiagonal() * slow,
+                       rate.cwiseAbs2().asDiagonal() * slow},
                       rows.size());
 }
 
@@ -65,7 +60,7 @@ Eigen::VectorXd without_input_rate(const EvidenceSpace& evidence, const series::
   constexpr double kAboveRounding = 1e-3;
   Eigen::MatrixXd columns = noise::input_rate_columns(rows);
   if (columns.cols() == 0) return whitened;
-  columns = side_by_side({columns, modulated_input_rate(rows)}, rows.size());
+  columns = side_by_side({columns, modulated(columns.col(0), rows)}, rows.size());
   VisiblePart part = evidence.residualizer(columns);
   Eigen::Index kept = 0;
   for (Eigen::Index i = 0; i < part.columns.cols(); ++i) {

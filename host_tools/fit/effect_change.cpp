@@ -23,35 +23,27 @@ model::EffectTerm parse_one(const std::string& effect) {
   return terms[0];
 }
 
-// Parameters that were given, not identified, in the syntax of `fit --effects`.
-std::string given_parameters(const model::EffectTerm& term) {
+// All parameters, in the syntax of `fit --effects`.
+std::string settings_of(const model::EffectTerm& term) {
   const model::CatalogueEntry& entry = model::find_effect(term.name);
   std::string text;
   for (std::size_t i = 0; i < term.parameters.size(); ++i) {
-    if (term.identified[i]) continue;
     text += text.empty() ? ":" : ",";
-    text += format("%s=%.17g", entry.parameters[i].name, term.parameters[i]);
+    text += entry.parameters[i].name;
+    text += term.identified[i] ? "=?" : format("=%.17g", term.parameters[i]);
   }
   return text;
 }
 
-bool sets(const std::string& effect, const std::string& parameter) {
-  return effect.find(':' + parameter + '=') != std::string::npos ||
-         effect.find(',' + parameter + '=') != std::string::npos;
-}
-
-// What was searched for is searched for again, unless it is set.
+// What was given or searched for is so again, unless `effect` sets it: of two settings of a
+// parameter the last counts.
 model::EffectTerm with_settings(const model::EffectTerm& old, const std::string& effect) {
   const std::size_t colon = effect.find(':');
-  std::string given = given_parameters(old);
+  std::string settings = settings_of(old);
   if (colon != std::string::npos) {
-    given += (given.empty() ? ":" : ",") + effect.substr(colon + 1);
+    settings += (settings.empty() ? ":" : ",") + effect.substr(colon + 1);
   }
-  model::EffectTerm term = parse_one(old.name + given);
-  const model::CatalogueEntry& entry = model::find_effect(old.name);
-  for (std::size_t i = 0; i < term.parameters.size(); ++i) {
-    if (old.identified[i] && !sets(effect, entry.parameters[i].name)) term.identified[i] = true;
-  }
+  model::EffectTerm term = parse_one(old.name + settings);
   for (const model::ShapeParameter& shape : model::shape_parameters({term})) {
     const double value = old.parameters[shape.index];
     if (shape.min <= value && value <= shape.max) term.parameters[shape.index] = value;

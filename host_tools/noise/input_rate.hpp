@@ -6,9 +6,9 @@
 
 namespace fogcomp::noise {
 
-/// Regressors of errors of the input rate, row by row: the rate, its powers, its product with
-/// temperature, its magnitude, its change, and the effect of a nonlinearity on a change within a
-/// row. Dimensionless; rows x 0 if the rate is constant.
+/// Regressors of errors of the input rate, row by row: the rate (first), its powers, its product
+/// with temperature, its magnitude, its change, and the effect of a nonlinearity on a change within
+/// a row. Dimensionless; rows x 0 if the rate is constant.
 Eigen::MatrixXd input_rate_columns(const Eigen::VectorXd& input_rate_dph,
                                    const Eigen::VectorXd& temperature_degc);
 Eigen::MatrixXd input_rate_columns(const series::Rows& rows);

@@ -27,13 +27,15 @@ class InputChanges {
     for (std::size_t i = 0; i < kValues; ++i) {
       double min = HUGE_VAL;
       double max = -HUGE_VAL;
-      std::vector<double> steps;
       for (std::size_t row = 0; row < rows.signals.size(); ++row) {
         min = std::min(min, value(row, i));
         max = std::max(max, value(row, i));
-        if (row > 0) steps.push_back(value(row, i) - value(row - 1, i));
       }
       if (!(max > min)) continue;
+      std::vector<double> steps;
+      for (std::size_t row = 1; row < rows.signals.size(); ++row) {
+        steps.push_back(value(row, i) - value(row - 1, i));
+      }
       changes_.push_back({i,
                           std::max(rules::kInputJump * (max - min),
                                    rules::kInputJumpSigmas * sigma_by_median(steps)),

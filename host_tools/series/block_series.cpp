@@ -6,6 +6,7 @@
 #include "recording/data_hash.hpp"
 #include "recording/rate_resolution.hpp"
 #include "recording/row_range.hpp"
+#include "series/decision_rules.hpp"
 #include "series/edge_values.hpp"
 #include "support/input_error.hpp"
 
@@ -13,9 +14,6 @@ namespace fogcomp::series {
 namespace {
 
 using Means = fog::BlockMeans<model::RealNumbers>;
-
-// A change within a block that makes no nonlinearity: 0.01 deg/s.
-constexpr double kMinChange_dph = 36;
 
 Means means_of_row(const recording::Recording& recording, std::size_t row) {
   Means means;
@@ -102,7 +100,7 @@ void set_rates_within(const recording::Recording& recording,
   const auto changes_within = [&](std::size_t i) {
     const auto first = rate_dph.begin() + static_cast<std::ptrdiff_t>(first_rows[i]);
     const auto [min, max] = std::minmax_element(first, first + series.blocks[i].samples);
-    return *max - *min > kMinChange_dph;
+    return *max - *min > rules::kMinChangeOfRate_dph;
   };
   std::vector<bool> changing(series.blocks.size());
   std::size_t size = 0;

@@ -1,5 +1,6 @@
 #include "workflow/apply.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -80,7 +81,11 @@ class RowsOut {
 class RealSeries {
  public:
   RealSeries(const model::Model& model, const recording::Recording& recording, RowsOut& out)
-      : model_(model), recording_(recording), out_(out) {}
+      : model_(model),
+        recording_(recording),
+        out_(out),
+        follows_rate_(
+            std::any_of(model.terms.begin(), model.terms.end(), model::follows_input_rate)) {}
 
   void run() {
     const series::BlockSeries blocks = series::make_blocks(recording_);
@@ -131,7 +136,7 @@ class RealSeries {
         block.means.temperature < model_.min_degc || block.means.temperature > model_.max_degc;
     const fog::Status flags = status_if(clamped, fog::Status::temperature_clamped);
     for (; row_ < recording_.rows() && block_of(row_) == block.number; ++row_) {
-      if (has_input()) drift.see_rate(inputs_of_row(block));
+      if (follows_rate_) drift.see_rate(inputs_of_row(block));
       std::vector<double> values = measured();
       for (std::size_t term = 0; term < model_.terms.size(); ++term) {
         values.push_back(drift.effect_dph(term));
@@ -166,6 +171,7 @@ class RealSeries {
   const model::Model& model_;
   const recording::Recording& recording_;
   RowsOut& out_;
+  bool follows_rate_;
   std::uint32_t samples_per_block_ = 1;
   std::size_t row_ = 0;
 };

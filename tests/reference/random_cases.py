@@ -80,7 +80,9 @@ def effect_words(r):
         9: (temperature(r) << 6, r.randrange(1, 2**29)), 11: (r.choice([r.randrange(1, 2**22), BIG]),),
         12: (r.choice([1, r.randrange(1, 2**20), BIG]), r.choice([0, r.randrange(2**27), BIG]),
              r.choice([1, 1 << 16, r.randrange(1, 2**31), BIG])), 13: (), 14: (), 15: (),
-        17: (), 10: (r.randrange(1, 4), temperature(r), r.choice([0, r.randrange(-2**28, 2**28), r.randrange(-BIG, BIG)])), 18: (r.randrange(2, 6), r.choice([1, 368640000, BIG, 5000])),
+        17: (),
+        10: (r.randrange(1, 4), temperature(r), r.choice([0, r.randrange(-2**28, 2**28), r.randrange(-BIG, BIG)])),
+        18: (r.randrange(2, 6), r.choice([1, 368640000, BIG, 5000])),
         19: None,
     }
     dead = r.choice([1, 36864, 10**7])
