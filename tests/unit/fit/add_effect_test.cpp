@@ -34,9 +34,12 @@ TEST(AddEffect, SearchesAgainForWhatWasSearchedFor) {
   EXPECT_EQ(changed.terms[1].parameters[0], 2);
   EXPECT_EQ(changed.terms[1].parameters[2], -120);
   EXPECT_TRUE(changed.terms[1].identified[2]);
-  const auto given = fogcomp::fit::change_effect(terms, "scale_factor_temperature:lag=60");
-  EXPECT_EQ(given.terms[1].parameters[2], 60);
-  EXPECT_FALSE(given.terms[1].identified[2]);
+  for (const std::string effect :
+       {"scale_factor_temperature:lag=60", "scale_factor_temperature: lag = 60"}) {
+    const auto given = fogcomp::fit::change_effect(terms, effect);
+    EXPECT_EQ(given.terms[1].parameters[2], 60);
+    EXPECT_FALSE(given.terms[1].identified[2]);
+  }
 }
 
 // The verdict is the same; the model is fitted in its own rows.
