@@ -195,8 +195,9 @@ Columns polynomial(const History& h, const Values& shape) {
 
 Columns glass(const History& h, const Values& shape) {
   const double tg_above_20 = shape[0] - 20;
-  const Values share = map(
+  Values share = map(
       above_20(h), [&](double t) { return (1 + std::tanh((tg_above_20 - t) / shape[1] / 2)) / 2; });
+  if (shape[2] > 0) share = first_order_lag(h, share, 60 * shape[2]);
   return {share, product(share, rate_of(h))};
 }
 
@@ -266,7 +267,7 @@ const std::vector<Formula> kFormulas{
     {"axial_gradient", {{20}, {300}}, axial},
     {"polarization_ripple", {{13, 0, 0}, {13, 4.8, 0.05}, {60, 5, -0.2}}, ripple},
     {"thermal_hysteresis", {{5, 0}, {3, 10}}, hysteresis},
-    {"glass_transition", {{-20, 4}, {25, 8}}, glass},
+    {"glass_transition", {{-20, 4, 0}, {25, 8, 0}, {-20, 4, 5}}, glass},
     {"scale_factor",
      {{}},
      [](const History& h, const Values&) {

@@ -163,14 +163,26 @@ class ThermalHysteresis(Effect):
 
 
 class GlassTransition(Effect):
-    constants = ((-2**30 + 1, 2**30 - 1), POSITIVE)
+    constants = ((-2**30 + 1, 2**30 - 1), POSITIVE, NOT_NEGATIVE)
+
+    def __init__(self, constants):
+        super().__init__(constants)
+        self.lag = Lag(constants[2])
 
     @staticmethod
     def counts(constants):
         return 2
 
+    def glassy(self, signals):
+        return logistic(scaled((self.c[0] - (signals.trained << 6)) * self.c[1], 24))
+
+    def reset(self, signals):
+        self.lag.reset(self.glassy(signals) << 10)
+
     def regressors(self, signals):
-        s = logistic(scaled((self.c[0] - (signals.trained << 6)) * self.c[1], 24))
+        s = self.glassy(signals)
+        if self.c[2] > 0:
+            s = round_shift(self.lag.step(s << 10), 10)
         return [round_shift(s, 2), scaled(s * signals.change, 29)]
 
 

@@ -77,7 +77,7 @@ def effect_words(r):
         7: (r.randrange(1, BIG), r.choice([0, r.randrange(1, BIG)]), r.choice([0, r.randrange(-2**31, BIG)])),
         8: (r.randrange(1, 2**25), r.randrange(1, 2**30), r.choice([0, r.randrange(1, 2**23)]),
             r.randrange(-2**30, 2**30)),
-        9: (temperature(r) << 6, r.randrange(1, 2**29)), 11: (r.choice([r.randrange(1, 2**22), BIG]),),
+        9: (temperature(r) << 6, r.randrange(1, 2**29), r.choice([0, r.randrange(1, 2**28), BIG])), 11: (r.choice([r.randrange(1, 2**22), BIG]),),
         12: (r.choice([1, r.randrange(1, 2**20), BIG]), r.choice([0, r.randrange(2**27), BIG]),
              r.choice([1, 1 << 16, r.randrange(1, 2**31), BIG])), 13: (), 14: (), 15: (),
         17: (),

@@ -30,6 +30,7 @@ TEST(EffectList, RefinementsFreeWhatAFormulaLeavesOutOrKeeps) {
   EXPECT_EQ(of("thermal_hysteresis"), Settings{"radius2=?"});
   EXPECT_EQ(of("scale_factor_asymmetry"), Settings{"dead_band=?"});
   EXPECT_EQ(of("scale_factor_temperature"), Settings{"lag=?"});
+  EXPECT_EQ(of("glass_transition"), Settings{"lag=?"});
   for (const char* const has_none :
        {"bias", "bias_temperature:order=2", "thermal_lag:tau=300", "bias_step"}) {
     EXPECT_EQ(of(has_none), Settings{}) << has_none;
