@@ -12,7 +12,7 @@ from network import LAGGED, NetworkInput, NetworkTable, Neuron
 from samples import Limits
 
 TABLE_MAGIC = 0x464F474D
-TABLE_LAYOUT = 6
+TABLE_LAYOUT = 7
 SLOT_MAGIC = 0x53474F46
 SLOT_LAYOUT = 1
 

@@ -27,7 +27,7 @@ constexpr OutputOptions kAnswersKvhCommands = 8;
 constexpr OutputOptions kAllOutputOptions = kRotationIsAngle | kAnswersKvhCommands;
 
 constexpr std::int32_t kModelMagic = 0x464F474D;  ///< "FOGM"
-constexpr std::int32_t kModelLayout = 6;          ///< of the table; SPEC.md, "Model table"
+constexpr std::int32_t kModelLayout = 7;          ///< of the table; SPEC.md, "Model table"
 constexpr std::size_t kMaxModelWords = 4096;
 
 /// Capacity of an image, fixed by the header that it is built with.

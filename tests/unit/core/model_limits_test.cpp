@@ -62,7 +62,10 @@ void put_input(Table& table, const std::string& name, std::int32_t signal, std::
 // What stands before the effects.
 Table table_begun() {
   Table table;
-  table.put("magic", 0x464F474D).put("layout", 6).put("words", 0).put("model", 0x11223344);
+  table.put("magic", 0x464F474D)
+      .put("layout", fog::kModelLayout)
+      .put("words", 0)
+      .put("model", 0x11223344);
   table.put("serial 0", 0x2D474F46).put("serial 1", 0x31).put("serial 2", 0).put("serial 3", 0);
   table.put("processor 0", 7).put("processor 1", 8).put("processor 2", 9);
   table.put("period", 5000).put("block", 200).put("multiplier", kHalf + 1).put("shift", 30);
