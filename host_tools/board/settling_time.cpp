@@ -7,8 +7,6 @@
 namespace fogcomp::board {
 namespace {
 
-// A shape parameter in seconds is a lag, unless the effect depends on the time since power-on,
-// which has no state.
 double slowest_lag_s(const model::EffectTerm& term) {
   double slowest = 0;
   if (term.expression) {
@@ -20,9 +18,10 @@ double slowest_lag_s(const model::EffectTerm& term) {
     return slowest;
   }
   const model::TermInfo info = model::info_of(term);
-  if (has(info.needs, fog::Input::elapsed)) return 0;
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-    if (info.parameters[i].unit == "s") slowest = std::max(slowest, term.parameters[i]);
+    const fog::Time time = info.parameters[i].time;
+    const bool settles = time == fog::Time::constant || time == fog::Time::constant_of_rate;
+    if (settles) slowest = std::max(slowest, term.parameters[i]);
   }
   return slowest;
 }

@@ -27,7 +27,7 @@ std::string without_value(const model::CatalogueEntry& entry,
 }
 
 std::string range(const model::CatalogueEntry& entry, const fog::ParameterDescription& parameter) {
-  const bool lag = model::is_lag_of_rate(parameter.unit, entry.coefficients);
+  const bool lag = parameter.time == fog::Time::constant_of_rate;
   return format("%g to %g%s; not given: %s%s", parameter.min_milli / 1000.0,
                 parameter.max_milli / 1000.0, model::unit_behind_number(parameter).c_str(),
                 without_value(entry, parameter).c_str(),

@@ -20,7 +20,7 @@ bool free_lags(std::vector<model::EffectTerm>& terms) {
     const model::TermInfo info = model::info_of(term);
     for (std::size_t i = 0; i < term.identified.size(); ++i) {
       const bool free =
-          term.identified[i] && model::is_lag_of_rate(info.parameters[i].unit, info.coefficients);
+          term.identified[i] && info.parameters[i].time == fog::Time::constant_of_rate;
       term.identified[i] = free;
       any = any || free;
     }

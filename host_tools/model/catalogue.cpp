@@ -142,7 +142,7 @@ TermInfo info_of(const EffectTerm& term) {
     const std::string unit = parameter.unit;
     info.parameters.push_back({parameter.name, unit == "1" ? "" : unit, catalogue_bounds(entry, i),
                                parameter.scale, parameter.at_least, parameter.at_most,
-                               is_reference(parameter)});
+                               parameter.time, is_reference(parameter)});
   }
   info.coefficients = entry.coefficients;
   info.needs = entry.description.needs;
@@ -151,17 +151,20 @@ TermInfo info_of(const EffectTerm& term) {
   return info;
 }
 
-bool is_lag_of_rate(const std::string& unit,
-                    const std::vector<fog::CoefficientDescription>& coefficients) {
-  return unit == "s" && std::any_of(coefficients.begin(), coefficients.end(), of_temperature_rate);
-}
-
 std::unique_ptr<RealEffect> make_effect(const EffectTerm& term, double block_s) {
   if (term.expression) {
     return std::make_unique<ExpressionEffect>(*term.expression, term.parameters, block_s);
   }
   const CatalogueEntry& entry = find_effect(term.name);
   return entry.make(entry.constants(term.parameters, block_s));
+}
+
+EffectTerm for_present_block(EffectTerm term, double block_s) {
+  const TermInfo info = info_of(term);
+  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+    if (info.parameters[i].time == fog::Time::delay) term.parameters[i] += block_s;
+  }
+  return term;
 }
 
 EffectTerm expression_term(const std::string& definition) {

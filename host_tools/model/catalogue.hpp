@@ -36,6 +36,7 @@ struct TermInfo {
     fog::Scale scale = fog::Scale::linear;  ///< of the search
     const char* at_least = nullptr;         ///< as in fog::ParameterDescription
     const char* at_most = nullptr;
+    fog::Time time = fog::Time::other;
     bool is_reference = false;  ///< computed from the rows, never searched for
   };
   std::string title;
@@ -56,13 +57,11 @@ inline bool of_temperature_rate(const fog::CoefficientDescription& coefficient) 
   return coefficient.multiplies == fog::Multiplies::temperature_rate;
 }
 
-/// Whether a shape parameter in `unit` of an effect with these coefficients is a lag of the
-/// temperature rate: in the model it follows the lags of the board's derivative.
-bool is_lag_of_rate(const std::string& unit,
-                    const std::vector<fog::CoefficientDescription>& coefficients);
-
-/// Creates a term with its shape, for blocks of `block_s`.
+/// Creates a term with its shape, for blocks of `block_s`; it takes the signals of the block
+/// before, as on the board.
 std::unique_ptr<RealEffect> make_effect(const EffectTerm& term, double block_s);
+/// The term for make_effect() that does the same with the signals of the present block.
+EffectTerm for_present_block(EffectTerm term, double block_s);
 
 /// A term without coefficient from `NAME = EXPRESSION`; its parameters are to be identified. Throws
 /// InputError like parse_expression(), and for the name of an effect.

@@ -64,7 +64,7 @@ class InputChanges {
   };
 
   double value(std::size_t row, std::size_t i) const {
-    return model::optional_input(model::kOptionalInputs[i], rows_.signals[row].block);
+    return model::optional_input(model::kOptionalInputs[i], rows_.inputs[row]);
   }
 
   const series::Rows& rows_;

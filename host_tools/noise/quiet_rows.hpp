@@ -10,8 +10,9 @@ namespace fogcomp::noise {
 
 /// The rows with a constant, settled temperature, in which a model's residual is noise: |dT/dt| at
 /// most 5 % of that of the ramps (or 0.02 degC/min), without gaps, at least 32 rows. A jump of
-/// another input starts a new range, and so does any change of the input rate that is more than
-/// Earth's rate and a reference's noise: a rate table that sweeps is not quiet.
+/// another input starts a new range, and so does a change of the input rate by more than 1 % of its
+/// range in the recordings or 0.1 deg/s, whichever is larger: a rate table that sweeps is not
+/// quiet.
 std::vector<recording::RowRange> quiet_ranges(const series::Rows& rows);
 
 /// The parts of a vector with one value per row.

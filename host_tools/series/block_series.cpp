@@ -112,7 +112,9 @@ void set_rates_within(const recording::Recording& recording,
   kept->reserve(size);  // pointers into it stay valid
   for (std::size_t i = 0; i < changing.size(); ++i) {
     model::RealNumbers::RateWithin& within = series.blocks[i].means.rate_within;
-    within.rise = rise_of_input_rate(recording, first_rows[i], series.blocks[i].samples);
+    // That of a whole block, from the samples that are there.
+    within.rise = rise_of_input_rate(recording, first_rows[i], series.blocks[i].samples) *
+                  series.samples_per_block / series.blocks[i].samples;
     if (!changing[i]) continue;
     const auto first = rate_dph.begin() + static_cast<std::ptrdiff_t>(first_rows[i]);
     within.samples = kept->data() + kept->size();

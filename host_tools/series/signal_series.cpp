@@ -227,9 +227,11 @@ Eigen::MatrixXd SignalSeries::regressors(const model::EffectTerm& term, Reading 
       effect->step(signals, values);
     }
   };
-  Eigen::MatrixXd means =
-      row_means([&](double block_s) { return Part{model::make_effect(term, block_s)}; }, reading,
-                model::follows_input_rate(term));
+  const auto part = [&](double block_s) {
+    return Part{model::make_effect(
+        phase_ == Phase::board ? term : model::for_present_block(term, block_s), block_s)};
+  };
+  Eigen::MatrixXd means = row_means(part, reading, model::follows_input_rate(term));
   const std::vector<recording::RowRange> runs = rows_.runs();
   for (std::size_t i = 0; i < runs.size(); ++i) {
     auto of_run = means.middleRows(static_cast<Eigen::Index>(runs[i].first),

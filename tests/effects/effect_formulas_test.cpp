@@ -197,7 +197,7 @@ Columns glass(const History& h, const Values& shape) {
   const double tg_above_20 = shape[0] - 20;
   Values share = map(
       above_20(h), [&](double t) { return (1 + std::tanh((tg_above_20 - t) / shape[1] / 2)) / 2; });
-  if (shape[2] > 0) share = first_order_lag(h, share, 60 * shape[2]);
+  if (shape[2] > 0) share = first_order_lag(h, share, shape[2]);
   return {share, product(share, rate_of(h))};
 }
 
@@ -206,8 +206,10 @@ Columns axial(const History& h, const Values& shape) {
   return {rate_per_min(h, at_end, shape[0]), difference(h.second_mean_degc, h.mean_degc)};
 }
 
+// The lag counts from the present block, the temperature is that of the block before.
 Columns rate_and_temperature(const History& h, const Values& shape) {
-  const Values change = map(rate_of(h), [&](double per_min) { return shape[2] / 60 * per_min; });
+  const double late_min = (shape[2] - kBlock_s) / 60;
+  const Values change = map(rate_of(h), [&](double per_min) { return late_min * per_min; });
   const Values late = difference(above_20(h), change);
   const Values above = map(late, [&](double t) { return t + 20 - shape[1]; });
   Columns columns;
@@ -267,7 +269,7 @@ const std::vector<Formula> kFormulas{
     {"axial_gradient", {{20}, {300}}, axial},
     {"polarization_ripple", {{13, 0, 0}, {13, 4.8, 0.05}, {60, 5, -0.2}}, ripple},
     {"thermal_hysteresis", {{5, 0}, {3, 10}}, hysteresis},
-    {"glass_transition", {{-20, 4, 0}, {25, 8, 0}, {-20, 4, 5}}, glass},
+    {"glass_transition", {{-20, 4, 0}, {25, 8, 0}, {-20, 4, 300}}, glass},
     {"scale_factor",
      {{}},
      [](const History& h, const Values&) {

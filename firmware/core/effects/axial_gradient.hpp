@@ -27,7 +27,8 @@ class AxialGradient {
       "Zhuo & Du, Shupe effect in a multidimensional thermal field; Sensors 16(6) 900 (2016)",
       bit_of(Input::temperature2)};
   static constexpr std::array<ParameterDescription, 1> parameters{
-      {{"tau", "s", 5000, 600000, 30000, Scale::logarithmic}}};
+      {{"tau", "s", 5000, 600000, 30000, Scale::logarithmic, nullptr, nullptr, NotGiven::identified,
+        Time::constant_of_rate}}};
   static constexpr std::array<CoefficientDescription, 2> coefficients{
       {{"K", "deg/h per (degC/min)", 2, Multiplies::temperature_rate}, {"S", "deg/h/degC", 5}}};
 

@@ -96,6 +96,15 @@ enum class NotGiven : std::uint8_t {
   largest_input_rate,
 };
 
+/// What a shape parameter in seconds is to the effect.
+enum class Time : std::uint8_t {
+  other,             ///< a time since power-on; or the parameter is no time
+  constant,          ///< of a state, which has to settle after a start
+  constant_of_rate,  ///< the same, of dT/dt: in the model it follows the lags of the derivative
+  delay,             ///< behind the present block: the block before, of which the board has the
+                     ///< signals, is one block late already
+};
+
 /// A shape parameter (order, time constant, period...). Bounds in thousandths of the unit, because
 /// the core has only integers.
 struct ParameterDescription {
@@ -109,6 +118,7 @@ struct ParameterDescription {
   const char* at_least = nullptr;
   const char* at_most = nullptr;
   NotGiven not_given = NotGiven::identified;
+  Time time = Time::other;
 };
 
 /// The quantity that a coefficient multiplies.

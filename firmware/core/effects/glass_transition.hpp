@@ -20,15 +20,16 @@ class GlassTransition {
       "glass transition of adhesive, potting or coating",
       "b = (A + G dT/dt) f, f behind s((Tg - T) / w) by the lag, s(x) = 1 / (1 + exp(-x))",
       "A 0.01 to 0.3 deg/h, G 0.3 to 3 times the rate term's K, Tg -60 to 60 degC, w 2 to 8 degC; "
-      "lag 1 to 20 min (a structure relaxes in 100 s at Tg)",
-      "tg=-20 width=4 lag=3 A=0.1 G=0.14",
+      "lag 100 s (by the definition of Tg) to 20 min",
+      "tg=-20 width=4 lag=180 A=0.1 G=0.14",
       "step of the bias at one temperature in both directions; another ratio of bias to rate below",
       "US5546482 Cordova & Surabian (1996); Acta Armamentarii 42(6) 1223 (2021)"};
   static constexpr std::array<ParameterDescription, 3> parameters{
       {{"tg", "degC", -60000, 80000, -20000, Scale::place, "a polynomial in temperature",
         "a polynomial in temperature"},
        {"width", "degC", 500, 8000, 4000, Scale::linear},
-       {"lag", "min", 0, 60000, 0, Scale::linear, nullptr, nullptr, NotGiven::kept}}};
+       {"lag", "s", 0, 3600000, 0, Scale::linear, "no lag", nullptr, NotGiven::kept,
+        Time::constant}}};
   static constexpr std::array<CoefficientDescription, 2> coefficients{
       {{"A", "deg/h", 0}, {"G", "deg/h per (degC/min)", 2, Multiplies::temperature_rate}}};
 
@@ -38,7 +39,7 @@ class GlassTransition {
   static void board_constants(const Real* given, Real block_s, Real* constants) {
     constants[0] = given[0];
     constants[1] = Real{1} / given[1];
-    constants[2] = given[2] > 0 ? N::decay(block_s / (60 * given[2])) : Real{0};
+    constants[2] = given[2] > 0 ? N::decay(block_s / given[2]) : Real{0};
   }
   // |Tg| < 256 degC and |T| <= 130 degC: the difference stays within +-512.
   static bool constants_valid(const typename N::Constant* constants) {

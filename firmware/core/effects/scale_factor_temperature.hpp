@@ -13,8 +13,9 @@ namespace fog::effects {
 /// block, to 2^-35.
 ///
 /// The lag stands, to first order, for a source or loop that is warmed later than the sensor, or,
-/// where it is negative, earlier. With the reference of its rows the first order is orthogonal to a
-/// constant scale factor error.
+/// where it is negative, earlier. It counts from the present block; the signals, of the block
+/// before, are one block late already. With the reference of its rows and no lag the first order is
+/// orthogonal to a constant scale factor error.
 template <class N>
 class ScaleFactorTemperature {
   static constexpr std::int32_t kLsbsPerDegc = 1 << 16;
@@ -39,7 +40,8 @@ class ScaleFactorTemperature {
       {{"order", "1", 1000, 3000, 1000, Scale::whole},
        {"reference", "degC", -100000, 200000, 20000, Scale::linear, nullptr, nullptr,
         NotGiven::mean_temperature},
-       {"lag", "s", -300000, 300000, 0, Scale::linear, nullptr, nullptr, NotGiven::kept}}};
+       {"lag", "s", -300000, 300000, 0, Scale::linear, nullptr, nullptr, NotGiven::kept,
+        Time::delay}}};
   static constexpr std::array<CoefficientDescription, 3> coefficients{
       {{"k1", "ppm/degC", 25, Multiplies::level, 1000000},
        {"k2", "ppm/degC^2", 31, Multiplies::level, 1000000},
@@ -47,7 +49,7 @@ class ScaleFactorTemperature {
 
   static constexpr std::array<int, 3> constant_fractions{0, 16, kLagFraction};
   template <class Real>
-  static void board_constants(const Real* given, Real /*block_s*/, Real* constants) {
+  static void board_constants(const Real* given, Real block_s, Real* constants) {
     constants[0] = given[0];
     // The constant as the board stores it, for the fit as well: half an LSB at 300 ppm/degC and 280
     // deg/s would be 0.002 deg/h, the whole error allowed to the integers.
@@ -55,7 +57,7 @@ class ScaleFactorTemperature {
     constants[1] =
         static_cast<Real>(static_cast<std::int64_t>(lsbs + (lsbs < 0 ? -1 : 1) / Real{2})) /
         kLsbsPerDegc;
-    constants[2] = given[2] / 60;
+    constants[2] = (given[2] - block_s) / 60;
   }
   static bool constants_valid(const typename N::Constant* constants) {
     const auto max = from_integer<typename N::Temperature>(kMaxReference);

@@ -28,7 +28,8 @@ class Shupe {
       "Shupe, Appl. Opt. 19, 654 (1980); Frigo, Proc. SPIE 412, 268 (1983); IEEE Std 952, "
       "D_gradTdot"};
   static constexpr std::array<ParameterDescription, 1> parameters{
-      {{"tau", "s", 5000, 20000000, 120000, Scale::logarithmic, nullptr, "temperature_rate"}}};
+      {{"tau", "s", 5000, 20000000, 120000, Scale::logarithmic, nullptr, "temperature_rate",
+        NotGiven::identified, Time::constant_of_rate}}};
   static constexpr std::array<CoefficientDescription, 1> coefficients{
       {{"K", "deg/h per (degC/min)", 3, Multiplies::temperature_rate}}};
 

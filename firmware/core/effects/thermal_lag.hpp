@@ -27,7 +27,7 @@ class ThermalLag {
       "time constants computed with a finite-volume model of coil, spool and housing"};
   static constexpr std::array<ParameterDescription, 1> parameters{
       {{"tau", "s", 5000, 20000000, 300000, Scale::logarithmic, "temperature_rate",
-        "a line in temperature"}}};
+        "a line in temperature", NotGiven::identified, Time::constant_of_rate}}};
   static constexpr std::array<CoefficientDescription, 1> coefficients{
       {{"K", "deg/h per (degC/min)", 2, Multiplies::temperature_rate}}};
 

@@ -4,7 +4,7 @@
 #define FOG_MODEL_H
 
 #define FOG_MODEL_IN_SLOTS 1
-#define FOG_MODEL_LAYOUT 6
+#define FOG_MODEL_LAYOUT fog::kModelLayout
 #define FOG_MODEL_EFFECTS fog::kAllEffects
 #define FOG_MODEL_EXPRESSIONS fog::kAllExpressions
 #define FOG_MODEL_NETWORK_INPUTS fog::kAllNetworkInputs

@@ -30,13 +30,18 @@ TEST(SettlingTime, IsAsLongAsTheSlowestLag) {
             7 * 30 + 5 * 100);
   EXPECT_EQ(settling_time_s(model_of({fog::test::written_term("a = lag(T,300)-lag(T,70)")})),
             7 * 30 + 5 * 300);
+  EXPECT_EQ(settling_time_s(model_of({natural_term("glass_transition", {10, 4, 1200}, {1, 1})})),
+            7 * 30 + 5 * 1200);
   model::Model network = fog::test::paper_like_model();
   network.network.inputs.push_back({fog::NetworkInput::lagged_temperature, 20, 40, 4000});
   EXPECT_EQ(settling_time_s(network), 7 * 30 + 5 * 4000);
 }
 
-TEST(SettlingTime, IsNotThatOfWhatDependsOnTimeSincePowerOnAlone) {
+TEST(SettlingTime, IsNotThatOfATimeWithoutAState) {
   EXPECT_EQ(settling_time_s(model_of({natural_term("warm_up", {1200}, {1})})), 7 * 30);
+  EXPECT_EQ(
+      settling_time_s(model_of({natural_term("scale_factor_temperature", {1, 20, 300}, {1})})),
+      7 * 30);
 }
 
 TEST(SettlingTime, IsInTheTableOfTheBoard) {

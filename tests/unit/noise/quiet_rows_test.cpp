@@ -42,8 +42,8 @@ TEST(QuietRows, EndWhereARecordingDoesAndAtAGap) {
 TEST(QuietRows, EndWhereAnotherInputJumpsAndNotWhereItDrifts) {
   series::Rows rows = soak_ramp_soak(100, 60);
   for (std::size_t i = 0; i < rows.signals.size(); ++i) {
-    rows.signals[i].block.input_rate = i < 50 ? -15 : 15;  // the axis is turned over
-    rows.signals[i].block.extension[0] = 20 + 0.01 * static_cast<double>(i);
+    rows.inputs[i].input_rate = i < 50 ? -15 : 15;  // the axis is turned over
+    rows.inputs[i].extension[0] = 20 + 0.01 * static_cast<double>(i);
   }
   EXPECT_EQ(quiet(rows), (Ends{{0, 49}, {50, 99}, {160, 259}}));
 }
@@ -54,8 +54,7 @@ TEST(QuietRows, EndWhereAnInputJumpsByMoreThanAQuarterOfItsRange) {
     series::Rows rows = made_rows(200, [](double) { return 20; });
     for (std::size_t i = 0; i < 200; ++i) {
       // From 0 to 1 in all: slowly, but for the jump.
-      rows.signals[i].block.input_rate =
-          (1 - jump) * static_cast<double>(i) / 199 + (i < 100 ? 0 : jump);
+      rows.inputs[i].input_rate = (1 - jump) * static_cast<double>(i) / 199 + (i < 100 ? 0 : jump);
     }
     return rows;
   };
@@ -68,9 +67,9 @@ TEST(QuietRows, DoNotEndAtTheNoiseOfAnInput) {
   std::mt19937 random(1);
   std::normal_distribution<double> noise;
   series::Rows rows = made_rows(200, [](double) { return 20; });
-  for (auto& signals : rows.signals) signals.block.extension[0] = 100 + noise(random);
+  for (auto& inputs : rows.inputs) inputs.extension[0] = 100 + noise(random);
   EXPECT_EQ(quiet(rows), (Ends{{0, 199}}));
-  for (std::size_t i = 80; i < 200; ++i) rows.signals[i].block.extension[0] += 20;
+  for (std::size_t i = 80; i < 200; ++i) rows.inputs[i].extension[0] += 20;
   EXPECT_EQ(quiet(rows), (Ends{{0, 79}, {80, 199}}));
 }
 
@@ -78,8 +77,7 @@ TEST(QuietRows, DoNotEndAtTheNoiseOfAnInput) {
 TEST(QuietRows, AreNotThoseInWhichARateTableSweeps) {
   series::Rows rows = made_rows(200, [](double) { return 20; });
   for (std::size_t i = 100; i < 200; ++i) {
-    rows.signals[i].block.input_rate =
-        108000 * std::sin(static_cast<double>(i - 99) * 2 * M_PI / 9);
+    rows.inputs[i].input_rate = 108000 * std::sin(static_cast<double>(i - 99) * 2 * M_PI / 9);
   }
   EXPECT_EQ(quiet(rows), (Ends{{0, 99}}));
 }
@@ -88,7 +86,7 @@ TEST(QuietRows, MayHaveTheNoiseOfAReferenceAtRest) {
   std::mt19937 random(2);
   std::normal_distribution<double> noise(10, 5);  // deg/h
   series::Rows rows = made_rows(200, [](double) { return 20; });
-  for (auto& signals : rows.signals) signals.block.input_rate = noise(random);
+  for (auto& inputs : rows.inputs) inputs.input_rate = noise(random);
   EXPECT_EQ(quiet(rows), (Ends{{0, 199}}));
 }
 

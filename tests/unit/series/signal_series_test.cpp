@@ -142,5 +142,46 @@ TEST(SignalSeries, TakesANonlinearityOfEverySampleAndNotOfTheMean) {
   }
 }
 
+// A table that turns ever faster, recorded at 10 Hz with the second half of each third second lost.
+TEST(SignalSeries, TakesTheRiseOfAWholeBlockFromThePartThatIsThere) {
+  recording::Recording recording;
+  recording.file = "table.csv";
+  recording.period_s = 0.1;
+  for (int row = 0; row < 600; ++row) {
+    if (row % 30 >= 25) continue;
+    if (row % 30 == 0) recording.stretch_starts.push_back(recording.rows());
+    recording.time_s.push_back(0.1 * row);
+    recording.temperature_degc.push_back(20);
+    recording.input_rate_dph.push_back(360.0 * row);
+    recording.rate_dph.push_back(recording.input_rate_dph.back() + 0.001 * (row % 7));
+  }
+  model::Model model;
+  model.average_s = 1;
+  SignalSeries series(model);
+  series.add(make_blocks(recording));
+  const Eigen::MatrixXd rise = series.regressors(model::parse_effects("late_reference").front());
+  EXPECT_GT(rise.minCoeff(), 0);
+  EXPECT_NEAR(rise.maxCoeff(), rise.minCoeff(), 1e-9 * rise.maxCoeff());
+}
+
+// The lag counts from the present block: without one a ramp shows W T, with the board's delay, too.
+TEST(SignalSeries, AScaleFactorFollowsTheTemperatureOfThePresentBlock) {
+  recording::Recording recording = begun_on_a_ramp();
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    recording.input_rate_dph.push_back(360000);
+  }
+  const auto effect = model::parse_effects("scale_factor_temperature:reference=20").front();
+  for (const Phase phase : {Phase::board, Phase::zero}) {
+    model::Model model;
+    model.average_s = 1;
+    model.derivative_tau_s = 10;
+    SignalSeries series(model, phase);
+    series.add(make_blocks(recording));
+    const Eigen::MatrixXd column = series.regressors(effect);
+    const double per_degc = column(1900, 0) / 50;
+    EXPECT_NEAR(column(400, 0) / per_degc, 40, 0.002) << static_cast<int>(phase);
+  }
+}
+
 }  // namespace
 }  // namespace fogcomp::series
