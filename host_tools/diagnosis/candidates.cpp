@@ -35,6 +35,12 @@ constexpr std::array<double, 2> kOtherPlaces{0.3, 0.7};
 constexpr std::size_t kGridParameters =
     3;  // parameters with a grid; further ones of an expression stay in the middle
 
+// The size of an expression's one column relative to that of its variation, which alone shows: a
+// supply of 5.0 to 5.1 V hardly differs from a bias. Infinite for a constant.
+double size_about_mean(const Eigen::VectorXd& column) {
+  return column.norm() / (column.array() - column.mean()).matrix().norm();
+}
+
 // Columns of an effect beyond those that the model already has.
 class ShapeMaker {
  public:
@@ -50,6 +56,7 @@ class ShapeMaker {
     const double largest = all.rightCols(added).cwiseAbs().maxCoeff();
     if (!term.expression && largest < kMinRegressor) return std::nullopt;
     VisiblePart part = to_visible_(all.rightCols(added));
+    if (term.expression) part.visible *= size_about_mean(all.rightCols(added));
     if (!part.visible.allFinite()) return std::nullopt;
     if (part.visible.maxCoeff() < rules::kMinVisible) return std::nullopt;
     // One of two columns may be invisible (the static part of an effect next to a polynomial).

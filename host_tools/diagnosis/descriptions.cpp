@@ -168,8 +168,12 @@ std::vector<Description> single_effects(const Diagnosis& diagnosis,
 
 LikelyFormulas likely_formulas(const model::Model& model, const Diagnosis& diagnosis,
                                const DiagnosisData& data, const DiagnosisSettings& settings) {
-  const std::vector<model::EffectTerm> formulas =
+  std::vector<model::EffectTerm> formulas =
       formulas_over(data.series(), signals_of_formulas(diagnosis));
+  for (model::EffectTerm& formula : formulas) {  // a kink beside a kink
+    formula.name = formula.expression->expression.name =
+        model::free_name(model.terms, formula.name);
+  }
   const Diagnosis offered = diagnose(model, data.with_offered(formulas), settings);
   LikelyFormulas likely;
   likely.chance = offered.chance;

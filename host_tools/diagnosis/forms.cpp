@@ -1,5 +1,6 @@
 #include "diagnosis/forms.hpp"
 
+#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,9 @@ namespace {
 
 // Bounds of a lag: from barely visible in a row to still visible in a programme of hours.
 const std::string kLagBounds = "?tau[20,6000]";
+// A zero that is further from the range than so many times its width is no special value: the
+// square and the cube of such a signal are straight lines on these rows.
+constexpr double kFarZero = 2;
 // Distance of a kink from the ends of the range.
 constexpr double kKinkMargin = 0.1;
 // Period of a sine, in units of the range: shorter ones are lost in noise, longer ones look like a
@@ -38,6 +42,12 @@ struct VaryingSignal {
   bool is_extension;
 
   double span() const { return range.max - range.min; }
+  /// The signal, counted from the middle of its range if its zero is far away.
+  std::string text() const {
+    const double middle = (range.min + range.max) / 2;
+    if (!is_extension || std::abs(middle) < kFarZero * span()) return symbol;
+    return format("(%s%+.4g)", symbol.c_str(), -middle);
+  }
   /// Placeholder of a value to be fitted.
   std::string somewhere() const {
     const double margin = kKinkMargin * span();
@@ -71,49 +81,52 @@ std::string twice_lag_text(const std::string& text) {
 // polynomial of a part that is warmed late is bias_temperature, thermal_lag and powers of the late
 // temperature.
 void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
-  const std::string& x = signal.symbol;
+  const std::string& name = signal.symbol;
+  const std::string x = signal.text();
   const model::SignalRange& range = signal.range;
   const double span = signal.span();
-  formulas.add(x + "_late_squared", lag_text(x) + "^2");
+  formulas.add(name + "_late_squared", lag_text(x) + "^2");
   if (x == "T") formulas.add("T_late_cubed", lag_text(x) + "^3");
   if (x == "dTdt") {
     formulas.add("dTdt_twice_late_squared", twice_lag_text(x) + "^2");
     formulas.add("dTdt_twice_late_size", "abs(" + twice_lag_text(x) + ")");
   }
   if (x != "T") {
-    if (signal.is_extension) formulas.add(x + "_itself", x);
-    formulas.add(x + "_squared", x + "^2");
-    formulas.add(x + "_cubed", x + "^3");
-    formulas.add(x + "_squared_late", lag_text(x + "^2"));
+    if (signal.is_extension) formulas.add(name + "_itself", name);
+    formulas.add(name + "_squared", x + "^2");
+    formulas.add(name + "_cubed", x + "^3");
+    formulas.add(name + "_squared_late", lag_text(x + "^2"));
     if (range.min < 0 && range.max > 0) {
-      formulas.add(x + "_size", "abs(" + x + ")");
-      formulas.add(x + "_size_late", lag_text("abs(" + x + ")"));
-      formulas.add(x + "_late_size", "abs(" + lag_text(x) + ")");
-      formulas.add(x + "_signed_square", x + "*abs(" + x + ")");
+      formulas.add(name + "_size", "abs(" + x + ")");
+      formulas.add(name + "_size_late", lag_text("abs(" + x + ")"));
+      formulas.add(name + "_late_size", "abs(" + lag_text(x) + ")");
+      formulas.add(name + "_signed_square", x + "*abs(" + x + ")");
     }
-    if (x != "dTdt") formulas.add(x + "_late", lag_text(x));
-    formulas.add(x + "_sine", format("sin(6.2832*%s/?p[%.4g,%.4g])", x.c_str(), kMinPeriod * span,
-                                     kMaxPeriod * span));
+    if (x != "dTdt") formulas.add(name + "_late", lag_text(x));
+    formulas.add(name + "_sine", format("sin(6.2832*%s/?p[%.4g,%.4g])", x.c_str(),
+                                        kMinPeriod * span, kMaxPeriod * span));
   }
-  formulas.add(x + "_kink", "max(" + x + "-" + signal.somewhere() + ",0)");
+  formulas.add(name + "_kink", "max(" + name + "-" + signal.somewhere() + ",0)");
 }
 
 // Products of two signals, of at most three factors. T*dTdt is temperature_rate_product.
 void add_products(Formulas& formulas, const VaryingSignal& a, const VaryingSignal& b) {
-  const std::string& x = a.symbol;
-  const std::string& y = b.symbol;
-  if (x != "T" || y != "dTdt") formulas.add(x + "_" + y, x + "*" + y);
-  formulas.add(x + "_squared_" + y, x + "^2*" + y);
-  formulas.add(x + "_" + y + "_squared", x + "*" + y + "^2");
+  const std::string name = a.symbol + "_";
+  const std::string x = a.text();
+  const std::string y = b.text();
+  const std::string& other = b.symbol;
+  if (x != "T" || y != "dTdt") formulas.add(name + other, x + "*" + y);
+  formulas.add(name + "squared_" + other, x + "^2*" + y);
+  formulas.add(name + other + "_squared", x + "*" + y + "^2");
   if (!a.has_zero) {
-    const std::string about = "(" + x + "-" + a.somewhere() + ")";
-    formulas.add(x + "_offset_squared_" + y, about + "^2*" + y);
-    formulas.add(x + "_offset_" + y + "_squared", about + "*" + y + "^2");
+    const std::string about = "(" + a.symbol + "-" + a.somewhere() + ")";
+    formulas.add(name + "offset_squared_" + other, about + "^2*" + y);
+    formulas.add(name + "offset_" + other + "_squared", about + "*" + y + "^2");
   }
   if (b.range.min < 0 && b.range.max > 0) {
-    formulas.add(x + "_" + y + "_size", x + "*abs(" + y + ")");
+    formulas.add(name + other + "_size", x + "*abs(" + y + ")");
   }
-  formulas.add(x + "_" + y + "_late", lag_text(x + "*" + y));
+  formulas.add(name + other + "_late", lag_text(x + "*" + y));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ constexpr double kMinFrequency = 1 / 60.0;
 constexpr double kMaxFrequency = 1 / 2.0;
 constexpr std::size_t kFrequencies = 96;
 // Bounds of the fit's search, relative to the best of the grid.
-constexpr double kLagRange = 4;
+constexpr double kLagRange = 16;
 constexpr double kPeriodRange = 1.15;
 
 double lag_of(std::size_t i) {
@@ -62,6 +62,7 @@ Ripple best_period(const Eigen::VectorXd& temperature, const Eigen::VectorXd& le
 }  // namespace
 
 std::optional<std::string> find_late_ripple(const series::SignalSeries& series,
+                                            const std::vector<model::EffectTerm>& terms,
                                             const Eigen::VectorXd& left) {
   std::vector<Ripple> ripples(kLags);
   for_each_index(kLags, [&](std::size_t i) {
@@ -75,8 +76,9 @@ std::optional<std::string> find_late_ripple(const series::SignalSeries& series,
                         [](const Ripple& a, const Ripple& b) { return a.chi2_drop < b.chi2_drop; });
   const double excess = left.squaredNorm() - static_cast<double>(left.size());
   if (!(best.chi2_drop > rules::kMainPart * excess)) return std::nullopt;
-  return format("T_late_ripple = sin(6.2832*(lag(T,?tau[%.4g,%.4g])/?p[%.4g,%.4g]+?c[-0.6,0.6]))",
-                best.lag_s / kLagRange, best.lag_s * kLagRange, best.period_degc / kPeriodRange,
+  return format("%s = sin(6.2832*(lag(T,?tau[%.4g,%.4g])/?p[%.4g,%.4g]+?c[-0.6,0.6]))",
+                model::free_name(terms, "T_late_ripple").c_str(), best.lag_s / kLagRange,
+                best.lag_s * kLagRange, best.period_degc / kPeriodRange,
                 best.period_degc * kPeriodRange);
 }
 

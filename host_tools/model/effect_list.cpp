@@ -63,7 +63,7 @@ void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size
     bounds = {*min, *max};
   }
   term.bounds.resize(entry.parameters.size());
-  term.bounds[index] = bounds;
+  term.bounds[index] = range.empty() ? ShapeBounds{} : bounds;  // the catalogue's or the rows'
   double& start = term.parameters[index];
   if (bounds.min <= start && start <= bounds.max) return;
   start = bounds.min > 0 ? std::sqrt(bounds.min * bounds.max) : (bounds.min + bounds.max) / 2;
@@ -166,6 +166,13 @@ std::vector<std::string> possible_refinements(const EffectTerm& own) {
     settings.push_back(std::string(parameter.name) + "=?");
   }
   return settings;
+}
+
+std::string free_name(const std::vector<EffectTerm>& terms, const std::string& name) {
+  std::string free = name;
+  for (int number = 2; has_name(terms, free); ++number)
+    free = format("%s_%d", name.c_str(), number);
+  return free;
 }
 
 void add_expression(std::vector<EffectTerm>& terms, const std::string& definition) {

@@ -27,6 +27,9 @@ std::vector<EffectTerm> grown_terms(const EffectTerm& own);
 /// {"period2=?", "chirp=?"}. Empty if it has nothing of the kind.
 std::vector<std::string> possible_refinements(const EffectTerm& own);
 
+/// `name`, with the first number from 2 on behind it (name_2) by which it differs from all terms'.
+std::string free_name(const std::vector<EffectTerm>& terms, const std::string& name);
+
 /// Adds the term `NAME = EXPRESSION`. Throws InputError like expression_term(), and for a name
 /// already in use.
 void add_expression(std::vector<EffectTerm>& terms, const std::string& definition);

@@ -54,6 +54,9 @@ TEST(Forms, HaveAnExtensionInputItself) {
   const auto inputs = bit_of(fog::Input::temperature) | bit_of(fog::Input::supply);
   EXPECT_TRUE(has_text(formulas_over(series, inputs), "V"));
   EXPECT_FALSE(has_text(formulas_over(series, inputs), "T"));
+  // Its zero is far away: V^2 would be a straight line.
+  EXPECT_TRUE(has_text(formulas_over(series, inputs), "(V-5)^2"));
+  EXPECT_FALSE(has_text(formulas_over(series, inputs), "V^2"));
 }
 
 TEST(Forms, AreShownWithoutBounds) {

@@ -38,7 +38,7 @@ class LateRipple : public testing::Test {
   }
   // Parameters of the fit that starts from the expression found.
   model::EffectTerm found(const std::string& hidden) {
-    const std::optional<std::string> expression = find_late_ripple(series_, residual(hidden));
+    const std::optional<std::string> expression = find_late_ripple(series_, {}, residual(hidden));
     return expression ? model::expression_term(*expression) : model::EffectTerm{};
   }
   static bool is_within(const model::EffectTerm& term, std::size_t which, double value) {

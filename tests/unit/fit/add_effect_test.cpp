@@ -42,6 +42,19 @@ TEST(AddEffect, SearchesAgainForWhatWasSearchedFor) {
   }
 }
 
+// A transition is searched for within the recorded temperatures, also once more.
+TEST(AddEffect, SearchesAgainWithinTheSameBounds) {
+  const std::vector<fogcomp::model::EffectTerm> terms =
+      fogcomp::model::parse_effects("bias,glass_transition");
+  for (const std::string effect : {"glass_transition:lag=?", "glass_transition:lag=180"}) {
+    const auto changed = fogcomp::fit::change_effect(terms, effect);
+    const auto& bounds = changed.terms[1].bounds;
+    EXPECT_TRUE(bounds.empty() || bounds[0].min == bounds[0].max) << effect;
+  }
+  const auto given = fogcomp::fit::change_effect(terms, "glass_transition:tg=?[-10,20]");
+  EXPECT_EQ(given.terms[1].bounds[0].min, -10);
+}
+
 // The verdict is the same; the model is fitted in its own rows.
 TEST(AddEffect, JudgesWhateverTheRowsOfTheModel) {
   const fogcomp::fit::TrainingRuns runs = runs_of(truth(), {1});

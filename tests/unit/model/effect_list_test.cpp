@@ -38,5 +38,14 @@ TEST(EffectList, RefinementsFreeWhatAFormulaLeavesOutOrKeeps) {
   EXPECT_EQ(possible_refinements(expression_term("x = sin(T / ?p[2,60])")), Settings{});
 }
 
+TEST(EffectList, HasAFreeNameForAFurtherTerm) {
+  std::vector<EffectTerm> terms = parse_effects("bias");
+  EXPECT_EQ(free_name(terms, "x"), "x");
+  add_expression(terms, "x = T^2");
+  EXPECT_EQ(free_name(terms, "x"), "x_2");
+  add_expression(terms, "x_2 = T^3");
+  EXPECT_EQ(free_name(terms, "x"), "x_3");
+}
+
 }  // namespace
 }  // namespace fogcomp::model
