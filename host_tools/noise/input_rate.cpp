@@ -1,12 +1,19 @@
 #include "noise/input_rate.hpp"
 
+#include <algorithm>
+
 #include "noise/decision_rules.hpp"
 #include "support/least_squares.hpp"
 
 namespace fogcomp::noise {
+namespace {
+
+constexpr Eigen::Index kNear = 3;  // rows: long against a sensor's resolution, short against lags
+
+}  // namespace
 
 Eigen::MatrixXd input_rate_columns(const Eigen::VectorXd& input_rate_dph,
-                                   const Eigen::VectorXd& temperature_degc) {
+                                   const Eigen::VectorXd& temperature_degc, Eigen::Index near) {
   const Eigen::Index rows = input_rate_dph.size();
   if (rows == 0 || input_rate_dph.minCoeff() == input_rate_dph.maxCoeff()) return {rows, 0};
   const Eigen::ArrayXd u = input_rate_dph.array() / input_rate_dph.cwiseAbs().maxCoeff();
@@ -15,10 +22,18 @@ Eigen::MatrixXd input_rate_columns(const Eigen::VectorXd& input_rate_dph,
   const double half = warm > cold ? (warm - cold) / 2 : 1;
   const Eigen::ArrayXd x = (temperature_degc.array() - (warm + cold) / 2) / half;
   Eigen::ArrayXd change = Eigen::ArrayXd::Zero(rows);
-  for (Eigen::Index i = 1; i + 1 < rows; ++i) change[i] = u[i + 1] - u[i - 1];
-  Eigen::MatrixXd columns(rows, 11);
-  columns << u, u * x, u * x.square(), u.square(), u.cube(), u.pow(4), u.pow(5), u.abs(), change,
-      change.square(), change.square() * u;
+  Eigen::ArrayXd bend = Eigen::ArrayXd::Zero(rows);
+  for (Eigen::Index i = 1; i + 1 < rows; ++i) {
+    change[i] = u[i + 1] - u[i - 1];
+    bend[i] = u[i + 1] - 2 * u[i] + u[i - 1];
+  }
+  Eigen::ArrayXd warming(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    warming[i] = x[std::min(i + near, rows - 1)] - x[std::max<Eigen::Index>(i - near, 0)];
+  }
+  Eigen::MatrixXd columns(rows, 15);
+  columns << u, u * x, u * x.square(), u * x.cube(), u * warming, u.square(), u.cube(), u.pow(4),
+      u.pow(5), u.abs(), change, change * x, bend, change.square(), change.square() * u;
   return columns;
 }
 
@@ -29,7 +44,7 @@ Eigen::MatrixXd input_rate_columns(const series::Rows& rows) {
     rate[i] = rows.inputs[static_cast<std::size_t>(i)].input_rate;
     temperature[i] = rows.inputs[static_cast<std::size_t>(i)].temperature;
   }
-  return input_rate_columns(rate, temperature);
+  return input_rate_columns(rate, temperature, kNear);
 }
 
 Eigen::VectorXd without_input_rate(const series::Rows& rows, const Eigen::VectorXd& residual,

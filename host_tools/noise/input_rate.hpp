@@ -6,11 +6,14 @@
 
 namespace fogcomp::noise {
 
-/// Regressors of errors of the input rate, row by row: the rate (first), its powers, its product
-/// with temperature, its magnitude, its change, and the effect of a nonlinearity on a change within
-/// a row. Dimensionless; rows x 0 if the rate is constant.
+/// Regressors of errors of the input rate, row by row: the rate (first), its powers, its products
+/// with temperature and with the temperature's change (a part that is warmed late), its magnitude,
+/// its change (a late record, to second order, and with temperature), and the effect of a
+/// nonlinearity on a change within a row. The temperature's change is that from `near` rows before
+/// to as many after. Dimensionless; rows x 0 if the rate is constant.
 Eigen::MatrixXd input_rate_columns(const Eigen::VectorXd& input_rate_dph,
-                                   const Eigen::VectorXd& temperature_degc);
+                                   const Eigen::VectorXd& temperature_degc, Eigen::Index near);
+/// Of rows as they are fitted.
 Eigen::MatrixXd input_rate_columns(const series::Rows& rows);
 
 /// A residual less the part explained by these columns, fitted without rows of weight 0: the part

@@ -13,7 +13,8 @@ namespace fogcomp::noise {
 /// steps; sigma initially from the median).
 ///
 /// If the input rate changes, the part explained by scale factor errors is subtracted from the
-/// differences: constant, with temperature, nonlinear, asymmetric, late.
+/// differences (input_rate_columns()): constant, with temperature, of a part that is warmed late,
+/// nonlinear, asymmetric, of a late record.
 ///
 /// White noise: exact, with an error of about 0.6/sqrt(means). Ramps and drifts with little
 /// curvature over a mean do not contribute. Flicker noise of coefficient B contributes 0.60 B, the

@@ -141,9 +141,10 @@ TEST(NoiseFloor, KnowsNothingOfTheScaleFactor) {
     const double size = t < 1200 ? 0.3 : 1;
     const double rate = 360000 * size * std::sin(2 * M_PI * t / 45);
     const double degc = 20 + 20 * std::sin(t / 700);
+    const double source_degc = 20 + 20 * std::sin((t - 60) / 700);
     recording.temperature_degc[i] = degc;
     recording.input_rate_dph.push_back(rate);
-    recording.rate_dph[i] += rate + 2e-6 * rate + 1e-7 * (degc - 30) * rate +
+    recording.rate_dph[i] += rate + 2e-6 * rate + 1e-6 * (source_degc - 30) * rate +
                              3 * std::pow(rate / 360000, 3) + 1e-6 * std::fabs(rate) +
                              3.6 * size * std::cos(2 * M_PI * t / 45);
   }
