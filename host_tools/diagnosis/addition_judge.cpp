@@ -10,6 +10,7 @@
 #include "fit/effect_change.hpp"
 #include "fit/possible_gain.hpp"
 #include "model/catalogue.hpp"
+#include "model/effect_list.hpp"
 #include "support/input_error.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
@@ -33,6 +34,31 @@ fit::AddSettings settings_of(const AdditionRequest& request,
   settings.verdict_only = true;
   settings.before = before;
   return settings;
+}
+
+// The same with all that the formulas of its effects of time leave out; nothing if that is nothing.
+std::optional<AdditionRequest> with_all_parts(AdditionRequest request) {
+  bool has_more = false;
+  for (std::string& effect : request.effects) {
+    const model::EffectTerm term = model::parse_effects(effect).front();
+    if (!has(model::info_of(term).needs, fog::Input::elapsed)) continue;
+    for (const std::string& setting : model::possible_refinements(term)) {
+      effect += (effect.find(':') == std::string::npos ? ":" : ",") + setting;
+      has_more = true;
+    }
+  }
+  return has_more ? std::optional(std::move(request)) : std::nullopt;
+}
+
+// Judges a request and, if a line in time would do as well, the same with all parts.
+template <class Judge>
+TriedAddition with_bend(AdditionRequest request, const Judge& judge) {
+  TriedAddition first = judge(request);
+  if (!first.may_be_line) return first;
+  const auto more = with_all_parts(std::move(request));
+  if (!more) return first;
+  TriedAddition second = judge(*more);
+  return second.accepted ? second : first;
 }
 
 fit::Addition judged(const model::Model& model, const AdditionRequest& request,
@@ -135,6 +161,11 @@ void AdditionJudge::prepare() {
 }
 
 TriedAddition AdditionJudge::operator()(AdditionRequest request) {
+  return with_bend(std::move(request),
+                   [&](AdditionRequest one) { return as_it_is(std::move(one)); });
+}
+
+TriedAddition AdditionJudge::as_it_is(AdditionRequest request) {
   std::optional<fit::Addition> addition;
   TriedAddition trial = tried(std::move(request), addition);
   take_model(addition, trial);
@@ -196,6 +227,11 @@ void AdditionJudge::take_model(std::optional<fit::Addition>& addition, TriedAddi
 }
 
 TriedAddition AdditionJudge::of_description(AdditionRequest request) {
+  return with_bend(std::move(request),
+                   [&](AdditionRequest one) { return description_as_it_is(std::move(one)); });
+}
+
+TriedAddition AdditionJudge::description_as_it_is(AdditionRequest request) {
   std::optional<fit::Addition> addition;
   TriedAddition trial = tried(std::move(request), addition);
   const std::size_t count = runs_.holdouts.empty() ? runs_.training.runs.size() : 0;

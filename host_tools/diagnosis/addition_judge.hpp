@@ -80,6 +80,8 @@ class AdditionJudge {
   /// threads.
   void prepare();
 
+  /// An effect of time that is refused because a line would do as well is tried once more with what
+  /// its formula leaves out (an ageing that is faster when warm).
   TriedAddition operator()(AdditionRequest request);
 
   /// Whether a change of shapes would be certainly visible in the runs of the fit
@@ -94,6 +96,8 @@ class AdditionJudge {
   TriedAddition of_description(AdditionRequest request);
 
  private:
+  TriedAddition as_it_is(AdditionRequest request);
+  TriedAddition description_as_it_is(AdditionRequest request);
   // The verdict, without a model. `addition`: nothing if it could not be fitted.
   TriedAddition tried(AdditionRequest request, std::optional<fit::Addition>& addition);
   void take_model(std::optional<fit::Addition>& addition, TriedAddition& trial) const;

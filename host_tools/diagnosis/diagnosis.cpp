@@ -155,7 +155,7 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
     const bool may_be_named = explanation.enough && test.library_log_p < rules::kLibraryLogP;
     decide(model, explanation.excess, fast, may_be_named, diagnosis);
     if (is_mainly_fast(diagnosis))
-      diagnosis.late_ripple = find_late_ripple(series, fit.terms, fast.left);
+      diagnosis.late_ripples = find_late_ripples(series, fit.terms, fast.left);
   } else if (diagnosis.chance < rules::kFaintChance &&
              std::any_of(diagnosis.candidates.begin(), diagnosis.candidates.end(),
                          [&](const auto& finding) { return helps_clearly(diagnosis, finding); })) {

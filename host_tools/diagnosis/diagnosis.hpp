@@ -68,8 +68,8 @@ struct Diagnosis {
   TwoLevels jumps;
   FastKind fast_kind = FastKind::none;  ///< the surest of these, where it is sure and counts
   double fast_share = 0;                ///< its fraction of the excess; 0 if it does not count
-  /// Where that is most of it: the ripple over a late temperature that may make it, for `add`.
-  std::optional<std::string> late_ripple;
+  /// Where that is most of it: a ripple over a late temperature that may make it, for `add`.
+  std::vector<std::string> late_ripples;
 
   /// What is refused as an effect, because one run cannot tell ageing from other slow changes: only
   /// if significant. Set by stepwise_selection().

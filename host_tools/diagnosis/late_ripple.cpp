@@ -1,6 +1,7 @@
 #include "diagnosis/late_ripple.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -22,7 +23,9 @@ constexpr double kMinFrequency = 1 / 60.0;
 constexpr double kMaxFrequency = 1 / 2.0;
 constexpr std::size_t kFrequencies = 96;
 // Bounds of the fit's search, relative to the best of the grid.
-constexpr double kLagRange = 16;
+// A narrow search does not leave the ripple where only some of the rows are fitted; the wide one is
+// for a lag that the rest of what is missing has displaced.
+constexpr std::array<double, 2> kLagRanges{4, 16};
 constexpr double kPeriodRange = 1.15;
 
 double lag_of(std::size_t i) {
@@ -61,9 +64,9 @@ Ripple best_period(const Eigen::VectorXd& temperature, const Eigen::VectorXd& le
 
 }  // namespace
 
-std::optional<std::string> find_late_ripple(const series::SignalSeries& series,
-                                            const std::vector<model::EffectTerm>& terms,
-                                            const Eigen::VectorXd& left) {
+std::vector<std::string> find_late_ripples(const series::SignalSeries& series,
+                                           const std::vector<model::EffectTerm>& terms,
+                                           const Eigen::VectorXd& left) {
   std::vector<Ripple> ripples(kLags);
   for_each_index(kLags, [&](std::size_t i) {
     const double lag_s = lag_of(i);
@@ -75,11 +78,16 @@ std::optional<std::string> find_late_ripple(const series::SignalSeries& series,
       *std::max_element(ripples.begin(), ripples.end(),
                         [](const Ripple& a, const Ripple& b) { return a.chi2_drop < b.chi2_drop; });
   const double excess = left.squaredNorm() - static_cast<double>(left.size());
-  if (!(best.chi2_drop > rules::kMainPart * excess)) return std::nullopt;
-  return format("%s = sin(6.2832*(lag(T,?tau[%.4g,%.4g])/?p[%.4g,%.4g]+?c[-0.6,0.6]))",
-                model::free_name(terms, "T_late_ripple").c_str(), best.lag_s / kLagRange,
-                best.lag_s * kLagRange, best.period_degc / kPeriodRange,
-                best.period_degc * kPeriodRange);
+  std::vector<std::string> expressions;
+  if (!(best.chi2_drop > rules::kMainPart * excess)) return expressions;
+  const std::string name = model::free_name(terms, "T_late_ripple");
+  for (const double range : kLagRanges) {
+    expressions.push_back(
+        format("%s = sin(6.2832*(lag(T,?tau[%.4g,%.4g])/?p[%.4g,%.4g]+?c[-0.6,0.6]))", name.c_str(),
+               best.lag_s / range, best.lag_s * range, best.period_degc / kPeriodRange,
+               best.period_degc * kPeriodRange));
+  }
+  return expressions;
 }
 
 }  // namespace fogcomp::diagnosis

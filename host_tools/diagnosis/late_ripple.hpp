@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "series/signal_series.hpp"
 
@@ -12,10 +12,10 @@ namespace fogcomp::diagnosis {
 /// sensor. Over the sensor's own temperature (polarization_ripple) heating and cooling are out of
 /// phase, and what is left looks like cycles in time. `left`: whitened residual, one value per row,
 /// of variance 1 where it is noise. Returns `NAME = EXPRESSION` for `add` to a model of these
-/// terms, bounds around the best lag and period of a grid; nullopt if that explains less than
-/// rules::kMainPart of what is above the noise.
-std::optional<std::string> find_late_ripple(const series::SignalSeries& series,
-                                            const std::vector<model::EffectTerm>& terms,
-                                            const Eigen::VectorXd& left);
+/// terms, bounds around the best lag and period of a grid, first narrow, then wide; nothing if that
+/// explains less than rules::kMainPart of what is above the noise.
+std::vector<std::string> find_late_ripples(const series::SignalSeries& series,
+                                           const std::vector<model::EffectTerm>& terms,
+                                           const Eigen::VectorXd& left);
 
 }  // namespace fogcomp::diagnosis

@@ -181,8 +181,9 @@ std::vector<Description> possible_descriptions(const Diagnosis& diagnosis,
   if (is_function) {
     tell(formulas(), next);
     append(formulas().descriptions, all);
-  } else if (diagnosis.late_ripple) {
-    all.push_back({{{}, *diagnosis.late_ripple}, diagnosis.fast_share});
+  }
+  for (const std::string& ripple : diagnosis.late_ripples) {
+    if (!is_function) all.push_back({{{}, ripple}, diagnosis.fast_share});
   }
   std::stable_sort(all.begin(), all.end(), [](const Description& a, const Description& b) {
     return a.explained_fraction > b.explained_fraction;

@@ -120,6 +120,14 @@ std::string together_words(const diagnosis::Diagnosis& diagnosis,
          join_list(alone, "and");
 }
 
+// The reason why nothing is proposed; "" where nothing is missing.
+std::string why_nothing(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next) {
+  const std::string text = nothing_holds_words(next);
+  if (!text.empty() || diagnosis.verdict == diagnosis::Verdict::none) return text;
+  return "nothing to add: no effect and no formula that is known here explains enough of it to be "
+         "tried";
+}
+
 // What lowers the error without naming a cause, and what to do.
 void add_next(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
               const diagnosis::NextStep& next, const DiagnosedFiles& files) {
@@ -131,7 +139,7 @@ void add_next(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
   if (next.addition) {
     words.command = add_command_line(next.addition->request, files.model, files);
   } else {
-    words.next = nothing_holds_words(next);
+    words.next = why_nothing(diagnosis, next);
   }
 }
 
@@ -253,7 +261,7 @@ std::string end_words(const diagnosis::Ladder& ladder) {
   const auto [verdict, certainty] = verdict_words(ladder.last, !ladder.last_next.describes);
   std::string text = "at the end: " + verdict + (certainty.empty() ? "" : "; " + certainty);
   const diagnosis::NextStep& next = ladder.last_next;
-  const std::string why = next.addition ? "" : nothing_holds_words(next);
+  const std::string why = next.addition ? "" : why_nothing(ladder.last, next);
   return why.empty() ? text : text + "; " + why;
 }
 

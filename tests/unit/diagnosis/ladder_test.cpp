@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "model/effect_list.hpp"
+#include "support/typical_effects.hpp"
 #include "unit/diagnosis/looped.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
@@ -60,6 +61,19 @@ TEST(Ladder, AddsWhatIsNamedHoweverSmallBesideWhatWasAdded) {
   EXPECT_EQ(ladder.added(), (Names{"temperature_rate", "polarization_ripple"}));
   EXPECT_FALSE(ladder.is_cut_off);
   EXPECT_FALSE(ladder.steps[0].addition.holdouts);
+}
+
+// Its bend is in the temperature: with one speed a line in time would do as well.
+TEST(Ladder, AddsAnAgeingThatIsFasterWhenWarm) {
+  model::Model model = fog::test::truth();
+  model.terms.push_back(fog::test::natural_term("aging", {20000, 1.5}, {0.3}));
+  const recording::Recording recording = fog::test::recording_of(model, fog::test::kQuietNoise, 1);
+  model.terms = model::parse_effects("bias,bias_temperature:order=3,temperature_rate");
+  const Ladder ladder = fog::test::looped(model, recording, 1);
+  ASSERT_EQ(ladder.steps.size(), 1U);
+  EXPECT_EQ(ladder.steps[0].addition.request.effects, Names{"aging:q10=?"});
+  const model::EffectTerm& ageing = ladder.model.terms.back();
+  EXPECT_NEAR(ageing.parameters[1], 1.5, 4 * ageing.parameter_sigma[1]);
 }
 
 }  // namespace

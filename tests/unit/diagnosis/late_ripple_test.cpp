@@ -36,10 +36,14 @@ class LateRipple : public testing::Test {
     }
     return left;
   }
-  // Parameters of the fit that starts from the expression found.
+  std::vector<std::string> all_found(const std::string& hidden,
+                                     const std::vector<model::EffectTerm>& terms) {
+    return find_late_ripples(series_, terms, residual(hidden));
+  }
+  // Parameters of the fit that starts from the first expression found.
   model::EffectTerm found(const std::string& hidden) {
-    const std::optional<std::string> expression = find_late_ripple(series_, {}, residual(hidden));
-    return expression ? model::expression_term(*expression) : model::EffectTerm{};
+    const std::vector<std::string> expressions = all_found(hidden, {});
+    return expressions.empty() ? model::EffectTerm{} : model::expression_term(expressions.front());
   }
   static bool is_within(const model::EffectTerm& term, std::size_t which, double value) {
     const model::ShapeParameter parameter = model::shape_parameters({term}).at(which);
@@ -58,6 +62,17 @@ TEST_F(LateRipple, IsFoundWithBoundsAroundItsLagAndPeriod) {
     EXPECT_TRUE(is_within(term, 0, lag_s)) << lag_s;
     EXPECT_TRUE(is_within(term, 1, period_degc)) << period_degc;
   }
+}
+
+TEST_F(LateRipple, MayBeFurtherAwayAndHasANameThatIsFree) {
+  const std::string hidden = "sin(6.2832*lag(T,600)/9+1)";
+  const model::EffectTerm first = found(hidden);
+  const std::vector<std::string> next = all_found(hidden, {first});
+  ASSERT_EQ(next.size(), 2U);
+  const model::EffectTerm wide = model::expression_term(next[1]);
+  EXPECT_EQ(wide.name, "T_late_ripple_2");
+  EXPECT_TRUE(is_within(wide, 0, 100));
+  EXPECT_FALSE(is_within(first, 0, 100));
 }
 
 TEST_F(LateRipple, IsNotSeenInCyclesOfTime) {
