@@ -268,8 +268,21 @@ class HeaderReader {
         all.end());
   }
 
+  // Columns left over whose unit is one of the slot's quantity, whatever their names.
+  Fields of_its_unit(std::size_t slot) const {
+    Fields fields;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const std::optional<Unit>& unit = columns_[i].unit;
+      if (header_.slots[i] != CsvHeader::kIgnored || !unit) continue;
+      if (unit->quantity == quantity_of(slot)) fields.push_back(i);
+    }
+    return fields;
+  }
+
   void require(std::size_t slot) const {
     if (header_.has(slot)) return;
+    const Fields fields = of_its_unit(slot);
+    if (!fields.empty()) fail_for_several(slot, fields);
     const std::string name(kColumns[slot].name);
     std::vector<std::string> free;  // fields whose only fault may be the name
     for (std::size_t i = 0; i < columns_.size(); ++i) {

@@ -190,6 +190,12 @@ TEST(CsvReader, SaysWhatIsWrongWithTheHeader) {
             "'time=1[s],temperature=2[degC],rate=3[deg/h]'");
 }
 
+TEST(CsvReader, ProposesColumnsOfTheRightUnitWhateverTheirNames) {
+  EXPECT_EQ(fault("Time [min],T_coil [K],T_hub [K],Rate [deg/h]\n0,293,293,1\n"),
+            ":1: temperature could be column 2 'T_coil [K]' or column 3 'T_hub [K]'; say which: "
+            "--columns 'temperature=T_coil [K]'");
+}
+
 // Renaming across units is an error by 3600, 1000 or 273: no message may propose it.
 TEST(CsvReader, ProposesNoColumnOfAnotherUnit) {
   EXPECT_EQ(fault("time_s,temperature2_degc,rate_dph\n0,20,1\n"),
