@@ -36,9 +36,11 @@ constexpr std::size_t kGridParameters =
     3;  // parameters with a grid; further ones of an expression stay in the middle
 
 // The size of an expression's one column relative to that of its variation, which alone shows: a
-// supply of 5.0 to 5.1 V hardly differs from a bias. Infinite for a constant.
+// supply of 5.0 to 5.1 V hardly differs from a bias. 0 for a constant, of which nothing shows.
 double size_about_mean(const Eigen::VectorXd& column) {
-  return column.norm() / (column.array() - column.mean()).matrix().norm();
+  constexpr double kRounding = 1e-6;
+  const double variation = (column.array() - column.mean()).matrix().norm();
+  return variation > kRounding * column.norm() ? column.norm() / variation : 0;
 }
 
 // Columns of an effect beyond those that the model already has.
