@@ -275,7 +275,7 @@ const std::vector<Formula> kFormulas{
      [](const History& h, const Values&) {
        return Columns{map(h.input_rate_dph, [](double w) { return 1e-6 * w; })};
      }},
-    {"scale_factor_temperature", {{1, 20, 0}, {1, 20, 90}, {3, -7.5, -250}}, rate_and_temperature},
+    {"scale_factor_temperature", {{1, 20, 0}, {1, 20, 90}, {3, -7.5, -240}}, rate_and_temperature},
     {"scale_factor_nonlinearity", {{2, 90}, {3, 60}, {5, 83.5}, {5, 500}}, nonlinearity},
     {"scale_factor_asymmetry",
      {{0.01}, {10}},

@@ -142,7 +142,7 @@ def network_words(r):
 def table_words(r, period):
     def blocks():
         return r.choice([0, 1, 2, 3, 6, 12, 60])
-    head = [0x464F474D, TABLE_LAYOUT, 0, 123, 0x31, 0, 0, 0, 0, 0, 0]
+    head = [0x464F474D, table.TABLE_LAYOUT, 0, 123, 0x31, 0, 0, 0, 0, 0, 0]
     calibration = [period, r.choice([1, 2, 3, 5, 8, 20]), 2**30, r.choice([29, 30, 30]),
                    r.choice([40000000, 2 * 10**9, BIG]),
                    r.choice([500, 20000, 1000000, 10**8, BIG]), r.choice([0, 4, 6])]
@@ -163,7 +163,7 @@ def table_words(r, period):
 
 def needed(r, effects, expressions, network):
     """As a board finds them: with a table that has words for none."""
-    words = [0x464F474D, TABLE_LAYOUT, 0, 0] + [0] * 7 + [5000, 1, 2**30, 30, 1, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0]
+    words = [0x464F474D, table.TABLE_LAYOUT, 0, 0] + [0] * 7 + [5000, 1, 2**30, 30, 1, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0]
     words += effects + expressions + network + [0, 0, 0, 0, 0, 0x00432487]
     words[2] = len(words) + 1
     words.append(i32(crc32(pack(words))))

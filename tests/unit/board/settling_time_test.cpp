@@ -40,7 +40,7 @@ TEST(SettlingTime, IsAsLongAsTheSlowestLag) {
 TEST(SettlingTime, IsNotThatOfATimeWithoutAState) {
   EXPECT_EQ(settling_time_s(model_of({natural_term("warm_up", {1200}, {1})})), 7 * 30);
   EXPECT_EQ(
-      settling_time_s(model_of({natural_term("scale_factor_temperature", {1, 20, 300}, {1})})),
+      settling_time_s(model_of({natural_term("scale_factor_temperature", {1, 20, 240}, {1})})),
       7 * 30);
 }
 
