@@ -42,10 +42,10 @@ std::optional<AdditionRequest> with_all_parts(AdditionRequest request) {
   for (std::string& effect : request.effects) {
     const model::EffectTerm term = model::parse_effects(effect).front();
     if (!has(model::info_of(term).needs, fog::Input::elapsed)) continue;
-    for (const std::string& setting : model::possible_refinements(term)) {
-      effect += (effect.find(':') == std::string::npos ? ":" : ",") + setting;
-      has_more = true;
-    }
+    const std::vector<std::string> settings = model::possible_refinements(term);
+    if (settings.empty()) continue;
+    effect += (effect.find(':') == std::string::npos ? ":" : ",") + join(settings, ",");
+    has_more = true;
   }
   return has_more ? std::optional(std::move(request)) : std::nullopt;
 }

@@ -181,9 +181,10 @@ std::vector<Description> possible_descriptions(const Diagnosis& diagnosis,
   if (is_function) {
     tell(formulas(), next);
     append(formulas().descriptions, all);
-  }
-  for (const std::string& ripple : diagnosis.late_ripples) {
-    if (!is_function) all.push_back({{{}, ripple}, diagnosis.fast_share});
+  } else {
+    for (const std::string& ripple : diagnosis.late_ripples) {
+      all.push_back({{{}, ripple}, diagnosis.fast_share});
+    }
   }
   std::stable_sort(all.begin(), all.end(), [](const Description& a, const Description& b) {
     return a.explained_fraction > b.explained_fraction;

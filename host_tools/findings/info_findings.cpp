@@ -248,14 +248,13 @@ void add_over_temperature(Document& document, const compare::RunSummary& summary
 // Fraction of the bias's variance, 0..1, that depends on the input rate: its powers, magnitude,
 // change, and product with temperature.
 double share_of_input_rate(const recording::Recording& blocks, const std::vector<double>& bias) {
-  constexpr Eigen::Index kNearBlocks = 3;
   const auto vector = [](const std::vector<double>& values) {
     return Eigen::Map<const Eigen::VectorXd>(values.data(),
                                              static_cast<Eigen::Index>(values.size()));
   };
   const Eigen::VectorXd around = vector(bias).array() - vector(bias).mean();
-  Eigen::MatrixXd columns = noise::input_rate_columns(vector(blocks.input_rate_dph),
-                                                      vector(blocks.temperature_degc), kNearBlocks);
+  Eigen::MatrixXd columns =
+      noise::input_rate_columns(vector(blocks.input_rate_dph), vector(blocks.temperature_degc), 1);
   columns.rowwise() -= columns.colwise().mean();
   return 1 - solve_linear(columns, around).residual.squaredNorm() / around.squaredNorm();
 }

@@ -8,12 +8,14 @@
 namespace fogcomp::noise {
 namespace {
 
-constexpr Eigen::Index kNear = 3;  // rows: long against a sensor's resolution, short against lags
+// Rows before and after, between which the temperature's change is taken: long against a sensor's
+// resolution, short against lags.
+constexpr Eigen::Index kNear = 3;
 
 }  // namespace
 
 Eigen::MatrixXd input_rate_columns(const Eigen::VectorXd& input_rate_dph,
-                                   const Eigen::VectorXd& temperature_degc, Eigen::Index near) {
+                                   const Eigen::VectorXd& temperature_degc, Eigen::Index per_row) {
   const Eigen::Index rows = input_rate_dph.size();
   if (rows == 0 || input_rate_dph.minCoeff() == input_rate_dph.maxCoeff()) return {rows, 0};
   const Eigen::ArrayXd u = input_rate_dph.array() / input_rate_dph.cwiseAbs().maxCoeff();
@@ -27,6 +29,7 @@ Eigen::MatrixXd input_rate_columns(const Eigen::VectorXd& input_rate_dph,
     change[i] = u[i + 1] - u[i - 1];
     bend[i] = u[i + 1] - 2 * u[i] + u[i - 1];
   }
+  const Eigen::Index near = kNear * per_row;
   Eigen::ArrayXd warming(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
     warming[i] = x[std::min(i + near, rows - 1)] - x[std::max<Eigen::Index>(i - near, 0)];
@@ -44,7 +47,7 @@ Eigen::MatrixXd input_rate_columns(const series::Rows& rows) {
     rate[i] = rows.inputs[static_cast<std::size_t>(i)].input_rate;
     temperature[i] = rows.inputs[static_cast<std::size_t>(i)].temperature;
   }
-  return input_rate_columns(rate, temperature, kNear);
+  return input_rate_columns(rate, temperature, 1);
 }
 
 Eigen::VectorXd without_input_rate(const series::Rows& rows, const Eigen::VectorXd& residual,

@@ -9,10 +9,10 @@ namespace fogcomp::noise {
 /// Regressors of errors of the input rate, row by row: the rate (first), its powers, its products
 /// with temperature and with the temperature's change (a part that is warmed late), its magnitude,
 /// its change (a late record, to second order, and with temperature), and the effect of a
-/// nonlinearity on a change within a row. The temperature's change is that from `near` rows before
-/// to as many after. Dimensionless; rows x 0 if the rate is constant.
+/// nonlinearity on a change within a row. `per_row`: values in one row as it is fitted.
+/// Dimensionless; rows x 0 if the rate is constant.
 Eigen::MatrixXd input_rate_columns(const Eigen::VectorXd& input_rate_dph,
-                                   const Eigen::VectorXd& temperature_degc, Eigen::Index near);
+                                   const Eigen::VectorXd& temperature_degc, Eigen::Index per_row);
 /// Of rows as they are fitted.
 Eigen::MatrixXd input_rate_columns(const series::Rows& rows);
 

@@ -16,8 +16,7 @@
 namespace fogcomp::noise {
 namespace {
 
-constexpr std::size_t kMeans = 3;       // in one difference
-constexpr Eigen::Index kNearMeans = 3;  // between which the temperature's change is taken
+constexpr std::size_t kMeans = 3;  // in one difference
 
 std::size_t count_differences(const std::vector<recording::RowRange>& stretches,
                               std::size_t samples) {
@@ -123,7 +122,7 @@ std::optional<double> noise_floor_dph(const recording::Recording& recording, dou
       scaled_differences(recording::bias_dph(recording), stretches, samples);
   const Eigen::MatrixXd columns =
       input_rate_columns(as_vector(recording.input_rate_dph), as_vector(recording.temperature_degc),
-                         kNearMeans * static_cast<Eigen::Index>(samples));
+                         static_cast<Eigen::Index>(samples));
   const auto count = static_cast<std::size_t>(columns.cols());
   if (count > 0 && recording.rows() > rules::kMeansPerColumn * samples * count) {
     project_out_columns(columns, stretches, samples, differences);

@@ -177,39 +177,40 @@ TEST(Identify, FindsASecondRadiusOfHysteresisWhereAsked) {
   EXPECT_EQ(one.terms.back().coefficients_dph.size(), 1U);
 }
 
+// An effect beside those of the sample gyro, fitted to a recording of one that has it.
+class FittedBeside {
+ public:
+  explicit FittedBeside(const model::EffectTerm& hidden) {
+    Model real = truth();
+    real.terms.push_back(hidden);
+    recording_ = fog::test::recording_of(real, {0.024, 0.003, 300}, 2);
+  }
+  model::EffectTerm operator()(const std::string& effect) const {
+    Model model = unknown();
+    model.terms = model::parse_effects("bias,bias_temperature:order=3,temperature_rate," + effect);
+    fit(model, recording_);
+    return model.terms.back();
+  }
+
+ private:
+  recording::Recording recording_;
+};
+
 TEST(Identify, FindsHowMuchFasterAnAgeingIsWhenWarmWhereAsked) {
-  Model real = truth();
-  real.terms.push_back(fog::test::natural_term("aging", {5000, 1.4}, {0.2}));
-  const auto recording = fog::test::recording_of(real, {0.024, 0.003, 300}, 2);
-  const std::string others = "bias,bias_temperature:order=3,temperature_rate,";
-  Model model = unknown();
-  model.terms = model::parse_effects(others + "aging:q10=?");
-  fit(model, recording);
-  const model::EffectTerm& term = model.terms.back();
+  const FittedBeside fitted(fog::test::natural_term("aging", {5000, 1.4}, {0.2}));
+  const model::EffectTerm term = fitted("aging:q10=?");
   EXPECT_NEAR(term.parameters[1], 1.4, 4 * term.parameter_sigma[1]);
   EXPECT_LT(term.parameter_sigma[1], 0.1);
-  Model plain = unknown();
-  plain.terms = model::parse_effects(others + "aging");
-  fit(plain, recording);
-  EXPECT_EQ(plain.terms.back().parameters[1], 1);
+  EXPECT_EQ(fitted("aging").parameters[1], 1);
 }
 
 TEST(Identify, FindsHowLateATransitionFreezesWhereAsked) {
-  Model real = truth();
-  real.terms.push_back(fog::test::natural_term("glass_transition", {10, 4, 360}, {0.2, 0.14}));
-  const auto recording = fog::test::recording_of(real, {0.024, 0.003, 300}, 2);
-  const std::string others = "bias,bias_temperature:order=3,temperature_rate,";
-  Model model = unknown();
-  model.terms = model::parse_effects(others + "glass_transition:lag=?");
-  fit(model, recording);
-  const model::EffectTerm& term = model.terms.back();
+  const FittedBeside fitted(fog::test::natural_term("glass_transition", {10, 4, 360}, {0.2, 0.14}));
+  const model::EffectTerm term = fitted("glass_transition:lag=?");
   EXPECT_NEAR(term.parameters[0], 10, 4 * term.parameter_sigma[0]);
   EXPECT_NEAR(term.parameters[2], 360, 4 * term.parameter_sigma[2]);
   EXPECT_LT(term.parameter_sigma[2], 120);
-  Model plain = unknown();
-  plain.terms = model::parse_effects(others + "glass_transition");
-  fit(plain, recording);
-  EXPECT_EQ(plain.terms.back().parameters[2], 0);
+  EXPECT_EQ(fitted("glass_transition").parameters[2], 0);
 }
 
 TEST(EffectList, KeepsWhatIsGivenAndLeavesTheRestToTheFit) {
