@@ -7,9 +7,15 @@
 namespace fogcomp::findings {
 namespace {
 
-// Whose bias the model has.
-const char* side_of(const model::EffectTerm& step) {
-  return step.others_follow ? "after" : "before";
+const char* bias_of_model(const model::EffectTerm& step) {
+  if (step.others_part == 0) return "before";
+  return step.others_part == 1 ? "after" : "mean";
+}
+
+Text bias_words(const model::EffectTerm& step) {
+  const std::string bias = bias_of_model(step);
+  if (bias == "mean") return words("the mean of this recording, because there are several");
+  return words("that " + bias + " it");
 }
 
 }  // namespace
@@ -31,7 +37,7 @@ Text bias_step_words(const model::EffectTerm& step, const std::string& place) {
                            signed_rounded(step.coefficients_dph[0]).c_str(), step.sigma_dph[0],
                            step.parameters[0], step.parameter_sigma[0]));
   if (!place.empty()) text += " (" + verbatim(place) + ")";
-  return text + words(format("; the model's bias is that %s it", side_of(step)));
+  return text + words("; the model's bias is ") + bias_words(step);
 }
 
 Json bias_step_json(const model::EffectTerm& step, const std::string& place) {
@@ -41,7 +47,7 @@ Json bias_step_json(const model::EffectTerm& step, const std::string& place) {
       .set("time_sigma_s", step.parameter_sigma[0])
       .set("size_dph", step.coefficients_dph[0])
       .set("size_sigma_dph", step.sigma_dph[0])
-      .set("model_bias", side_of(step));
+      .set("model_bias", bias_of_model(step));
 }
 
 std::vector<Text> bias_steps_words(const model::Model& model,

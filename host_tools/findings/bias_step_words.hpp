@@ -15,12 +15,12 @@ bool is_found_step(const model::EffectTerm& term);
 std::vector<model::EffectTerm> found_steps(const model::Model& model);
 
 /// Size and time of one of them with their uncertainties, and whether the model's bias, which a
-/// board will have, is the one before or after it. `place`: recording, and segment if known; "" if
-/// it need not be said.
+/// board will have, is the one before it, after it or the mean of its recording. `place`:
+/// recording, and segment if known; "" if it need not be said.
 Text bias_step_words(const model::EffectTerm& step, const std::string& place = "");
 
 /// The same as values: `place` (null for "") `time_s` `time_sigma_s` `size_dph` `size_sigma_dph`
-/// `model_bias` (`before` or `after`).
+/// `model_bias` (`before`, `after` or `mean`).
 Json bias_step_json(const model::EffectTerm& step, const std::string& place = "");
 
 /// Both for all found steps of a model. `places`: one for each, or none if they need not be said.

@@ -48,8 +48,8 @@ constexpr double kMinSpanOfPlaceDegc = 16;
 constexpr double kMinStepChiSquare = 60;
 /// The same before the noise is estimated from a fit with the step. step_search_test.
 constexpr double kWorthALook = 8;
-/// Smallest chi^2 by which the other recordings tell that they have the bias from before a step, as
-/// one coefficient of noise has.
+/// Smallest chi^2 by which the other recordings tell that their bias is not the one that a step is
+/// expected to leave, as one coefficient of noise has. bias_steps_test.
 constexpr double kMinLevelGain = 1;
 /// Largest chi^2 by which a change over minutes may explain more than a step: three standard
 /// deviations. More is slow noise, or an effect that the model lacks: a bias jumps within a row.

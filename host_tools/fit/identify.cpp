@@ -161,9 +161,9 @@ void add_step(model::Model& model, Identification& result, const series::SignalS
   const noise::ChangePoint& change = located.change;
   const auto row = static_cast<std::size_t>(change.row);
   result.steps.push_back({rows.run_at(row), change.time_s, change.time_sigma_s, size_dph, sigma_dph,
-                          located.others_follow});
+                          located.others_part});
   step.recording = series.recording_of(row);
-  step.others_follow = located.others_follow;
+  step.others_part = located.others_part;
   step.coefficients_dph = {size_dph};
   step.sigma_dph = {sigma_dph};
   step.parameters = {change.time_s};

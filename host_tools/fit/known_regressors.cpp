@@ -43,7 +43,7 @@ KnownRegressors::Columns KnownRegressors::operator()(const model::EffectTerm& te
 
 KnownRegressors::Columns KnownRegressors::of_part(const model::EffectTerm& term,
                                                   series::Reading reading) const {
-  const Key key{meaning_of(term), term.parameters, term.recording, term.others_follow, reading};
+  const Key key{meaning_of(term), term.parameters, term.recording, term.others_part, reading};
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto found = known_.find(key);

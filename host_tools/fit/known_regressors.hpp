@@ -30,7 +30,7 @@ class KnownRegressors {
                      series::Reading reading = series::Reading::of_sensor) const;
 
  private:
-  using Key = std::tuple<std::string, std::vector<double>, std::optional<std::uint64_t>, bool,
+  using Key = std::tuple<std::string, std::vector<double>, std::optional<std::uint64_t>, double,
                          series::Reading>;
   using Known = std::map<Key, Columns>;
 

@@ -72,37 +72,85 @@ std::optional<CertainStep> certain_step(const series::Rows& rows, const NoiseWei
   return CertainStep{*found, gradual > rules::kMaxGradualGain};
 }
 
-// Column of a step after which, or before which, all other recordings are.
-Eigen::VectorXd column_of(const series::Rows& rows, std::size_t row, bool others_follow) {
-  const Eigen::VectorXd step = step_column(rows, row);
-  return others_follow ? Eigen::VectorXd(step - run_column(rows, rows.run_at(row))) : step;
+// Column of a step of which the bias of all other recordings contains this part.
+Eigen::VectorXd column_of(const series::Rows& rows, std::size_t row, double others_part) {
+  return step_column(rows, row) - others_part * run_column(rows, rows.run_at(row));
+}
+
+// How much of its recording lies after a step: its mean there.
+double part_after(const series::Rows& rows, std::size_t row) {
+  const recording::RowRange run = rows.runs()[rows.run_at(row)];
+  const double after = series::of_rows(rows.weights, {row, run.end}).sum();
+  return after / series::of_rows(rows.weights, run).sum();
 }
 
 // A fit with one more step.
 struct Extended {
   NoiseWeightedFit fit;
   Eigen::MatrixXd columns;  // of all steps
-  bool others_follow = false;
+  double others_part = 0;
 };
+
+// By more than noise, if both were fitted with the same.
+bool fits_better(const NoiseWeightedFit& one, const NoiseWeightedFit& other) {
+  return other.whitened_residual.squaredNorm() - one.whitened_residual.squaredNorm() >
+         rules::kMinLevelGain;
+}
 
 Extended with_step(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
                    const Eigen::MatrixXd& columns, std::size_t row, const RowSettings& settings) {
   const series::SignalSeries& series = known.series();
   const series::Rows& rows = series.rows();
-  const auto fitted = [&](bool others_follow, const RowSettings& with) {
-    Extended more{{}, with_column(columns, column_of(rows, row, others_follow)), others_follow};
+  const auto fitted = [&](double others_part, const RowSettings& with) {
+    Extended more{{}, with_column(columns, column_of(rows, row, others_part)), others_part};
     more.fit = fit_rows(known, terms, more.columns, with);
     return more;
   };
-  if (!series.recording_of(row)) return fitted(false, settings);  // it acts on all
-  Extended follow = fitted(true, settings);
+  if (!series.recording_of(row)) return fitted(0, settings);  // it acts on all
+  Extended follow = fitted(1, settings);
   if (rows.run_starts.size() == 1) return follow;
   RowSettings same_noise = settings;
   same_noise.noise = follow.fit.noise;
-  Extended precede = fitted(false, same_noise);
-  const double gain =
-      follow.fit.whitened_residual.squaredNorm() - precede.fit.whitened_residual.squaredNorm();
-  return gain > rules::kMinLevelGain ? precede : follow;
+  Extended precede = fitted(0, same_noise);
+  return fits_better(precede.fit, follow.fit) ? precede : follow;
+}
+
+bool all_have_steps(const series::Rows& rows, const std::vector<LocatedStep>& steps) {
+  std::vector<bool> has_one(rows.run_starts.size());
+  for (const LocatedStep& step : steps) {
+    has_one[rows.run_at(static_cast<std::size_t>(step.change.row))] = true;
+  }
+  return std::find(has_one.begin(), has_one.end(), false) == has_one.end();
+}
+
+// The same steps, if there are several, with the mean of each recording as the bias of the others.
+// A recording without a step has a bias of its own to tell; where there is none, means may fit
+// worse than last levels that happen to be equal, but not worse than the first step alone.
+void prefer_means(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
+                  const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept,
+                  const Eigen::VectorXd& with_one, FitWithSteps& found) {
+  if (found.steps.size() < 2) return;
+  const series::SignalSeries& series = known.series();
+  std::vector<LocatedStep> steps = found.steps;
+  Eigen::MatrixXd columns = nuisance;
+  for (LocatedStep& step : steps) {
+    const auto row = static_cast<std::size_t>(step.change.row);
+    if (series.recording_of(row)) step.others_part = part_after(series.rows(), row);
+    columns = with_column(columns, column_of(series.rows(), row, step.others_part));
+  }
+  NoiseWeightedFit means = fit_rows(known, terms, columns, {kept, found.fit.noise, {}});
+  if (!is_determined(means)) return;
+  const Eigen::VectorXd weights = means.row_weights.cwiseProduct(kept);
+  const auto sum_of_squares = [&](const Eigen::VectorXd& residual) {
+    return weights.dot(residual.cwiseAbs2());
+  };
+  if (all_have_steps(series.rows(), steps)
+          ? sum_of_squares(means.residual_dph) > sum_of_squares(with_one)
+          : fits_better(found.fit, means)) {
+    return;
+  }
+  found.steps = std::move(steps);
+  found.fit = std::move(means);
 }
 
 // A step that is known, in these rows.
@@ -115,7 +163,7 @@ LocatedStep located_in(const series::Rows& rows, const FoundStep& step) {
   const auto may_hold = [&](Eigen::Index row) {
     return std::abs(time_s(row) - step.time_s) <= within_s;
   };
-  LocatedStep result{{}, step.others_follow};
+  LocatedStep result{{}, step.others_part};
   noise::ChangePoint& change = result.change;
   change.row = first + 1;
   while (change.row + 1 < end && time_s(change.row) < step.time_s) ++change.row;
@@ -148,6 +196,7 @@ FitWithSteps fit_with_steps(const KnownRegressors& known,
   Eigen::VectorXd kept = Eigen::VectorXd::Ones(rows.size());
   Eigen::MatrixXd columns = nuisance;
   FitWithSteps result;
+  Eigen::VectorXd with_one;  // residual with the first step alone
   std::vector<bool> except(static_cast<std::size_t>(rows.size()));
   std::size_t gradual = 0;
   result.fit = fit_determined(known, terms, columns, kept, progress);
@@ -172,11 +221,13 @@ FitWithSteps fit_with_steps(const KnownRegressors& known,
                               {fewer, std::nullopt, {}});
     if (!is_determined(more.fit)) break;
     if (min_chi_square(more.fit, result.steps.size() + 1) < rules::kMinStepChiSquare) break;
-    result.steps.push_back({found, more.others_follow});
+    result.steps.push_back({found, more.others_part});
     result.fit = std::move(more.fit);
+    if (result.steps.size() == 1) with_one = result.fit.residual_dph;
     columns = std::move(more.columns);
     kept = fewer;
   }
+  prefer_means(known, terms, nuisance, kept, with_one, result);
   result.masked = static_cast<std::size_t>((kept.array() <= 0).count());
   return result;
 }
@@ -192,7 +243,7 @@ FitWithSteps fit_at_steps(const KnownRegressors& known, const std::vector<model:
     result.steps.push_back(located_in(rows, step));
     const noise::ChangePoint& change = result.steps.back().change;
     const auto row = static_cast<std::size_t>(change.row);
-    columns = with_column(columns, column_of(rows, row, step.others_follow));
+    columns = with_column(columns, column_of(rows, row, step.others_part));
     kept.segment(change.first, change.last - change.first + 1).setZero();
   }
   result.fit = fit_determined(known, terms, columns, kept, progress);

@@ -16,13 +16,13 @@ struct FoundStep {
   double time_sigma_s = 0;
   double size_dph = 0;
   double size_sigma_dph = 0;
-  bool others_follow = false;  ///< as in model::EffectTerm
+  double others_part = 0;  ///< as in model::EffectTerm
 };
 
 /// A bias step, as first located.
 struct LocatedStep {
   noise::ChangePoint change;
-  bool others_follow = false;  ///< as in model::EffectTerm
+  double others_part = 0;  ///< as in model::EffectTerm
 };
 
 /// A fit with the bias steps that it found; they are the last nuisance columns.
@@ -39,8 +39,10 @@ struct FitWithSteps {
 /// them. The noise that judges a step is estimated with the step removed. Rows that may contain a
 /// step have weight 0. At most `max_steps`. Whether the other recordings have the bias from before
 /// a step or the one that follows it is what fits better; where there are none, or each has its own
-/// bias, the last is what the gyro goes on with. `progress` is called with the fraction of the
-/// first fit done, 0..1.
+/// bias, the last is what the gyro goes on with. Of two steps and more they have the mean of each
+/// recording, unless one without a step tells another bias: what steps again may step back (random
+/// telegraph signal, mode hops), so that the last level is not what to expect. `progress` is called
+/// with the fraction of the first fit done, 0..1.
 FitWithSteps fit_with_steps(const KnownRegressors& known,
                             const std::vector<model::EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance, std::size_t max_steps,

@@ -26,8 +26,8 @@ Model as_it_acts_on(Model model, const std::vector<std::uint64_t>& recordings) {
   for (EffectTerm& term : model.terms) {
     if (!term.acts_on(recordings)) {
       std::fill_n(term.coefficients_dph.begin(), term.coefficients_dph.size(), 0.0);
-    } else if (term.others_follow) {
-      bias_dph -= term.coefficients_dph[0];
+    } else if (term.others_part > 0) {
+      bias_dph -= term.others_part * term.coefficients_dph[0];
     }
   }
   if (bias_dph != 0) model.terms.push_back({"bias", {}, {}, {}, {bias_dph}, {0}});

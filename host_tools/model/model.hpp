@@ -33,9 +33,10 @@ struct EffectTerm {
   /// Of an event that a fit has found: hash of the rows (recording::rows_hash) of the recording in
   /// which it is. Nothing: it acts on all.
   std::optional<std::uint64_t> recording{};
-  /// Of such an event: the other recordings have the bias that follows it, not the one before it.
-  /// In its own recording it then acts before its time, with the opposite sign.
-  bool others_follow = false;
+  /// Of such an event: the part of it that the bias of the other recordings contains. 0: they have
+  /// the bias before it; 1: that after it; between: the mean of its own recording. In its own
+  /// recording it acts less this part.
+  double others_part = 0;
 
   /// `recordings`: hashes of the rows of a run's files.
   bool acts_on(const std::vector<std::uint64_t>& recordings) const;

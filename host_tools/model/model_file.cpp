@@ -195,8 +195,11 @@ void read_event_recording(ModelReader& in, Model& model) {
   }
   model.terms.back().recording = in.hash();
   if (in.at_end_of_line()) return;
-  if (in.word() != kOthersFollow) in.fail(std::string("only '") + kOthersFollow + "' may follow");
-  model.terms.back().others_follow = true;
+  const std::string key = in.word();
+  if (key != kOthersFollow && key != kOthersPart) {
+    in.fail(std::string("only '") + kOthersFollow + "' or '" + kOthersPart + "' may follow");
+  }
+  model.terms.back().others_part = key == kOthersFollow ? 1 : in.number(0, 1);
 }
 
 // A step, then its optional properties.

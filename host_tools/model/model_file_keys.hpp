@@ -14,6 +14,7 @@ inline constexpr const char* kHistoryHoldout = "history_holdout_dph";
 inline constexpr const char* kHistoryForced = "history_forced";
 inline constexpr const char* kEventRecording = "event_recording";
 inline constexpr const char* kOthersFollow = "others_follow";
+inline constexpr const char* kOthersPart = "others_part";
 inline constexpr const char* kTitleLine = "fogcomp-model 2";
 
 /// CRC-32 of the first `size` characters.

@@ -238,8 +238,8 @@ Eigen::MatrixXd SignalSeries::regressors(const model::EffectTerm& term, Reading 
                                    static_cast<Eigen::Index>(runs[i].size()));
     if (!term.acts_on(runs_[i].recordings)) {
       of_run.setZero();
-    } else if (term.others_follow) {
-      of_run.array() -= 1;
+    } else if (term.others_part > 0) {
+      of_run.array() -= term.others_part;
     }
   }
   return means;

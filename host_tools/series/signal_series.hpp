@@ -43,8 +43,7 @@ class SignalSeries {
   std::optional<std::uint64_t> recording_of(std::size_t row) const;
 
   /// Row means of an effect's regressors, rows x regressors; 0 in runs on which an event does not
-  /// act, less 1 in its own if the others follow it (EffectTerm::others_follow). In Phase::zero
-  /// both readings are the same.
+  /// act, less EffectTerm::others_part in its own. In Phase::zero both readings are the same.
   Eigen::MatrixXd regressors(const model::EffectTerm& term,
                              Reading reading = Reading::of_sensor) const;
   Phase phase() const { return phase_; }

@@ -21,6 +21,14 @@ std::uint32_t data_hash(const model::Model& model) {
   return model.history.empty() ? 0 : model.history.back().data_hash;
 }
 
+// The bias that a model with this event has.
+std::string bias_at(const model::EffectTerm& event) {
+  const std::string step =
+      format("the step of %+.2g deg/h at %.6g s", event.coefficients_dph[0], event.parameters[0]);
+  if (event.others_part == 0) return "bias before " + step;
+  return (event.others_part == 1 ? "bias after " : "mean bias of the recording with ") + step;
+}
+
 // Parts of the model that the board cannot use, one sentence each.
 std::vector<std::string> left_out(const model::Model& model,
                                   const fog::ModelParameters& parameters) {
@@ -30,9 +38,7 @@ std::vector<std::string> left_out(const model::Model& model,
     if (reason == nullptr) continue;
     notes.push_back(term.name + " is left out: " + reason);
     if (!model::is_event(term) || term.coefficients_dph.empty()) continue;
-    notes.back() += format("; the board has the bias %s the step of %+.2g deg/h at %.6g s",
-                           term.others_follow ? "after" : "before", term.coefficients_dph[0],
-                           term.parameters[0]);
+    notes.back() += "; the board has the " + bias_at(term);
   }
   const fog::AcquisitionParameters& board = parameters.acquisition;
   const double step_dps = std::ldexp(board.rate.step.raw(), -fog::RateStep::fractional_bits) / 3600;

@@ -11,24 +11,27 @@ namespace fogcomp::findings {
 namespace {
 
 // As a fit leaves a step: at 25995 s, of 0.3 deg/h.
-model::EffectTerm found_step(bool others_follow) {
+model::EffectTerm found_step(double others_part) {
   model::EffectTerm step = model::parse_effects("bias_step")[0];
   step.parameters = {25995};
   step.parameter_sigma = {2.9};
   step.coefficients_dph = {0.3};
   step.sigma_dph = {0.0049};
   step.recording = 7;
-  step.others_follow = others_follow;
+  step.others_part = others_part;
   return step;
 }
 
 TEST(BiasStepWords, SayWhoseBiasTheModelHas) {
-  EXPECT_EQ(bias_step_words(found_step(true), "run.csv, soak 20").plain(),
+  EXPECT_EQ(bias_step_words(found_step(1), "run.csv, soak 20").plain(),
             "bias step of +0.3000 +- 0.0049 deg/h at 25995 +- 2.9 s (run.csv, soak 20); the "
             "model's bias is that after it");
-  EXPECT_EQ(bias_step_words(found_step(false)).plain(),
+  EXPECT_EQ(bias_step_words(found_step(0)).plain(),
             "bias step of +0.3000 +- 0.0049 deg/h at 25995 +- 2.9 s; the model's bias is that "
             "before it");
+  EXPECT_EQ(bias_step_words(found_step(0.4)).plain(),
+            "bias step of +0.3000 +- 0.0049 deg/h at 25995 +- 2.9 s; the model's bias is the mean "
+            "of this recording, because there are several");
 }
 
 TEST(BiasStepWords, AreOfFoundStepsOnly) {
@@ -38,7 +41,7 @@ TEST(BiasStepWords, AreOfFoundStepsOnly) {
   EXPECT_TRUE(found_steps(model).empty());
   model.terms.push_back(model::parse_effects("bias_step")[0]);  // sought, not yet found
   EXPECT_TRUE(found_steps(model).empty());
-  model.terms.push_back(found_step(true));
+  model.terms.push_back(found_step(1));
   ASSERT_EQ(found_steps(model).size(), 1U);
   EXPECT_EQ(found_steps(model)[0].parameters[0], 25995);
 }
@@ -46,7 +49,7 @@ TEST(BiasStepWords, AreOfFoundStepsOnly) {
 TEST(BiasStepWords, AreValuesOfTheLadder) {
   diagnosis::Ladder ladder;
   ladder.model.terms = model::parse_effects("bias");
-  ladder.model.terms.push_back(found_step(true));
+  ladder.model.terms.push_back(found_step(1));
   const std::string json = ladder_json(ladder, {"x.model", {"run.csv"}}).text();
   EXPECT_NE(json.find("\"bias_steps\":[{\"place\":null,\"time_s\":25995,\"time_sigma_s\":2.9,"
                       "\"size_dph\":0.3,\"size_sigma_dph\":0.0049,\"model_bias\":\"after\"}]"),

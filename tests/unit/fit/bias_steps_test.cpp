@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "compare/comparison.hpp"
 #include "support/input_error.hpp"
 #include "unit/fit/recording_with_steps.hpp"
@@ -86,7 +88,7 @@ TEST(BiasSteps, ActOnTheirRecordingOnly) {
 TEST(BiasSteps, OfTheOnlyRecordingLeaveTheBiasThatFollows) {
   const FittedSteps result = fit({recording_with_jump()}, kStepEffects);
   ASSERT_EQ(result.identified.steps.size(), 1U);
-  EXPECT_TRUE(result.identified.steps[0].others_follow);
+  EXPECT_EQ(result.identified.steps[0].others_part, 1);
   EXPECT_NEAR(result.identified.steps[0].size_dph, kJump_dph, 0.02);
   EXPECT_LT(rms_left_dph(result.model, recording_with_jump()), kLittleAboveNoise_dph);
   EXPECT_LT(rms_left_dph(result.model, shifted(noisy_recording(6), kJump_dph)),
@@ -103,11 +105,59 @@ TEST(BiasSteps, LeaveTheBiasThatTheOtherRecordingsHave) {
     const FittedSteps result =
         fit({recording_with_jump(), shifted(noisy_recording(4), others_dph)}, kStepEffects);
     ASSERT_EQ(result.identified.steps.size(), 1U);
-    EXPECT_EQ(result.identified.steps[0].others_follow, others_dph != 0);
+    EXPECT_EQ(result.identified.steps[0].others_part, others_dph != 0 ? 1 : 0);
     EXPECT_LT(rms_left_dph(result.model, recording_with_jump()), kLittleAboveNoise_dph);
     EXPECT_LT(rms_left_dph(result.model, shifted(noisy_recording(6), others_dph)),
               kLittleAboveNoise_dph);
   }
+}
+
+fogcomp::recording::Recording telegraph_recording(std::uint64_t seed) {
+  fogcomp::recording::Recording recording = noisy_recording(seed);
+  add_step(recording, 9000, kJump_dph);
+  add_step(recording, 19000, -kJump_dph);
+  add_step(recording, 27000, kJump_dph);
+  return recording;
+}
+
+// The next run of a gyro whose bias goes back and forth is at the last level by chance only.
+TEST(BiasSteps, ThatComeAgainLeaveTheMean) {
+  const FittedSteps result = fit({telegraph_recording(6)}, kStepEffects);
+  ASSERT_EQ(result.identified.steps.size(), 3U);
+  double mean_dph = 0;
+  for (const fogcomp::fit::FoundStep& step : result.identified.steps) {
+    EXPECT_GT(step.others_part, 0);
+    EXPECT_LT(step.others_part, 1);
+    mean_dph += step.others_part * step.size_dph;
+  }
+  const std::vector<double> with = telegraph_recording(6).rate_dph;
+  const std::vector<double> without = noisy_recording(6).rate_dph;
+  const double sum_dph = std::accumulate(with.begin(), with.end(), 0.0) -
+                         std::accumulate(without.begin(), without.end(), 0.0);
+  EXPECT_NEAR(mean_dph, sum_dph / static_cast<double>(with.size()), 0.01);
+  EXPECT_LT(rms_left_dph(result.model, telegraph_recording(6)), kLittleAboveNoise_dph);
+  EXPECT_LT(rms_left_dph(result.model, shifted(noisy_recording(7), mean_dph)),
+            kLittleAboveNoise_dph);
+}
+
+// That both end at the same level is no reason to expect it.
+TEST(BiasSteps, ThatComeAgainInEachRecordingLeaveTheirMeans) {
+  const FittedSteps result = fit({telegraph_recording(6), telegraph_recording(4)}, kStepEffects);
+  ASSERT_EQ(result.identified.steps.size(), 6U);
+  for (const fogcomp::fit::FoundStep& step : result.identified.steps) {
+    EXPECT_GT(step.others_part, 0);
+    EXPECT_LT(step.others_part, 1);
+  }
+}
+
+// A recording without steps tells which level the gyro has where nothing happens.
+TEST(BiasSteps, ThatComeAgainLeaveTheBiasThatTheOtherRecordingsHave) {
+  const FittedSteps result =
+      fit({telegraph_recording(6), shifted(noisy_recording(4), kJump_dph)}, kStepEffects);
+  ASSERT_EQ(result.identified.steps.size(), 3U);
+  EXPECT_LT(rms_left_dph(result.model, telegraph_recording(6)), kLittleAboveNoise_dph);
+  EXPECT_LT(rms_left_dph(result.model, shifted(noisy_recording(7), kJump_dph)),
+            kLittleAboveNoise_dph);
 }
 
 TEST(BiasSteps, WithATimeAreNotSearchedForAndAloneAreRefused) {

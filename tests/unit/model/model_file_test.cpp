@@ -94,10 +94,12 @@ TEST(ModelFile, KeepsTheRecordingOfAnEvent) {
   const std::string text = model_text(model);
   const Model read = parse_model(text, "gyro.model");
   EXPECT_EQ(read.terms.back().recording, model.terms.back().recording);
-  EXPECT_FALSE(read.terms.back().others_follow);
+  EXPECT_EQ(read.terms.back().others_part, 0);
   EXPECT_EQ(model_text(read), text);
-  model.terms.back().others_follow = true;
-  EXPECT_TRUE(parse_model(model_text(model), "gyro.model").terms.back().others_follow);
+  for (const double part : {1.0, 0.4}) {
+    model.terms.back().others_part = part;
+    EXPECT_EQ(parse_model(model_text(model), "gyro.model").terms.back().others_part, part);
+  }
   model.terms.push_back(fog::test::natural_term("aging", {3600}, {0.1}));
   model.terms.back().recording = 1;
   const std::string error = error_of(model_text(model));
