@@ -13,6 +13,7 @@
 #include "recording/csv_row.hpp"
 #include "recording/long_recording.hpp"
 #include "recording/sparse_columns.hpp"
+#include "recording/sparse_input_rate.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -113,6 +114,7 @@ class RowCollector {
     Recording means = long_recording_.finish(file_.path());
     means.bad_rows = recording_.bad_rows;
     means.empty_rows = recording_.empty_rows;
+    means.masks = std::move(recording_.masks);
     return means;
   }
 
@@ -123,7 +125,12 @@ class RowCollector {
   };
 
   void complete_sparse() {
-    if (sparse_) complete_sparse_columns(recording_, lines_, options_.watch);
+    std::vector<double>& input_rate = recording_.input_rate_dph;
+    const bool is_held = blank_held_readings(recording_.time_s, recording_.rate_dph, input_rate);
+    if (is_held) {
+      options_.watch.say(file_.path(), "input_rate_dph repeats each reading until the next one");
+    }
+    if (sparse_ || is_held) complete_sparse_columns(recording_, lines_, options_.watch);
     sparse_ = false;
   }
 

@@ -62,6 +62,12 @@ constexpr double kMinUnixTimeS = 1e9;
 /// Seconds: readings of a slow column are interpolated over at most this time, for which a board
 /// holds a temperature (board_limits.hpp, kHoldSeconds). foreign_files_test.
 constexpr double kMaxBridgeS = 60;
+/// Smallest number of changes of an input rate that may be those of held readings; with fewer there
+/// is little to gain. sparse_input_rate_test.
+constexpr std::size_t kMinHeldChanges = 20;
+/// A curve between readings of the input rate is unknown if its error is so many times the median
+/// of that record's. Chosen: noise of the readings reaches six. sparse_input_rate_test.
+constexpr double kMaxUsualErrors = 10;
 
 // ---- Recordings longer than memory should hold ------------------------------------------------
 /// Rows that are judged together: hours at 200 Hz, longer than any excursion (kMaxExcursionS).

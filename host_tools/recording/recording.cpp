@@ -110,7 +110,8 @@ Recording read_recording(InputFile& file, const ReadOptions& options) {
   if (recording.input_rate_dph.empty() && options.default_input_rate_dph != 0) {
     recording.input_rate_dph.assign(recording.rows(), options.default_input_rate_dph);
   }
-  recording.masks = masks_of(options.masks, path);
+  const std::vector<Mask> given = masks_of(options.masks, path);
+  recording.masks.insert(recording.masks.end(), given.begin(), given.end());
   find_stretches(recording);
   if (options.keep_refused_rows || recording.rows_per_row > 1) return recording;
   leave_out_refused_rows(recording, lines, options.limits.over(options.model_limits),

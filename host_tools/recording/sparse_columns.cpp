@@ -8,6 +8,7 @@
 #include "recording/columns.hpp"
 #include "recording/decision_rules.hpp"
 #include "recording/row_removal.hpp"
+#include "recording/sparse_input_rate.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -83,10 +84,23 @@ LineNumbers lines_without(const LineNumbers& lines, std::size_t rows,
 void say_how_sparse(const Recording& recording, const ColumnInfo& info, std::size_t readings,
                     const ReadWatch& watch) {
   const double one_in = static_cast<double>(recording.rows()) / static_cast<double>(readings);
+  const char* const line =
+      info.column == Column::input_rate_dph ? "a smooth curve" : "a straight line";
   watch.say(recording.file,
-            format("%s: a reading in %zu of %zu samples (1 in %.3g), between them "
-                   "on a straight line",
-                   std::string(info.name).c_str(), readings, recording.rows(), one_in));
+            format("%s: a reading in %zu of %zu samples (1 in %.3g), between them on %s",
+                   std::string(info.name).c_str(), readings, recording.rows(), one_in, line));
+}
+
+void mask_unknown(Recording& recording, const std::vector<Mask>& unknown, const ReadWatch& watch) {
+  if (unknown.empty()) return;
+  double length_s = 0;
+  for (const Mask& mask : unknown) length_s += mask.to_s - mask.from_s;
+  watch.say(
+      recording.file,
+      format("input_rate_dph: fits and comparisons leave out %.4g s in which it changed between "
+             "readings, the first at %.6g s; record it with every sample",
+             length_s, unknown.front().from_s));
+  recording.masks.insert(recording.masks.end(), unknown.begin(), unknown.end());
 }
 
 std::vector<std::size_t> incomplete_rows(const Recording& recording) {
@@ -112,10 +126,16 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
     if (readings == 0 && info.column == Column::temperature_degc) {
       throw InputError(recording.file, std::string(info.name) + " has no value in any sample");
     }
-    if (readings > 0) complete(recording.time_s, column, info.column == Column::uptime_s);
+    std::vector<Mask> unknown;
+    if (readings > 0 && info.column == Column::input_rate_dph) {
+      unknown = complete_input_rate(recording.time_s, recording.rate_dph, column);
+    } else if (readings > 0) {
+      complete(recording.time_s, column, info.column == Column::uptime_s);
+    }
     const bool complete_now = readings_in(column) == column.size();
     if (readings > 0 && (complete_now || is_needed(info.column))) {
       say_how_sparse(recording, info, readings, watch);
+      if (info.column == Column::input_rate_dph) mask_unknown(recording, unknown, watch);
     } else {
       watch.say(recording.file,
                 std::string(info.name) + format(" has a value in %zu of %zu samples: "

@@ -485,6 +485,26 @@ TEST(ForeignFiles, HaveATemperatureBetweenItsReadings) {
       << said;
 }
 
+// A table that swings and once jumps, with a record that repeats its readings for 5 s.
+TEST(ForeignFiles, HaveAnInputRateBetweenItsReadings) {
+  std::string content = "time_s,temperature_degc,rate_dps,input_rate_dps\n";
+  const auto turns = [](int row) { return (row < 502 ? 10 : 20) * std::sin(row / 40.0); };
+  for (int row = 0; row < 1000; ++row) {
+    content += format("%d,20,%s,%s\n", row, digits(turns(row) + 1e-4 * (row * row % 7)).c_str(),
+                      digits(turns(row - row % 5)).c_str());
+  }
+  std::string said;
+  const Recording recording = read_recording(temporary_file("held.csv", content), heard_in(said));
+  EXPECT_EQ(recording.rows(), 1000U);
+  ASSERT_EQ(recording.masks.size(), 1U);
+  EXPECT_NE(said.find("input_rate_dph repeats each reading until the next one"), std::string::npos)
+      << said;
+  EXPECT_NE(said.find("input_rate_dph: fits and comparisons leave out 5 s in which it changed "
+                      "between readings, the first at 500 s; record it with every sample"),
+            std::string::npos)
+      << said;
+}
+
 TEST(ForeignFiles, LeaveOutRowsWhoseValuesNobodyKnows) {
   std::string said;
   const Recording recording =

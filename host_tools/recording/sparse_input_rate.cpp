@@ -1,0 +1,262 @@
+#include "recording/sparse_input_rate.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "recording/decision_rules.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+struct RateReading {
+  std::size_t row;
+  double time_s;
+  double value;
+};
+
+// The cubic through four readings (Newton's divided differences).
+class Cubic {
+ public:
+  explicit Cubic(const RateReading* readings) {
+    for (std::size_t i = 0; i < 4; ++i) time_s_[i] = readings[i].time_s;
+    for (std::size_t i = 0; i < 4; ++i) difference_[i] = readings[i].value;
+    for (std::size_t order = 1; order < 4; ++order) {
+      for (std::size_t i = 3; i >= order; --i) {
+        difference_[i] = (difference_[i] - difference_[i - 1]) / (time_s_[i] - time_s_[i - order]);
+      }
+    }
+  }
+
+  double at(double time_s) const {
+    double value = difference_[3];
+    for (std::size_t i = 3; i-- > 0;) value = difference_[i] + (time_s - time_s_[i]) * value;
+    return value;
+  }
+
+  // By how much a further reading changes the curve at a time: its error, where the readings are
+  // those of a smooth movement.
+  double change_by(const RateReading& further, double time_s) const {
+    double change = further.value - at(further.time_s);
+    for (const double t : time_s_) change *= (time_s - t) / (further.time_s - t);
+    return std::abs(change);
+  }
+
+ private:
+  std::array<double, 4> time_s_;
+  std::array<double, 4> difference_;
+};
+
+// The curves between two readings.
+class Between {
+ public:
+  // `first`: the reading before, of `readings` that are at most a bridge apart.
+  Between(const std::vector<RateReading>& readings, std::ptrdiff_t first)
+      : readings_(readings), first_(first) {}
+
+  // Error in the middle of the cubic through the readings from `begin` to begin + 3; infinite if
+  // there are none, or no fifth beside them.
+  double error_of(std::ptrdiff_t begin) const {
+    if (begin < 0 || begin + 3 >= size()) return kInfinite;
+    const Cubic cubic(&of(begin));
+    const double middle_s = (of(first_).time_s + of(first_ + 1).time_s) / 2;
+    double error = -1;
+    for (const std::ptrdiff_t further : {begin - 1, begin + 4}) {
+      // Beside a sudden change only the reading that is farther from it tells.
+      if (further < 0 || further >= size() || !is_beyond(begin, further)) continue;
+      error = std::max(error, cubic.change_by(of(further), middle_s));
+    }
+    return error < 0 ? kInfinite : error;
+  }
+  double error_of_centre() const { return error_of(first_ - 1); }
+
+  struct Choice {
+    std::optional<Cubic> cubic{};  // none: a straight line
+    bool is_unknown = false;       // there are curves, and none is good enough
+  };
+  // The first curve that is good enough: through the readings around, before, behind.
+  Choice choose(double max_error) const {
+    Choice choice;
+    for (const std::ptrdiff_t begin : {first_ - 1, first_ - 2, first_}) {
+      const double error = error_of(begin);
+      if (error == kInfinite) continue;
+      if (error <= max_error) return {Cubic(&of(begin)), false};
+      choice.is_unknown = true;
+    }
+    return choice;
+  }
+
+ private:
+  std::ptrdiff_t size() const { return static_cast<std::ptrdiff_t>(readings_.size()); }
+  const RateReading& of(std::ptrdiff_t i) const { return readings_[static_cast<std::size_t>(i)]; }
+  bool is_beyond(std::ptrdiff_t begin, std::ptrdiff_t further) const {
+    if (begin == first_ - 2) return further < begin;
+    return begin != first_ || further > begin;
+  }
+
+  const std::vector<RateReading>& readings_;
+  std::ptrdiff_t first_;
+};
+
+// Readings without a pause that is not bridged.
+std::vector<std::vector<RateReading>> bridged(const std::vector<double>& time_s,
+                                              const std::vector<double>& column) {
+  std::vector<std::vector<RateReading>> all;
+  for (std::size_t row = 0; row < column.size(); ++row) {
+    if (std::isnan(column[row])) continue;
+    if (all.empty() || time_s[row] - all.back().back().time_s > rules::kMaxBridgeS) {
+      all.emplace_back();
+    }
+    all.back().push_back({row, time_s[row], column[row]});
+  }
+  return all;
+}
+
+// White noise of a sample, from fourth differences, which no movement has between samples.
+double noise_of_sample(const std::vector<double>& rate_dph) {
+  std::vector<double> differences;
+  for (std::size_t i = 4; i < rate_dph.size(); ++i) {
+    const double* const r = &rate_dph[i - 4];
+    const double difference = std::abs(r[0] - 4 * r[1] + 6 * r[2] - 4 * r[3] + r[4]);
+    if (difference > 0) differences.push_back(difference);
+  }
+  constexpr double kMedianOfNormal = 0.6745;
+  if (differences.empty()) return 0;
+  return median(std::move(differences)) / (kMedianOfNormal * std::sqrt(70.0));
+}
+
+// Error of a curve that the readings have everywhere: their own noise, or a movement that is
+// always fast. A curve cannot be asked to be better.
+double usual_error(const std::vector<std::vector<RateReading>>& stretches) {
+  std::vector<double> errors;
+  for (const std::vector<RateReading>& readings : stretches) {
+    for (std::size_t i = 0; i + 1 < readings.size(); ++i) {
+      const double error = Between(readings, static_cast<std::ptrdiff_t>(i)).error_of_centre();
+      if (error < kInfinite) errors.push_back(error);
+    }
+  }
+  return errors.empty() ? kInfinite : median(std::move(errors));
+}
+
+double on_line(const RateReading& before, const RateReading& after, double time_s) {
+  const double part = (time_s - before.time_s) / (after.time_s - before.time_s);
+  return before.value + part * (after.value - before.value);
+}
+
+// Rows with a new reading in a column that holds each for two samples or more: those where it
+// changes, and, back from each in the same rhythm, those where it might have. None if it changes
+// from sample to sample.
+std::vector<std::size_t> rows_of_held_readings(const std::vector<double>& column) {
+  std::vector<std::size_t> changes;
+  std::size_t held = column.size();
+  for (std::size_t row = 1; row < column.size(); ++row) {
+    if (std::isnan(column[row - 1])) return {};
+    if (column[row] == column[row - 1]) continue;
+    if (!changes.empty()) held = std::min(held, row - changes.back());
+    if (held < 2) return {};
+    changes.push_back(row);
+  }
+  if (changes.size() < rules::kMinHeldChanges) return {};
+  std::vector<std::size_t> rows{0};
+  for (const std::size_t change : changes) {
+    const std::size_t first = rows.back() + held;
+    const std::size_t later = change > first ? (change - first) % held : 0;
+    for (std::size_t row = first + later; row < change; row += held) rows.push_back(row);
+    rows.push_back(change);
+  }
+  for (std::size_t row = changes.back() + held; row < column.size(); row += held) {
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+// Whether the gyro moves from each reading to the next one rather than with the steps.
+bool gyro_moves_between(const std::vector<std::size_t>& readings, const std::vector<double>& time_s,
+                        const std::vector<double>& rate_dph,
+                        const std::vector<double>& input_rate) {
+  double from_steps = 0;
+  double from_lines = 0;
+  const auto reading_at = [&](std::size_t row) {
+    return RateReading{row, time_s[row], input_rate[row]};
+  };
+  for (std::size_t i = 0; i + 1 < readings.size(); ++i) {
+    const RateReading before = reading_at(readings[i]);
+    const RateReading after = reading_at(readings[i + 1]);
+    for (std::size_t row = before.row; row < after.row; ++row) {
+      from_steps += std::abs(rate_dph[row] - before.value);
+      from_lines += std::abs(rate_dph[row] - on_line(before, after, time_s[row]));
+    }
+  }
+  return from_lines < from_steps;
+}
+
+void repeat_last(const std::vector<double>& time_s, const RateReading& last,
+                 std::vector<double>& column) {
+  for (std::size_t row = last.row + 1; row < column.size(); ++row) {
+    if (time_s[row] - last.time_s > rules::kMaxBridgeS) break;
+    column[row] = last.value;
+  }
+}
+
+void extend(std::vector<Mask>& masks, double from_s, double to_s) {
+  if (!masks.empty() && masks.back().to_s == from_s) {
+    masks.back().to_s = to_s;
+  } else {
+    masks.push_back({"", from_s, to_s});
+  }
+}
+
+}  // namespace
+
+bool blank_held_readings(const std::vector<double>& time_s, const std::vector<double>& rate_dph,
+                         std::vector<double>& input_rate) {
+  const std::vector<std::size_t> readings = rows_of_held_readings(input_rate);
+  if (readings.size() < 2 || !gyro_moves_between(readings, time_s, rate_dph, input_rate)) {
+    return false;
+  }
+  std::vector<double> values(input_rate.size(), std::numeric_limits<double>::quiet_NaN());
+  for (const std::size_t row : readings) values[row] = input_rate[row];
+  input_rate = std::move(values);
+  return true;
+}
+
+std::vector<Mask> complete_input_rate(const std::vector<double>& time_s,
+                                      const std::vector<double>& rate_dph,
+                                      std::vector<double>& input_rate) {
+  const std::vector<std::vector<RateReading>> stretches = bridged(time_s, input_rate);
+  const double noise_dph = noise_of_sample(rate_dph);
+  const double usual_dph = usual_error(stretches);
+  std::vector<Mask> unknown;
+  for (const std::vector<RateReading>& readings : stretches) {
+    for (std::size_t i = 0; i + 1 < readings.size(); ++i) {
+      const RateReading& before = readings[i];
+      const RateReading& after = readings[i + 1];
+      if (after.row == before.row + 1) continue;
+      const double noise_of_mean =
+          noise_dph / std::sqrt(static_cast<double>(after.row - before.row));
+      const Between::Choice choice =
+          Between(readings, static_cast<std::ptrdiff_t>(i))
+              .choose(std::max(noise_of_mean, rules::kMaxUsualErrors * usual_dph));
+      if (choice.is_unknown) extend(unknown, before.time_s, after.time_s);
+      for (std::size_t row = before.row + 1; row < after.row; ++row) {
+        input_rate[row] =
+            choice.cubic ? choice.cubic->at(time_s[row]) : on_line(before, after, time_s[row]);
+      }
+    }
+    repeat_last(time_s, readings.back(), input_rate);
+  }
+  return unknown;
+}
+
+}  // namespace fogcomp::recording

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "recording/mask.hpp"
+
+namespace fogcomp::recording {
+
+/// An input rate that holds each of its readings for two samples or more, as in a file that joins
+/// two logs: leaves the readings, NaN elsewhere, and returns true. Without change, false, if it
+/// changes from sample to sample or has gaps (NaN), or if the gyro (`rate_dph`) steps with it, as
+/// on a table that does.
+bool blank_held_readings(const std::vector<double>& time_s, const std::vector<double>& rate_dph,
+                         std::vector<double>& input_rate);
+
+/// Completes an input rate with readings in some rows only (NaN elsewhere), where readings are at
+/// most rules::kMaxBridgeS apart: by the cubic through the four readings around, or, beside a
+/// sudden change, before or behind. (A straight line cuts the peaks: with 20 readings in a period a
+/// sine would lose 0.8 %, which looks like a scale factor.) Behind the last reading it repeats that
+/// for as long.
+///
+/// Returns the times in which none of these curves is known as well as the gyro's own mean between
+/// the two readings (`rate_dph`: the measured rate), nor as well as they are usually in this
+/// record: those of changes that were over before the next reading.
+std::vector<Mask> complete_input_rate(const std::vector<double>& time_s,
+                                      const std::vector<double>& rate_dph,
+                                      std::vector<double>& input_rate);
+
+}  // namespace fogcomp::recording
