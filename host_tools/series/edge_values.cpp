@@ -1,24 +1,42 @@
 #include "series/edge_values.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "series/decision_rules.hpp"
+
 namespace fogcomp::series {
+namespace {
+
+// Whether the second differences at four samples are those of a smooth curve: without a corner
+// they change evenly from one to the next.
+bool is_smooth(const std::array<double, 4>& bends) {
+  double max_bend = 0;
+  for (const double bend : bends) max_bend = std::max(max_bend, std::abs(bend));
+  const double unevenness = std::max(std::abs(bends[0] - 2 * bends[1] + bends[2]),
+                                     std::abs(bends[1] - 2 * bends[2] + bends[3]));
+  return std::isfinite(max_bend) && unevenness <= rules::kMaxUnevenness * max_bend;
+}
+
+}  // namespace
 
 double value_at_end_of(const double* stretch, std::ptrdiff_t size, std::ptrdiff_t i) {
   const auto bend = [&](std::ptrdiff_t k) {
     if (k < 1 || k + 1 >= size) return std::numeric_limits<double>::infinity();
-    return std::abs(stretch[k - 1] - 2 * stretch[k] + stretch[k + 1]);
+    return stretch[k - 1] - 2 * stretch[k] + stretch[k + 1];
   };
   const double* const at = stretch + i;
   const bool has_two_before = i >= 1;
   const bool has_two_after = i + 2 < size;
   if (i < 0) return has_two_after ? (3 * at[1] - at[2]) / 2 : at[1];
   if (i + 1 == size) return has_two_before ? (3 * at[0] - at[-1]) / 2 : at[0];
-  const double across = std::max(bend(i), bend(i + 1));
-  const double before = bend(i - 1);
-  const double after = bend(i + 2);
+  const std::array<double, 4> bends{bend(i - 1), bend(i), bend(i + 1), bend(i + 2)};
+  if (is_smooth(bends)) return (7 * (at[0] + at[1]) - at[-1] - at[2]) / 12;
+  const double before = std::abs(bends[0]);
+  const double across = std::max(std::abs(bends[1]), std::abs(bends[2]));
+  const double after = std::abs(bends[3]);
   if (before < across && before <= after) return (3 * at[0] - at[-1]) / 2;
   if (after < across) return (3 * at[1] - at[2]) / 2;
   return (at[0] + at[1]) / 2;
