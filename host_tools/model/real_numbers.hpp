@@ -16,7 +16,8 @@ struct RealNumbers {
   using Elapsed = double;
   /// The input rate within a block.
   struct RateWithin {
-    double rise = 0;  ///< from the block's beginning to its end, deg/h
+    double rise = 0;           ///< from the block's beginning to its end, deg/h
+    double rise_of_slope = 0;  ///< the same of its derivative, deg/h/s
     /// deg/h, if they differ; owned by the series of the blocks.
     const double* samples = nullptr;
     std::size_t count = 0;

@@ -113,8 +113,9 @@ void set_rates_within(const recording::Recording& recording,
   for (std::size_t i = 0; i < changing.size(); ++i) {
     model::RealNumbers::RateWithin& within = series.blocks[i].means.rate_within;
     // That of a whole block, from the samples that are there.
-    within.rise = rise_of_input_rate(recording, first_rows[i], series.blocks[i].samples) *
-                  series.samples_per_block / series.blocks[i].samples;
+    const std::uint32_t samples = series.blocks[i].samples;
+    within = rise_of_input_rate(recording, first_rows[i], samples,
+                                static_cast<double>(series.samples_per_block) / samples);
     if (!changing[i]) continue;
     const auto first = rate_dph.begin() + static_cast<std::ptrdiff_t>(first_rows[i]);
     within.samples = kept->data() + kept->size();
@@ -133,8 +134,9 @@ void require_unmasked(const BlockSeries& series) {
 
 }  // namespace
 
-double rise_of_input_rate(const recording::Recording& recording, std::size_t first,
-                          std::uint32_t rows) {
+model::RealNumbers::RateWithin rise_of_input_rate(const recording::Recording& recording,
+                                                  std::size_t first, std::uint32_t rows,
+                                                  double times) {
   const std::vector<double>& rate_dph = recording.input_rate_dph;
   const std::vector<std::size_t>& starts = recording.stretch_starts;
   const auto next = std::upper_bound(starts.begin(), starts.end(), first);
@@ -143,9 +145,16 @@ double rise_of_input_rate(const recording::Recording& recording, std::size_t fir
   const auto row = static_cast<std::ptrdiff_t>(first - begin);
   const auto size = static_cast<std::ptrdiff_t>(end - begin);
   const auto at_end_of = [&](std::ptrdiff_t k) {
-    return value_at_end_of(rate_dph.data() + begin, size, std::min(k, size - 1));
+    return edge_at_end_of(rate_dph.data() + begin, size, std::min(k, size - 1));
   };
-  return at_end_of(row + static_cast<std::ptrdiff_t>(rows) - 1) - at_end_of(row - 1);
+  const Edge begin_edge = at_end_of(row - 1);
+  const Edge end_edge = at_end_of(row + static_cast<std::ptrdiff_t>(rows) - 1);
+  model::RealNumbers::RateWithin within;
+  within.rise = times * (end_edge.value - begin_edge.value);
+  if (recording.period_s > 0) {
+    within.rise_of_slope = times * (end_edge.slope - begin_edge.slope) / recording.period_s;
+  }
+  return within;
 }
 
 std::int64_t sample_number(const recording::Recording& recording, std::size_t row) {

@@ -46,10 +46,12 @@ std::uint32_t samples_per_block(double period_s);
 
 BlockSeries make_blocks(const recording::Recording& recording);
 
-/// Change of the input rate, deg/h, from the beginning of a row to the end of the last of `rows`
-/// rows, all of one stretch. Requires a recording with an input rate.
-double rise_of_input_rate(const recording::Recording& recording, std::size_t row,
-                          std::uint32_t rows);
+/// Rises of the input rate and its slope from the beginning of a row to the end of the last of
+/// `rows` rows, all of one stretch, `times` as large: as that of a whole block, of which these rows
+/// are a part. Without samples. Requires a recording with an input rate.
+model::RealNumbers::RateWithin rise_of_input_rate(const recording::Recording& recording,
+                                                  std::size_t row, std::uint32_t rows,
+                                                  double times);
 
 /// Extends `ranges` by those of another recording.
 void widen(model::InputRanges& ranges, const model::InputRanges& others);

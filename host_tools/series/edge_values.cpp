@@ -20,26 +20,38 @@ bool is_smooth(const std::array<double, 4>& bends) {
   return std::isfinite(max_bend) && unevenness <= rules::kMaxUnevenness * max_bend;
 }
 
+// The straight line through two neighbouring means, between them and at its ends.
+Edge between(double a, double b) {
+  return {(a + b) / 2, b - a};
+}
+Edge behind(double a, double b) {
+  return {(3 * b - a) / 2, b - a};
+}
+Edge before(double a, double b) {
+  return {(3 * a - b) / 2, b - a};
+}
+
 }  // namespace
 
-double value_at_end_of(const double* stretch, std::ptrdiff_t size, std::ptrdiff_t i) {
+Edge edge_at_end_of(const double* stretch, std::ptrdiff_t size, std::ptrdiff_t i) {
   const auto bend = [&](std::ptrdiff_t k) {
     if (k < 1 || k + 1 >= size) return std::numeric_limits<double>::infinity();
     return stretch[k - 1] - 2 * stretch[k] + stretch[k + 1];
   };
   const double* const at = stretch + i;
-  const bool has_two_before = i >= 1;
-  const bool has_two_after = i + 2 < size;
-  if (i < 0) return has_two_after ? (3 * at[1] - at[2]) / 2 : at[1];
-  if (i + 1 == size) return has_two_before ? (3 * at[0] - at[-1]) / 2 : at[0];
+  if (i < 0) return i + 2 < size ? before(at[1], at[2]) : Edge{at[1]};
+  if (i + 1 == size) return i >= 1 ? behind(at[-1], at[0]) : Edge{at[0]};
   const std::array<double, 4> bends{bend(i - 1), bend(i), bend(i + 1), bend(i + 2)};
-  if (is_smooth(bends)) return (7 * (at[0] + at[1]) - at[-1] - at[2]) / 12;
-  const double before = std::abs(bends[0]);
-  const double across = std::max(std::abs(bends[1]), std::abs(bends[2]));
-  const double after = std::abs(bends[3]);
-  if (before < across && before <= after) return (3 * at[0] - at[-1]) / 2;
-  if (after < across) return (3 * at[1] - at[2]) / 2;
-  return (at[0] + at[1]) / 2;
+  if (is_smooth(bends)) {
+    return {(7 * (at[0] + at[1]) - at[-1] - at[2]) / 12,
+            (15 * (at[1] - at[0]) - (at[2] - at[-1])) / 12};
+  }
+  const double bend_before = std::abs(bends[0]);
+  const double bend_across = std::max(std::abs(bends[1]), std::abs(bends[2]));
+  const double bend_after = std::abs(bends[3]);
+  if (bend_before < bend_across && bend_before <= bend_after) return behind(at[-1], at[0]);
+  if (bend_after < bend_across) return before(at[1], at[2]);
+  return between(at[0], at[1]);
 }
 
 }  // namespace fogcomp::series

@@ -155,8 +155,7 @@ class RealSeries {
   model::RealBlock inputs_of_row(const series::BlockSeries::Block& block) const {
     model::RealBlock inputs = block.means;
     inputs.input_rate = recording_.input_rate_dph[row_];
-    inputs.rate_within = {};
-    inputs.rate_within.rise = samples_per_block_ * series::rise_of_input_rate(recording_, row_, 1);
+    inputs.rate_within = series::rise_of_input_rate(recording_, row_, 1, samples_per_block_);
     return inputs;
   }
 

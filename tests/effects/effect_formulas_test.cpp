@@ -288,10 +288,12 @@ const std::vector<Formula> kFormulas{
      }},
     // The input rate of the histories is 3e5 deg/h sin(t / 400 s).
     {"late_reference",
-     {{}},
-     [](const History& h, const Values&) {
-       return Columns{map(h.time_s, [](double t) {
-         return 1e-3 * 3e5 / 400 * std::cos((t - kBlock_s / 2) / 400);
+     {{0}, {600}},
+     [](const History& h, const Values& shape) {
+       return Columns{map(h.time_s, [&](double t) {
+         const double phase = (t - kBlock_s / 2) / 400;
+         const double half_near_s = 1e-3 * shape[0] / 2;
+         return 1e-3 * 3e5 / 400 * (std::cos(phase) - half_near_s / 400 * std::sin(phase));
        })};
      }},
     {"warm_up",
@@ -341,6 +343,8 @@ fogcomp::model::RealBlock block_of(const History& history, std::size_t i) {
   block.input_rate = history.input_rate_dph[i];
   const double t = history.time_s[i];
   block.rate_within.rise = 3e5 * (std::sin(t / 400) - std::sin((t - kBlock_s) / 400));
+  block.rate_within.rise_of_slope =
+      3e5 / 400 * (std::cos(t / 400) - std::cos((t - kBlock_s) / 400));
   block.elapsed = history.time_s[i] / kBlock_s;
   const auto set = [&](fog::Input input, double value) { block[input] = value; };
   set(fog::Input::temperature2, history.second_mean_degc[i]);

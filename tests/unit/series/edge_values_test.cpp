@@ -12,7 +12,7 @@ std::vector<double> at_ends(const std::vector<double>& means) {
   std::vector<double> values;
   const auto size = static_cast<std::ptrdiff_t>(means.size());
   for (std::ptrdiff_t i = -1; i < size; ++i) {
-    values.push_back(value_at_end_of(means.data(), size, i));
+    values.push_back(edge_at_end_of(means.data(), size, i).value);
   }
   return values;
 }
