@@ -8,17 +8,12 @@
 #include <utility>
 
 #include "recording/decision_rules.hpp"
+#include "support/median.hpp"
 
 namespace fogcomp::recording {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 struct RateReading {
   std::size_t row;
@@ -131,9 +126,7 @@ double noise_of_sample(const std::vector<double>& rate_dph) {
     const double difference = std::abs(r[0] - 4 * r[1] + 6 * r[2] - 4 * r[3] + r[4]);
     if (difference > 0) differences.push_back(difference);
   }
-  constexpr double kMedianOfNormal = 0.6745;
-  if (differences.empty()) return 0;
-  return median(std::move(differences)) / (kMedianOfNormal * std::sqrt(70.0));
+  return sigma_by_median(std::move(differences)) / std::sqrt(70.0);
 }
 
 // Error of a curve that the readings have everywhere: their own noise, or a movement that is
