@@ -60,16 +60,15 @@ class Between {
   Between(const std::vector<RateReading>& readings, std::ptrdiff_t first)
       : readings_(readings), first_(first) {}
 
-  // Error in the middle of the cubic through the readings from `begin` to begin + 3; infinite if
-  // there are none, or no fifth beside them.
+  // Error in the middle of the cubic through the readings from `begin` to begin + 3, from the two
+  // beside them; infinite if there are no readings for it.
   double error_of(std::ptrdiff_t begin) const {
     if (begin < 0 || begin + 3 >= size()) return kInfinite;
     const Cubic cubic(&of(begin));
     const double middle_s = (of(first_).time_s + of(first_ + 1).time_s) / 2;
     double error = -1;
-    for (const std::ptrdiff_t further : {begin - 1, begin + 4}) {
-      // Beside a sudden change only the reading that is farther from it tells.
-      if (further < 0 || further >= size() || !is_beyond(begin, further)) continue;
+    for (const std::ptrdiff_t further : beside(begin)) {
+      if (further < 0 || further >= size()) continue;
       error = std::max(error, cubic.change_by(of(further), middle_s));
     }
     return error < 0 ? kInfinite : error;
@@ -95,9 +94,12 @@ class Between {
  private:
   std::ptrdiff_t size() const { return static_cast<std::ptrdiff_t>(readings_.size()); }
   const RateReading& of(std::ptrdiff_t i) const { return readings_[static_cast<std::size_t>(i)]; }
-  bool is_beyond(std::ptrdiff_t begin, std::ptrdiff_t further) const {
-    if (begin == first_ - 2) return further < begin;
-    return begin != first_ || further > begin;
+  // Beside a sudden change only readings that are farther from it tell, and one alone may agree by
+  // chance: the fifth does where a movement is turned round about the third.
+  std::array<std::ptrdiff_t, 2> beside(std::ptrdiff_t begin) const {
+    if (begin == first_ - 2) return {begin - 1, begin - 2};
+    if (begin == first_) return {begin + 4, begin + 5};
+    return {begin - 1, begin + 4};
   }
 
   const std::vector<RateReading>& readings_;

@@ -52,15 +52,15 @@ class RowsOut {
   void begin(const std::vector<SeriesSink::Column>& columns) const {
     if (sink_.begin) sink_.begin(columns);
   }
-  void add(const std::vector<double>& values, fog::Status flags, bool valid, double raw_dph,
+  // Whether a row has a rate, and one that counts: in a mask it tells nothing about the model.
+  enum class Rate { counts, masked, none };
+  void add(const std::vector<double>& values, fog::Status flags, Rate rate, double raw_dph,
            double compensated_dph) {
     if (sink_.row) sink_.row(values, flags);
     ++outcome_.rows;
     if (has_any(flags, fog::Status::temperature_clamped)) ++outcome_.clamped;
-    if (!valid) {
-      ++outcome_.without_rate;
-      return;
-    }
+    if (rate == Rate::none) ++outcome_.without_rate;
+    if (rate != Rate::counts) return;
     raw_.add(raw_dph);
     compensated_.add(compensated_dph);
   }
@@ -126,7 +126,7 @@ class RealSeries {
     for (; row_ < recording_.rows() && block_of(row_) < block; ++row_) {
       std::vector<double> values = measured();
       values.insert(values.end(), parts() + 2, kNoValue);
-      out_.add(values, fog::Status::drift_given_up, false, 0, 0);
+      out_.add(values, fog::Status::drift_given_up, RowsOut::Rate::none, 0, 0);
     }
   }
 
@@ -147,7 +147,8 @@ class RealSeries {
       const double compensated_dph = rate_dph - drift.drift_dph();
       values.push_back(drift.drift_dph());
       values.push_back(compensated_dph);
-      out_.add(values, flags, true, rate_dph - input_dph, compensated_dph - input_dph);
+      out_.add(values, flags, block.masked ? RowsOut::Rate::masked : RowsOut::Rate::counts,
+               rate_dph - input_dph, compensated_dph - input_dph);
     }
   }
 
@@ -210,7 +211,9 @@ class BoardSeries {
     const double compensated_dph = dph(sample.compensated);
     const double rate_dph = compensated_dph + dph(sample.drift);
     out_.add({time_s, degc, rate_dph, dph(sample.drift), compensated_dph, dph(sample.denoised)},
-             sample.status, sample.compensated_valid(), rate_dph, compensated_dph);
+             sample.status,
+             sample.compensated_valid() ? RowsOut::Rate::counts : RowsOut::Rate::none, rate_dph,
+             compensated_dph);
   }
 
   RowsOut& out_;

@@ -101,6 +101,18 @@ TEST(SparseInputRate, IsUnknownBetweenReadingsWhereItSteps) {
   }
 }
 
+// From 10 to -10 deg/s at an even acceleration: the readings at its ends and in its middle lie on
+// one cubic, which none of the others does.
+TEST(SparseInputRate, IsUnknownAtTheCornersOfAReversal) {
+  Record record = with_one_reading_in(10, record_of([](double time_s) {
+                                        return 36000 * std::clamp((601 - time_s) / 1.09, -1.0, 1.0);
+                                      }));
+  const std::vector<Mask> unknown = record.complete();
+  ASSERT_EQ(unknown.size(), 1U);
+  EXPECT_EQ(unknown[0].from_s, 599);
+  EXPECT_EQ(unknown[0].to_s, 603);
+}
+
 TEST(SparseInputRate, IsAsGoodAsItsReadings) {
   Record record = record_of(sine);
   std::mt19937_64 random(2);
