@@ -30,7 +30,7 @@ struct ApplyOutcome {
   std::size_t rows = 0;
   std::size_t without_rate = 0;  ///< rows without a valid compensated rate
   std::size_t clamped = 0;       ///< outside the trained temperatures
-  double raw_std_dph = 0;        ///< of the rows with a rate, less a known input rate; not those masked
+  double raw_std_dph = 0;        ///< of unmasked rows with a rate, less a known input rate
   double compensated_std_dph = 0;
 };
 
