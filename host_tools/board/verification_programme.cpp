@@ -23,7 +23,7 @@ double at(const Swing& swing, double time_s) {
 }
 
 template <class Value>
-Value rounded(double value) {
+Value nearest_value(double value) {
   return Value::from_raw(
       static_cast<std::int32_t>(std::lround(std::ldexp(value, Value::fractional_bits))));
 }
@@ -66,13 +66,14 @@ class Programme {
     const double time_s = static_cast<double>(blocks.size()) * block_s_;
     const bool on_table = std::fmod(time_s / kRateDph.period_s, 4) > 3;
     fog::BlockMeans<fog::BoardNumbers> block;
-    block.temperature = rounded<fog::Temperature>(temperature_);
-    block.input_rate = rounded<fog::Rate>(at(on_table ? kTableRateDph : kRateDph, time_s));
+    block.temperature = nearest_value<fog::Temperature>(temperature_);
+    block.input_rate = nearest_value<fog::Rate>(at(on_table ? kTableRateDph : kRateDph, time_s));
     block.elapsed = fog::Elapsed::from_raw(elapsed_++);
     for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
       const fog::Input input = fog::extension_input(i);
       const double base = input == fog::Input::temperature2 ? temperature_ : 0;
-      block[input] = rounded<fog::ExtensionValue>(base + at(description_of(input).swing, time_s));
+      block[input] =
+          nearest_value<fog::ExtensionValue>(base + at(description_of(input).swing, time_s));
     }
     blocks.push_back(block);
   }

@@ -15,7 +15,7 @@ using findings::Look;
 using findings::Plot;
 using findings::Text;
 
-std::vector<double> rounded(std::vector<double> values, bool logarithmic) {
+std::vector<double> rounded_for_axis(std::vector<double> values, bool logarithmic) {
   double min = HUGE_VAL;
   double max = -HUGE_VAL;
   for (const double value : values) {
@@ -81,9 +81,9 @@ Json plot_json(const Plot& plot) {
   for (const Curve& curve : plot.curves) {
     Json one = Json::object();
     one.set("label", curve.label.typeset()).set("colour", curve.colour);
-    one.set("look", name_of(curve.look)).set("y", rounded(curve.y, log_y));
-    if (!curve.x.empty()) one.set("x", rounded(curve.x, log_x));
-    if (!curve.sigma.empty()) one.set("sigma", rounded(curve.sigma, true));
+    one.set("look", name_of(curve.look)).set("y", rounded_for_axis(curve.y, log_y));
+    if (!curve.x.empty()) one.set("x", rounded_for_axis(curve.x, log_x));
+    if (!curve.sigma.empty()) one.set("sigma", rounded_for_axis(curve.sigma, true));
     curves.push(std::move(one));
   }
   Json levels = json_array(plot.levels, [&](const Level& level) {
@@ -93,7 +93,7 @@ Json plot_json(const Plot& plot) {
   Json json = Json::object();
   json.set("kind", name_of(plot.kind)).set("group", plot.group);
   json.set("x_label", plot.x_label.typeset()).set("y_label", plot.y_label.typeset());
-  json.set("x", rounded(plot.x, log_x)).set("names", std::move(names));
+  json.set("x", rounded_for_axis(plot.x, log_x)).set("names", std::move(names));
   json.set("curves", std::move(curves)).set("levels", std::move(levels));
   json.set("bands", bands_json(plot.bands));
   return json;
