@@ -7,15 +7,10 @@
 namespace fogcomp::findings {
 namespace {
 
-const char* bias_of_model(const model::EffectTerm& step) {
-  if (step.others_part == 0) return "before";
-  return step.others_part == 1 ? "after" : "mean";
-}
-
-Text bias_words(const model::EffectTerm& step) {
-  const std::string bias = bias_of_model(step);
-  if (bias == "mean") return words("the mean of this recording, because there are several");
-  return words("that " + bias + " it");
+std::string bias_words(const model::EffectTerm& step) {
+  const std::string bias = step.bias_of_others();
+  if (bias == "mean") return "the mean of this recording, because there are several";
+  return "that " + bias + " it";
 }
 
 }  // namespace
@@ -37,7 +32,7 @@ Text bias_step_words(const model::EffectTerm& step, const std::string& place) {
                            signed_rounded(step.coefficients_dph[0]).c_str(), step.sigma_dph[0],
                            step.parameters[0], step.parameter_sigma[0]));
   if (!place.empty()) text += " (" + verbatim(place) + ")";
-  return text + words("; the model's bias is ") + bias_words(step);
+  return text + words("; the model's bias is " + bias_words(step));
 }
 
 Json bias_step_json(const model::EffectTerm& step, const std::string& place) {
@@ -47,7 +42,7 @@ Json bias_step_json(const model::EffectTerm& step, const std::string& place) {
       .set("time_sigma_s", step.parameter_sigma[0])
       .set("size_dph", step.coefficients_dph[0])
       .set("size_sigma_dph", step.sigma_dph[0])
-      .set("model_bias", bias_of_model(step));
+      .set("model_bias", step.bias_of_others());
 }
 
 std::vector<Text> bias_steps_words(const model::Model& model,

@@ -16,6 +16,11 @@ std::optional<double> HistoryEntry::excess_removed() const {
   return (before - rms_after_dph * rms_after_dph) / excess;
 }
 
+const char* EffectTerm::bias_of_others() const {
+  if (others_part == 0) return "before";
+  return others_part == 1 ? "after" : "mean";
+}
+
 bool EffectTerm::acts_on(const std::vector<std::uint64_t>& recordings) const {
   return !recording ||
          std::find(recordings.begin(), recordings.end(), *recording) != recordings.end();

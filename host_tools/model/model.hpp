@@ -38,6 +38,8 @@ struct EffectTerm {
   /// recording it acts less this part.
   double others_part = 0;
 
+  /// The same as a word: "before", "after" or "mean".
+  const char* bias_of_others() const;
   /// `recordings`: hashes of the rows of a run's files.
   bool acts_on(const std::vector<std::uint64_t>& recordings) const;
 };

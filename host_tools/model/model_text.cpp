@@ -54,8 +54,11 @@ void write_term(ModelWriter& out, const EffectTerm& term) {
   out.numbers(term.coefficients_dph).numbers(term.sigma_dph).end_line();
   if (!term.recording) return;
   out.word(kEventRecording).hash(*term.recording);
-  if (term.others_part == 1) out.word(kOthersFollow);
-  if (term.others_part > 0 && term.others_part < 1) out.word(kOthersPart).number(term.others_part);
+  if (term.others_part == 1) {
+    out.word(kOthersFollow);
+  } else if (term.others_part > 0) {
+    out.word(kOthersPart).number(term.others_part);
+  }
   out.end_line();
 }
 

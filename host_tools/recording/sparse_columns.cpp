@@ -44,21 +44,23 @@ void join_over_restart(const std::vector<double>& time_s, std::vector<double>& u
   }
 }
 
-void complete(const std::vector<double>& time_s, std::vector<double>& column, bool is_uptime) {
-  const std::size_t rows = column.size();
-  std::size_t last = rows;  // the last reading; none yet
-  for (std::size_t row = 0; row < rows; ++row) {
+// Calls join(before, after) for the rows of every two readings that follow each other. Returns the
+// last reading; the number of rows if there is none.
+template <class Join>
+std::size_t for_each_interval(const std::vector<double>& column, Join join) {
+  std::size_t last = column.size();
+  for (std::size_t row = 0; row < column.size(); ++row) {
     if (std::isnan(column[row])) continue;
-    if (last < rows && is_uptime && column[row] < column[last]) {
-      join_over_restart(time_s, column, last, row);
-    } else if (last < rows) {
-      join_readings(time_s, column, last, row);
-    }
+    if (last < column.size()) join(last, row);
     last = row;
   }
-  for (std::size_t row = last + 1; row < rows; ++row) {
-    if (time_s[row] - time_s[last] <= rules::kMaxBridgeS) column[row] = column[last];
-  }
+  return last;
+}
+
+void complete_restarts(const std::vector<double>& time_s, std::vector<double>& uptime_s) {
+  for_each_interval(uptime_s, [&](std::size_t before, std::size_t after) {
+    if (uptime_s[after] < uptime_s[before]) join_over_restart(time_s, uptime_s, before, after);
+  });
 }
 
 // A row is useless without these.
@@ -84,11 +86,11 @@ LineNumbers lines_without(const LineNumbers& lines, std::size_t rows,
 void say_how_sparse(const Recording& recording, const ColumnInfo& info, std::size_t readings,
                     const ReadWatch& watch) {
   const double one_in = static_cast<double>(recording.rows()) / static_cast<double>(readings);
-  const char* const line =
-      info.column == Column::input_rate_dph ? "a smooth curve" : "a straight line";
+  const bool is_smooth = info.column == Column::input_rate_dph;
   watch.say(recording.file,
-            format("%s: a reading in %zu of %zu samples (1 in %.3g), between them on %s",
-                   std::string(info.name).c_str(), readings, recording.rows(), one_in, line));
+            format("%s: a reading in %zu of %zu samples (1 in %.3g), between them on a %s",
+                   std::string(info.name).c_str(), readings, recording.rows(), one_in,
+                   is_smooth ? "smooth curve" : "straight line"));
 }
 
 void mask_unknown(Recording& recording, const std::vector<Mask>& unknown, const ReadWatch& watch) {
@@ -118,6 +120,15 @@ std::vector<std::size_t> incomplete_rows(const Recording& recording) {
 
 }  // namespace
 
+void join_by_lines(const std::vector<double>& time_s, std::vector<double>& column) {
+  const std::size_t last = for_each_interval(column, [&](std::size_t before, std::size_t after) {
+    join_readings(time_s, column, before, after);
+  });
+  for (std::size_t row = last + 1; row < column.size(); ++row) {
+    if (time_s[row] - time_s[last] <= rules::kMaxBridgeS) column[row] = column[last];
+  }
+}
+
 void complete_sparse_columns(Recording& recording, LineNumbers& lines, const ReadWatch& watch) {
   for (const ColumnInfo& info : kColumns) {
     std::vector<double>& column = recording[info.column];
@@ -127,15 +138,15 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
       throw InputError(recording.file, std::string(info.name) + " has no value in any sample");
     }
     std::vector<Mask> unknown;
-    if (readings > 0 && info.column == Column::input_rate_dph) {
-      unknown = complete_input_rate(recording.time_s, recording.rate_dph, column);
-    } else if (readings > 0) {
-      complete(recording.time_s, column, info.column == Column::uptime_s);
+    if (info.column == Column::input_rate_dph) {
+      unknown = draw_input_rate(recording.time_s, recording.rate_dph, column);
     }
+    if (info.column == Column::uptime_s) complete_restarts(recording.time_s, column);
+    join_by_lines(recording.time_s, column);
     const bool complete_now = readings_in(column) == column.size();
     if (readings > 0 && (complete_now || is_needed(info.column))) {
       say_how_sparse(recording, info, readings, watch);
-      if (info.column == Column::input_rate_dph) mask_unknown(recording, unknown, watch);
+      mask_unknown(recording, unknown, watch);
     } else {
       watch.say(recording.file,
                 std::string(info.name) + format(" has a value in %zu of %zu samples: "

@@ -1,14 +1,18 @@
 #pragma once
 
+#include <vector>
+
 #include "recording/line_numbers.hpp"
 #include "recording/recording.hpp"
 
 namespace fogcomp::recording {
 
-/// Completes columns with values in some rows only (NaN elsewhere). Between readings at most a
-/// minute apart, the time for which a board holds a temperature, it interpolates linearly, the
-/// input rate as complete_input_rate() does, with masks where it is unknown; after the last reading
-/// it repeats that for as long. Then removes rows without temperature or input
+/// Completes a column with readings in some rows only (NaN elsewhere): by straight lines between
+/// readings at most rules::kMaxBridgeS apart; behind the last reading it repeats that for as long.
+void join_by_lines(const std::vector<double>& time_s, std::vector<double>& column);
+
+/// The same for all columns of a recording, the input rate first by draw_input_rate(), with masks
+/// where it is unknown, the uptime over restarts. Then removes rows without temperature or input
 /// rate, and other columns that are far from complete. Reports to `watch`. Throws InputError if no
 /// row has a temperature.
 void complete_sparse_columns(Recording& recording, LineNumbers& lines, const ReadWatch& watch);

@@ -76,8 +76,8 @@ class Between {
   double error_of_centre() const { return error_of(first_ - 1); }
 
   struct Choice {
-    std::optional<Cubic> cubic{};  // none: a straight line
-    bool is_unknown = false;       // there are curves, and none is good enough
+    std::optional<Cubic> cubic{};
+    bool is_unknown = false;  // there are curves, and none is good enough
   };
   // The first curve that is good enough: through the readings around, before, behind.
   Choice choose(double max_error) const {
@@ -144,11 +144,6 @@ double usual_error(const std::vector<std::vector<RateReading>>& stretches) {
   return errors.empty() ? kInfinite : median(std::move(errors));
 }
 
-double on_line(const RateReading& before, const RateReading& after, double time_s) {
-  const double part = (time_s - before.time_s) / (after.time_s - before.time_s);
-  return before.value + part * (after.value - before.value);
-}
-
 // Rows with a new reading in a column that holds each for two samples or more: those where it
 // changes, and, back from each in the same rhythm, those where it might have. None if it changes
 // from sample to sample.
@@ -176,6 +171,11 @@ std::vector<std::size_t> rows_of_held_readings(const std::vector<double>& column
   return rows;
 }
 
+double on_line(const RateReading& before, const RateReading& after, double time_s) {
+  const double part = (time_s - before.time_s) / (after.time_s - before.time_s);
+  return before.value + part * (after.value - before.value);
+}
+
 // Whether the gyro moves from each reading to the next one rather than with the steps.
 bool gyro_moves_between(const std::vector<std::size_t>& readings, const std::vector<double>& time_s,
                         const std::vector<double>& rate_dph,
@@ -194,14 +194,6 @@ bool gyro_moves_between(const std::vector<std::size_t>& readings, const std::vec
     }
   }
   return from_lines < from_steps;
-}
-
-void repeat_last(const std::vector<double>& time_s, const RateReading& last,
-                 std::vector<double>& column) {
-  for (std::size_t row = last.row + 1; row < column.size(); ++row) {
-    if (time_s[row] - last.time_s > rules::kMaxBridgeS) break;
-    column[row] = last.value;
-  }
 }
 
 void extend(std::vector<Mask>& masks, double from_s, double to_s) {
@@ -226,9 +218,9 @@ bool blank_held_readings(const std::vector<double>& time_s, const std::vector<do
   return true;
 }
 
-std::vector<Mask> complete_input_rate(const std::vector<double>& time_s,
-                                      const std::vector<double>& rate_dph,
-                                      std::vector<double>& input_rate) {
+std::vector<Mask> draw_input_rate(const std::vector<double>& time_s,
+                                  const std::vector<double>& rate_dph,
+                                  std::vector<double>& input_rate) {
   const std::vector<std::vector<RateReading>> stretches = bridged(time_s, input_rate);
   const double noise_dph = noise_of_sample(rate_dph);
   const double usual_dph = usual_error(stretches);
@@ -244,12 +236,11 @@ std::vector<Mask> complete_input_rate(const std::vector<double>& time_s,
           Between(readings, static_cast<std::ptrdiff_t>(i))
               .choose(std::max(noise_of_mean, rules::kMaxUsualErrors * usual_dph));
       if (choice.is_unknown) extend(unknown, before.time_s, after.time_s);
+      if (!choice.cubic) continue;
       for (std::size_t row = before.row + 1; row < after.row; ++row) {
-        input_rate[row] =
-            choice.cubic ? choice.cubic->at(time_s[row]) : on_line(before, after, time_s[row]);
+        input_rate[row] = choice.cubic->at(time_s[row]);
       }
     }
-    repeat_last(time_s, readings.back(), input_rate);
   }
   return unknown;
 }

@@ -13,17 +13,17 @@ namespace fogcomp::recording {
 bool blank_held_readings(const std::vector<double>& time_s, const std::vector<double>& rate_dph,
                          std::vector<double>& input_rate);
 
-/// Completes an input rate with readings in some rows only (NaN elsewhere), where readings are at
-/// most rules::kMaxBridgeS apart: by the cubic through the four readings around, or, beside a
-/// sudden change, before or behind. (A straight line cuts the peaks: with 20 readings in a period a
-/// sine would lose 0.8 %, which looks like a scale factor.) Behind the last reading it repeats that
-/// for as long.
+/// Completes an input rate with readings in some rows only (NaN elsewhere) between readings at most
+/// rules::kMaxBridgeS apart: by the cubic through the four readings around, or, beside a sudden
+/// change, before or behind. (A straight line cuts the peaks: with 20 readings in a period a sine
+/// would lose 0.8 %, which looks like a scale factor.) Leaves what no such cubic tells: see
+/// join_by_lines().
 ///
 /// Returns the times in which none of these curves is known as well as the gyro's own mean between
 /// the two readings (`rate_dph`: the measured rate), nor as well as they are usually in this
 /// record: those of changes that were over before the next reading.
-std::vector<Mask> complete_input_rate(const std::vector<double>& time_s,
-                                      const std::vector<double>& rate_dph,
-                                      std::vector<double>& input_rate);
+std::vector<Mask> draw_input_rate(const std::vector<double>& time_s,
+                                  const std::vector<double>& rate_dph,
+                                  std::vector<double>& input_rate);
 
 }  // namespace fogcomp::recording

@@ -25,8 +25,9 @@ std::uint32_t data_hash(const model::Model& model) {
 std::string bias_at(const model::EffectTerm& event) {
   const std::string step =
       format("the step of %+.2g deg/h at %.6g s", event.coefficients_dph[0], event.parameters[0]);
-  if (event.others_part == 0) return "bias before " + step;
-  return (event.others_part == 1 ? "bias after " : "mean bias of the recording with ") + step;
+  const std::string bias = event.bias_of_others();
+  if (bias == "mean") return "mean bias of the recording with " + step;
+  return "bias " + bias + " " + step;
 }
 
 // Parts of the model that the board cannot use, one sentence each.

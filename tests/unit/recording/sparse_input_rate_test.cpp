@@ -10,6 +10,8 @@
 #include <limits>
 #include <random>
 
+#include "recording/sparse_columns.hpp"
+
 namespace fogcomp::recording {
 namespace {
 
@@ -31,7 +33,11 @@ struct Record {
   std::vector<double> rate_dph;  // a gyro's
   std::vector<double> input_rate;
 
-  std::vector<Mask> complete() { return complete_input_rate(time_s, rate_dph, input_rate); }
+  std::vector<Mask> complete() {
+    std::vector<Mask> unknown = draw_input_rate(time_s, rate_dph, input_rate);
+    join_by_lines(time_s, input_rate);
+    return unknown;
+  }
   bool blank_held() { return blank_held_readings(time_s, rate_dph, input_rate); }
 };
 
