@@ -290,7 +290,8 @@ void write_output(TableWriter& out, const BoardSettings& settings) {
 }  // namespace
 
 model::Model board_model(const model::Model& model) {
-  model::Model result = model;
+  // A gyro that has its calibration behind it has been at the highest trained temperature.
+  model::Model result = model::after_exposure(model);
   const auto end = std::remove_if(result.terms.begin(), result.terms.end(), [](const auto& term) {
     return model::info_of(term).host_only != nullptr;
   });

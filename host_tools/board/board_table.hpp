@@ -36,7 +36,8 @@ struct BoardTable {
   fog::Span<const std::int32_t> span() const { return {words.data(), words.size()}; }
 };
 
-/// The part of a model that a board can run: without the events of one recording.
+/// The part of a model that a board can run: without the events of one recording, and with the
+/// first heat of the gyro behind it (model::after_exposure()).
 model::Model board_model(const model::Model& model);
 
 /// Rounds board_model() to the board's formats. Throws InputError for a value that does not fit its

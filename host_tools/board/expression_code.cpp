@@ -217,6 +217,8 @@ class Compiler {
         return lag(now);
       case model::NodeKind::play:
         return play(now);
+      case model::NodeKind::highest:  // as model::after_exposure() has it
+        return constant(model_.max_degc);
       case model::NodeKind::number:
       case model::NodeKind::parameter:
         break;

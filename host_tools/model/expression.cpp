@@ -16,15 +16,16 @@ struct FunctionName {
   NodeKind kind;
   int arguments;
 };
-constexpr std::array<FunctionName, 9> kFunctions{{{"sin", NodeKind::sine, 1},
-                                                  {"cos", NodeKind::cosine, 1},
-                                                  {"exp", NodeKind::exponential, 1},
-                                                  {"tanh", NodeKind::hyperbolic_tangent, 1},
-                                                  {"abs", NodeKind::absolute, 1},
-                                                  {"min", NodeKind::minimum, 2},
-                                                  {"max", NodeKind::maximum, 2},
-                                                  {"lag", NodeKind::lag, 2},
-                                                  {"play", NodeKind::play, 2}}};
+constexpr std::array<FunctionName, 10> kFunctions{{{"sin", NodeKind::sine, 1},
+                                                   {"cos", NodeKind::cosine, 1},
+                                                   {"exp", NodeKind::exponential, 1},
+                                                   {"tanh", NodeKind::hyperbolic_tangent, 1},
+                                                   {"abs", NodeKind::absolute, 1},
+                                                   {"min", NodeKind::minimum, 2},
+                                                   {"max", NodeKind::maximum, 2},
+                                                   {"lag", NodeKind::lag, 2},
+                                                   {"play", NodeKind::play, 2},
+                                                   {"highest", NodeKind::highest, 1}}};
 
 constexpr std::size_t kMaxNodes = 100;
 constexpr int kMaxDepth = 50;  // of parentheses and signs
@@ -134,6 +135,11 @@ class Parser {
     }
     if (node.constant && (kind == NodeKind::lag || kind == NodeKind::play)) {
       fail_at(place, "the first argument must depend on a signal");
+    }
+    const bool is_temperature = result_.nodes[left].kind == NodeKind::signal &&
+                                result_.nodes[left].signal == fog::Input::temperature;
+    if (kind == NodeKind::highest && !is_temperature) {
+      fail_at(place, "highest takes the temperature alone: highest(T)");
     }
     return add(node, place);
   }
@@ -257,7 +263,7 @@ class Parser {
                      [&](const FunctionName& one) { return word == one.name; });
     if (found == kFunctions.end()) {
       fail_at(place, "there is no function '" + word +
-                         "'; there are sin, cos, exp, tanh, abs, min, max, lag, play");
+                         "'; there are sin, cos, exp, tanh, abs, min, max, lag, play, highest");
     }
     expect('(');
     if (++depth_ > kMaxDepth) fail("too many signs and parentheses");
@@ -313,6 +319,7 @@ double apply(NodeKind kind, double left, double right) {
     case NodeKind::signal:
     case NodeKind::lag:
     case NodeKind::play:
+    case NodeKind::highest:
       break;
   }
   return left;
@@ -332,6 +339,25 @@ std::vector<double> Expression::constants(const std::vector<double>& parameter_v
     }
   }
   return values;
+}
+
+bool Expression::has(NodeKind kind) const {
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [kind](const ExpressionNode& node) { return node.kind == kind; });
+}
+
+Expression Expression::after_exposure_to(double degc) const {
+  Expression after = *this;
+  for (ExpressionNode& node : after.nodes) {
+    if (node.kind == NodeKind::highest) {
+      node = {};
+      node.value = degc;
+      node.constant = true;
+    } else if (!node.constant && node.kind != NodeKind::signal) {
+      node.constant = after.nodes[node.left].constant && after.nodes[node.right].constant;
+    }
+  }
+  return after;
 }
 
 bool Expression::uses(fog::Input input) const {

@@ -27,8 +27,9 @@ enum class NodeKind : std::uint8_t {
   absolute,
   minimum,
   maximum,
-  lag,   // right: time constant in s, constant
-  play,  // right: radius, constant
+  lag,      // right: time constant in s, constant
+  play,     // right: radius, constant
+  highest,  // left: the coil temperature
 };
 
 /// One operation. Its operands are earlier nodes.
@@ -42,7 +43,7 @@ struct ExpressionNode {
   bool constant = false;  ///< consists of numbers and parameters only
 };
 
-/// Value of an operation on numbers; for signals, lags and plays, `left`.
+/// Value of an operation on numbers; for signals and what has a state, `left`.
 double apply(NodeKind kind, double left, double right);
 
 /// A parameter of an expression, to be identified.
@@ -64,6 +65,9 @@ struct Expression {
   bool uses(fog::Input input) const;
   /// Whether a parameter divides within a sine or cosine: `sin(6.283 * T / ?p[2,60])`.
   bool is_period(std::size_t parameter) const;
+  bool has(NodeKind kind) const;
+  /// With each highest temperature so far at this value, which the coil does not exceed any more.
+  Expression after_exposure_to(double degc) const;
   /// Values of the constant nodes; 0 for the others.
   std::vector<double> constants(const std::vector<double>& parameter_values) const;
 };

@@ -32,6 +32,9 @@ double ExpressionEffect::evaluate(const fog::Signals<RealNumbers>& signals, bool
       const bool is_new = restart && !started_;
       state = is_new ? left : std::clamp(state, left - right, left + right);
       values_[i] = state;
+    } else if (node.kind == NodeKind::highest) {
+      state = started_ ? std::max(state, left) : left;
+      values_[i] = state;
     } else {
       values_[i] = apply(node.kind, left, right);
     }

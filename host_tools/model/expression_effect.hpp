@@ -46,7 +46,7 @@ class ExpressionEffect : public RealEffect {
   ExpressionTerm term_;
   double block_s_;
   std::vector<double> values_;  // of all nodes; constants never change
-  std::vector<double> states_;  // of lags and plays, by node
+  std::vector<double> states_;  // of lags, plays and highest values, by node
   bool started_ = false;
 };
 

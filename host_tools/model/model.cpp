@@ -26,6 +26,21 @@ bool EffectTerm::acts_on(const std::vector<std::uint64_t>& recordings) const {
          std::find(recordings.begin(), recordings.end(), *recording) != recordings.end();
 }
 
+namespace {
+
+void add_to_bias(Model& model, double dph) {
+  constexpr const char* kBias = "bias";
+  const auto bias = std::find_if(model.terms.begin(), model.terms.end(),
+                                 [](const EffectTerm& term) { return term.name == kBias; });
+  if (bias == model.terms.end()) {
+    model.terms.push_back({kBias, {}, {}, {}, {dph}, {0}});
+  } else {
+    bias->coefficients_dph[0] += dph;
+  }
+}
+
+}  // namespace
+
 Model as_it_acts_on(Model model, const std::vector<std::uint64_t>& recordings) {
   double bias_dph = 0;
   for (EffectTerm& term : model.terms) {
@@ -35,7 +50,24 @@ Model as_it_acts_on(Model model, const std::vector<std::uint64_t>& recordings) {
       bias_dph -= term.others_part * term.coefficients_dph[0];
     }
   }
-  if (bias_dph != 0) model.terms.push_back({"bias", {}, {}, {}, {bias_dph}, {0}});
+  if (bias_dph != 0) add_to_bias(model, bias_dph);
+  return model;
+}
+
+Model after_exposure(Model model) {
+  double bias_dph = 0;
+  const auto is_now_bias = [&](EffectTerm& term) {
+    if (!term.expression || !term.expression->expression.has(NodeKind::highest)) return false;
+    Expression& expression = term.expression->expression;
+    expression = expression.after_exposure_to(model.max_degc);
+    if (!expression.nodes.back().constant) return false;
+    const double value = expression.constants(term.parameters).back();
+    bias_dph += std::ldexp(value, -term.expression->scale_log2) * term.coefficients_dph[0];
+    return true;
+  };
+  std::vector<EffectTerm>& terms = model.terms;
+  terms.erase(std::remove_if(terms.begin(), terms.end(), is_now_bias), terms.end());
+  if (bias_dph != 0) add_to_bias(model, bias_dph);
   return model;
 }
 

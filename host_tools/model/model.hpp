@@ -139,4 +139,8 @@ std::string describe(const Model& model);
 /// `recordings`: as in EffectTerm::acts_on.
 Model as_it_acts_on(Model model, const std::vector<std::uint64_t>& recordings);
 
+/// The model of a gyro that has been at the highest trained temperature: each highest(T) of its
+/// expressions has that value. Expressions that then are constant become a part of the bias.
+Model after_exposure(Model model);
+
 }  // namespace fogcomp::model

@@ -41,6 +41,13 @@ std::vector<std::string> left_out(const model::Model& model,
     if (!model::is_event(term) || term.coefficients_dph.empty()) continue;
     notes.back() += "; the board has the " + bias_at(term);
   }
+  for (const model::EffectTerm& term : model.terms) {
+    if (!term.expression || !term.expression->expression.has(model::NodeKind::highest)) continue;
+    notes.push_back(
+        format("%s is taken at %.4g degC, the highest trained temperature: the board "
+               "expects a gyro that has been there",
+               term.name.c_str(), model.max_degc));
+  }
   const fog::AcquisitionParameters& board = parameters.acquisition;
   const double step_dps = std::ldexp(board.rate.step.raw(), -fog::RateStep::fractional_bits) / 3600;
   const double range_dps = std::ldexp(board.rate.range.raw(), -fog::Rate::fractional_bits) / 3600;

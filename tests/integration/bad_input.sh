@@ -196,6 +196,7 @@ fit_expression 'column 5: it depends on no signal' 'x = 3*4'
 fit_expression 'column 6: an exponent must not depend on a signal' 'x = T^T'
 fit_expression 'has the name of an effect of the catalogue' 'bias = T'
 fit_expression "^expression 'x': is not finite over these recordings" 'x = T^0.5'
+fit_expression 'column 5: highest takes the temperature alone: highest\(T\)' 'x = highest(dTdt)'
 fit_expression '^good\.csv: x needs the column magnetic_ut' 'x = B*T'
 fit_expression '^expression: has a line break in it; write it on one line' $'x = T\n'
 for command in "add good.model good.csv -o kept" "diagnose good.model good.csv"; do
