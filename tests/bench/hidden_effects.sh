@@ -29,7 +29,7 @@ done
 [[ $seeds =~ ^(dev|final|second|third)$ ]] || { echo "--seeds $seeds: dev, final, second or third" >&2; exit 2; }
 [[ $stages =~ ^(make|answer|propose|told|score)(,(make|answer|propose|told|score))*$ ]] ||
   { echo "--stages $stages: some of make,answer,propose,told,score" >&2; exit 2; }
-seeds=$wide$seeds cases=${cases:-$([[ $wide ]] && echo 280 || echo 1508)}
+seeds=$wide$seeds cases=${cases:-$([[ $wide ]] && echo 290 || echo 1508)}
 [[ $cases =~ ^([0-9]+-)?[0-9]+$ ]] || { echo "--cases $cases: how many, or FIRST-LAST" >&2; exit 2; }
 first=1
 [[ $cases != *-* ]] || first=${cases%-*} cases=${cases#*-}

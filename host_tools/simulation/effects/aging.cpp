@@ -1,13 +1,10 @@
 #include <cmath>
 
+#include "simulation/effects/arrhenius.hpp"
 #include "simulation/effects/effect_list.hpp"
 
 namespace fogcomp::simulation {
 namespace {
-
-constexpr double kKelvin = 273.15;
-constexpr double kReference_k = 293.15;
-constexpr double kBoltzmann_ev = 8.617333262e-5;
 
 // Creep of the glue (logarithmic) and diffusion of moisture (square root of time), both faster when
 // warm (Arrhenius).
@@ -17,12 +14,12 @@ class Aging : public Effect {
       : creep_dph_(parameters["creep_dph"]),
         moisture_dph_(parameters["moisture_dph"]),
         onset_s_(parameters["onset_s"]),
-        activation_k_(parameters["activation_ev"] / kBoltzmann_ev) {}
+        activation_ev_(parameters["activation_ev"]) {}
 
   double step(const GyroState& state) override {
-    const double kelvin = state.thermal->coil_mean_degc() + kKelvin;
-    if (state.time_s > 0)
-      age_s_ += state.step_s * std::exp(activation_k_ * (1 / kReference_k - 1 / kelvin));
+    if (state.time_s > 0) {
+      age_s_ += state.step_s * arrhenius(activation_ev_, state.thermal->coil_mean_degc());
+    }
     return creep_dph_ * std::log10(1 + age_s_ / onset_s_) +
            moisture_dph_ * std::sqrt(age_s_ / 86400);
   }
@@ -31,7 +28,7 @@ class Aging : public Effect {
   double creep_dph_;
   double moisture_dph_;
   double onset_s_;
-  double activation_k_;
+  double activation_ev_;
   double age_s_ = 0;  ///< equivalent time at 20 degC
 };
 

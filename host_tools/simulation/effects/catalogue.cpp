@@ -26,6 +26,7 @@ const std::vector<EffectDescription>& effect_catalogue() {
       warmest_so_far_effect(),
       rate_nonlinearity_effect(),
       proper_frequency_effect(),
+      moisture_exchange_effect(),
       pyroelectric_effect(),
       scale_factor_effect(),
       scale_factor_temperature_effect(),

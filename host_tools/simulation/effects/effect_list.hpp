@@ -19,6 +19,7 @@ EffectDescription light_power_effect();
 EffectDescription magnetic_effect();
 EffectDescription polarization_ripple_effect();
 EffectDescription proper_frequency_effect();
+EffectDescription moisture_exchange_effect();
 EffectDescription pyroelectric_effect();
 EffectDescription random_telegraph_effect();
 EffectDescription rate_nonlinearity_effect();

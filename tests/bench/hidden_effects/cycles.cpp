@@ -74,8 +74,8 @@ std::vector<CaseKind> basic_cycle(Cycle cycle) {
 }
 
 // On a rate table 4 effects x 3 sizes, 8 clean, 2 faults x 2 sizes; 8 pairs, 8 with three effects,
-// 4 formulas x 2 sizes, 4 other disturbances x 2 sizes.
-constexpr std::size_t kWideCases = 12 + 8 + 4 + 8 + 8 + 8 + 8;
+// 5 formulas x 2 sizes, 4 other disturbances x 2 sizes.
+constexpr std::size_t kWideCases = 12 + 8 + 4 + 8 + 8 + 10 + 8;
 
 std::vector<CaseKind> wide_cycle(Cycle cycle) {
   cycle.add_each("rate", scale_factor_effects(), kRateSizes);

@@ -73,6 +73,10 @@ std::string foreign_parameters(Draws& draws, const std::string& name) {
   if (name == "pyroelectric") {
     return format("threshold_k=%.1f,leak_s=%.0f", draws.ratio(2, 8), draws.ratio(100, 1000));
   }
+  if (name == "moisture_exchange") {
+    return format("tau_s=%.0f,activation_ev=%.2f", draws.ratio(1800, 36000),
+                  draws.uniform(0.3, 0.6));
+  }
   if (name == "squared_lag") return format("tau_s=%.0f", draws.ratio(300, 3600));
   return "";
 }
@@ -143,12 +147,12 @@ bool is_catalogued(const std::string& what) {
 const std::vector<std::string>& hidden_formulas() {
   static const std::vector<std::string> names{
       "rate_nonlinearity/magnitude", "rate_nonlinearity/square",
-      "rate_nonlinearity/temperature_squared", "squared_lag"};
+      "rate_nonlinearity/temperature_squared", "squared_lag", "warmest_so_far"};
   return names;
 }
 
 const std::vector<std::string>& other_disturbances() {
-  static const std::vector<std::string> names{"random_telegraph", "fast_cycle", "warmest_so_far",
+  static const std::vector<std::string> names{"random_telegraph", "fast_cycle", "moisture_exchange",
                                               "pyroelectric"};
   return names;
 }

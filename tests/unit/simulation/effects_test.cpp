@@ -348,6 +348,19 @@ TEST(WarmestSoFar, MovesOnlyAtANewRecord) {
   EXPECT_TRUE(std::is_sorted(moved.begin(), moved.end()));
 }
 
+TEST(MoistureExchange, LagsMoreInTheColdThanInTheWarm) {
+  const std::vector<std::string> effect{"moisture_exchange:tau_s=3600,activation_ev=0.5"};
+  const auto after_two_hours = [&](const char* degc) {
+    return run_text(effect, std::string("start 20 degC\nramp to ") + degc +
+                                " degC at 10 degC/min\nsoak 2 h\n")
+        .effect("moisture_exchange")
+        .back();
+  };
+  EXPECT_NEAR(after_two_hours("60"), 0.04, 0.002);  // the electronics warm it, too
+  EXPECT_LT(after_two_hours("-20"), 0);
+  EXPECT_GT(after_two_hours("-20"), -0.01);
+}
+
 TEST(RateNonlinearity, HasTheFormAskedForInALongRamp) {
   const auto at_ramp = [](const std::string& form) {
     const auto values =
