@@ -1,5 +1,6 @@
 #include "cli/effects_text.hpp"
 
+#include "diagnosis/form_meaning.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
@@ -95,6 +96,18 @@ std::string entry_markdown(const model::CatalogueEntry& entry) {
   return text + "\n";
 }
 
+std::string forms_markdown() {
+  std::string text =
+      "## Forms outside the catalogue\n\n"
+      "Where no effect of the catalogue explains what is left, `diagnose` tries formulas and says "
+      "what gives such a form:\n\n"
+      "| form | mechanisms |\n|---|---|\n";
+  for (const diagnosis::FormMeaningDescription& row : diagnosis::kFormMeanings) {
+    text += format("| `%s` | %s |\n", row.forms, row.mechanisms);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<std::string> needed_columns(const model::CatalogueEntry& entry) {
@@ -116,8 +129,8 @@ std::string effects_text(const std::vector<const model::CatalogueEntry*>& entrie
 std::string effects_markdown(const std::vector<const model::CatalogueEntry*>& entries) {
   std::string text =
       "# Physical effects\n\n"
-      "Written by `fogcomp effects --markdown` from the headers in `firmware/core/effects`; a test "
-      "compares the two.\n\n"
+      "Written by `fogcomp effects --markdown` from the headers in `firmware/core/effects` and "
+      "from\n`host_tools/diagnosis/form_meaning.hpp`; a test compares them.\n\n"
       "Drift = Σ coefficient · regressor over the effects of a model, plus the network. T is the "
       "coil sensor's temperature\n(a block's mean), dT/dt its derivative behind two lags "
       "(`fit --derivative-tau`), t the time since power-on. `time_s`\nis needed as time since "
@@ -132,8 +145,7 @@ std::string effects_markdown(const std::vector<const model::CatalogueEntry*>& en
   }
   text += "\n";
   for (const model::CatalogueEntry* entry : entries) text += entry_markdown(*entry);
-  text.pop_back();
-  return text;
+  return text + forms_markdown();
 }
 
 Json effect_json(const model::CatalogueEntry& entry) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "diagnosis/decision_rules.hpp"
@@ -168,13 +169,15 @@ std::vector<Description> single_effects(const Diagnosis& diagnosis,
 
 LikelyFormulas likely_formulas(const model::Model& model, const Diagnosis& diagnosis,
                                const DiagnosisData& data, const DiagnosisSettings& settings) {
-  std::vector<model::EffectTerm> formulas =
-      formulas_over(data.series(), signals_of_formulas(diagnosis));
-  for (model::EffectTerm& formula : formulas) {  // a kink beside a kink
-    formula.name = formula.expression->expression.name =
-        model::free_name(model.terms, formula.name);
+  std::vector<model::EffectTerm> terms;
+  std::map<std::string, FormMeaning> meanings;
+  for (auto& [term, meaning] : formulas_over(data.series(), signals_of_formulas(diagnosis))) {
+    // a kink beside a kink
+    term.name = term.expression->expression.name = model::free_name(model.terms, term.name);
+    meanings[term.name] = meaning;
+    terms.push_back(std::move(term));
   }
-  const Diagnosis offered = diagnose(model, data.with_offered(formulas), settings);
+  const Diagnosis offered = diagnose(model, data.with_offered(terms), settings);
   LikelyFormulas likely;
   likely.chance = offered.chance;
   likely.show_something =
@@ -184,8 +187,8 @@ LikelyFormulas likely_formulas(const model::Model& model, const Diagnosis& diagn
   for (const CandidateFinding& finding : offered.candidates) {
     if (!finding.is_expression() || finding.lead < rules::kConfusable) continue;
     const AdditionRequest request = *request_of(offered, {finding.effect});
-    likely.forms.push_back(
-        {form_text(finding.term().expression->expression), request.expression, finding.lead});
+    likely.forms.push_back({form_text(finding.term().expression->expression), request.expression,
+                            meanings[finding.effect], finding.lead});
     // a parameter more always explains a little more
     explained_fraction = std::min(explained_fraction, finding.explained_fraction);
     likely.descriptions.push_back({request, explained_fraction});

@@ -6,6 +6,7 @@
 
 #include "diagnosis/addition_judge.hpp"
 #include "diagnosis/diagnosis.hpp"
+#include "diagnosis/form_meaning.hpp"
 
 namespace fogcomp::diagnosis {
 
@@ -13,7 +14,8 @@ namespace fogcomp::diagnosis {
 struct Form {
   std::string text;        ///< as a reader wants it: lag(dTdt^2,tau)
   std::string expression;  ///< `NAME = EXPRESSION` with the bounds of its parameters, for `add`
-  double share = 0;        ///< how likely it is the largest part
+  FormMeaning meaning{};
+  double share = 0;  ///< how likely it is the largest part
 };
 
 /// A possible description of the residual and the fraction it explains.

@@ -1,5 +1,6 @@
 #include "diagnosis/forms.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -26,13 +27,21 @@ constexpr std::string_view kDegC = "degC";
 
 class Formulas {
  public:
-  void add(const std::string& name, const std::string& text) {
+  void add(FormMeaning meaning, const std::string& name, const std::string& text) {
     model::add_expression(terms_, name + " = " + text);
+    meanings_.push_back(meaning);
   }
-  std::vector<model::EffectTerm> take() { return std::move(terms_); }
+  std::vector<Formula> take() {
+    std::vector<Formula> formulas;
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      formulas.push_back({std::move(terms_[i]), meanings_[i]});
+    }
+    return formulas;
+  }
 
  private:
   std::vector<model::EffectTerm> terms_;
+  std::vector<FormMeaning> meanings_;  // of each term
 };
 
 struct VaryingSignal {
@@ -42,17 +51,19 @@ struct VaryingSignal {
   bool is_extension;
 
   double span() const { return range.max - range.min; }
+  bool has_both_signs() const { return range.min < 0 && range.max > 0; }
   /// The signal, counted from the middle of its range if its zero is far away.
   std::string text() const {
     const double middle = (range.min + range.max) / 2;
     if (!is_extension || std::abs(middle) < kFarZero * span()) return symbol;
     return format("(%s%+.4g)", symbol.c_str(), -middle);
   }
-  /// Placeholder of a value to be fitted.
-  std::string somewhere() const {
-    const double margin = kKinkMargin * span();
-    return format("?c[%.6g,%.6g]", range.min + margin, range.max - margin);
+  double margin() const { return kKinkMargin * span(); }
+  /// Placeholder of a value to be fitted, above a value of the signal.
+  std::string above(double value) const {
+    return format("?c[%.6g,%.6g]", value + margin(), range.max - margin());
   }
+  std::string somewhere() const { return above(range.min); }
 };
 
 std::vector<VaryingSignal> varying_signals(const series::SignalSeries& series,
@@ -76,6 +87,30 @@ std::string twice_lag_text(const std::string& text) {
   return "lag(" + lag_text(text) + ",?tau)";
 }
 
+// What powers and magnitudes of a signal mean.
+FormMeaning meaning_of_curve(const VaryingSignal& signal, FormMeaning of_rate) {
+  if (signal.symbol == "dTdt") return of_rate;
+  return signal.symbol == "W" ? FormMeaning::scale_factor : FormMeaning::bent_input;
+}
+
+void add_late_forms(Formulas& formulas, const VaryingSignal& signal) {
+  const std::string& name = signal.symbol;
+  const std::string x = signal.text();
+  formulas.add(FormMeaning::late, name + "_late_squared", lag_text(x) + "^2");
+  if (x == "T") formulas.add(FormMeaning::late, "T_late_cubed", lag_text(x) + "^3");
+  if (x == "dTdt") {
+    formulas.add(FormMeaning::twice_late, "dTdt_twice_late_squared", twice_lag_text(x) + "^2");
+    formulas.add(FormMeaning::twice_late, "dTdt_twice_late_size", "abs(" + twice_lag_text(x) + ")");
+  }
+  if (x == "T") return;
+  formulas.add(FormMeaning::late, name + "_squared_late", lag_text(x + "^2"));
+  if (signal.has_both_signs()) {
+    formulas.add(FormMeaning::late, name + "_size_late", lag_text("abs(" + x + ")"));
+    formulas.add(FormMeaning::late, name + "_late_size", "abs(" + lag_text(x) + ")");
+  }
+  if (x != "dTdt") formulas.add(FormMeaning::late, name + "_late", lag_text(x));
+}
+
 // Forms of one signal. Not for what the catalogue has: powers of the temperature
 // (bias_temperature), periods in it (polarization_ripple), its rate with a lag (thermal_lag). A
 // polynomial of a part that is warmed late is bias_temperature, thermal_lag and powers of the late
@@ -83,30 +118,52 @@ std::string twice_lag_text(const std::string& text) {
 void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
   const std::string& name = signal.symbol;
   const std::string x = signal.text();
-  const model::SignalRange& range = signal.range;
   const double span = signal.span();
-  formulas.add(name + "_late_squared", lag_text(x) + "^2");
-  if (x == "T") formulas.add("T_late_cubed", lag_text(x) + "^3");
-  if (x == "dTdt") {
-    formulas.add("dTdt_twice_late_squared", twice_lag_text(x) + "^2");
-    formulas.add("dTdt_twice_late_size", "abs(" + twice_lag_text(x) + ")");
-  }
+  add_late_forms(formulas, signal);
   if (x != "T") {
-    if (signal.is_extension) formulas.add(name + "_itself", name);
-    formulas.add(name + "_squared", x + "^2");
-    formulas.add(name + "_cubed", x + "^3");
-    formulas.add(name + "_squared_late", lag_text(x + "^2"));
-    if (range.min < 0 && range.max > 0) {
-      formulas.add(name + "_size", "abs(" + x + ")");
-      formulas.add(name + "_size_late", lag_text("abs(" + x + ")"));
-      formulas.add(name + "_late_size", "abs(" + lag_text(x) + ")");
-      formulas.add(name + "_signed_square", x + "*abs(" + x + ")");
+    if (signal.is_extension) formulas.add(FormMeaning::input, name + "_itself", name);
+    formulas.add(meaning_of_curve(signal, FormMeaning::squared_rate), name + "_squared", x + "^2");
+    formulas.add(meaning_of_curve(signal, FormMeaning::bent_rate), name + "_cubed", x + "^3");
+    if (signal.has_both_signs()) {
+      const FormMeaning sizes = meaning_of_curve(signal, FormMeaning::one_direction);
+      formulas.add(sizes, name + "_size", "abs(" + x + ")");
+      formulas.add(sizes, name + "_signed_square", x + "*abs(" + x + ")");
     }
-    if (x != "dTdt") formulas.add(name + "_late", lag_text(x));
-    formulas.add(name + "_sine", format("sin(6.2832*%s/?p[%.4g,%.4g])", x.c_str(),
-                                        kMinPeriod * span, kMaxPeriod * span));
+    formulas.add(
+        FormMeaning::interference, name + "_sine",
+        format("sin(6.2832*%s/?p[%.4g,%.4g])", x.c_str(), kMinPeriod * span, kMaxPeriod * span));
   }
-  formulas.add(name + "_kink", "max(" + name + "-" + signal.somewhere() + ",0)");
+  const FormMeaning kink = x == "dTdt"   ? FormMeaning::one_direction
+                           : name == "W" ? FormMeaning::scale_factor
+                                         : FormMeaning::onset;
+  formulas.add(kink, name + "_kink", "max(" + name + "-" + signal.somewhere() + ",0)");
+}
+
+// What the first heat of a coil leaves, from its temperature at the beginning on or from a higher
+// one that it had known before.
+void add_first_heat(Formulas& formulas, const VaryingSignal& temperature,
+                    const series::Rows& rows) {
+  double begin_degc = temperature.range.max;
+  for (const std::size_t row : rows.run_starts) {
+    begin_degc = std::min(begin_degc, rows.inputs[row].temperature);
+  }
+  if (begin_degc + 2 * temperature.margin() >= temperature.range.max) return;
+  formulas.add(FormMeaning::first_heat, "T_highest", "highest(T)");
+  formulas.add(FormMeaning::first_heat, "T_highest_kink",
+               "max(highest(T)-" + temperature.above(begin_degc) + ",0)");
+}
+
+// What a product of three factors means that is linear in `b`, or in `a`.
+struct ProductMeanings {
+  FormMeaning linear_in_b = FormMeaning::product;
+  FormMeaning linear_in_a = FormMeaning::product;
+  FormMeaning size = FormMeaning::product;
+};
+ProductMeanings meanings_of(const VaryingSignal& a, const VaryingSignal& b) {
+  const bool is_rate = a.symbol == "T" && b.symbol == "dTdt";
+  return is_rate ? ProductMeanings{FormMeaning::bent_rate, FormMeaning::squared_rate,
+                                   FormMeaning::one_direction}
+                 : ProductMeanings{};
 }
 
 // Products of two signals, of at most three factors. T*dTdt is temperature_rate_product.
@@ -115,28 +172,34 @@ void add_products(Formulas& formulas, const VaryingSignal& a, const VaryingSigna
   const std::string x = a.text();
   const std::string y = b.text();
   const std::string& other = b.symbol;
-  if (x != "T" || y != "dTdt") formulas.add(name + other, x + "*" + y);
-  formulas.add(name + "squared_" + other, x + "^2*" + y);
-  formulas.add(name + other + "_squared", x + "*" + y + "^2");
+  const ProductMeanings meanings = meanings_of(a, b);
+  const bool is_late_scale_factor = a.symbol == "dTdt" && other == "W";
+  if (x != "T" || y != "dTdt") {
+    formulas.add(is_late_scale_factor ? FormMeaning::late_scale_factor : FormMeaning::product,
+                 name + other, x + "*" + y);
+  }
+  formulas.add(meanings.linear_in_b, name + "squared_" + other, x + "^2*" + y);
+  formulas.add(meanings.linear_in_a, name + other + "_squared", x + "*" + y + "^2");
   if (!a.has_zero) {
     const std::string about = "(" + a.symbol + "-" + a.somewhere() + ")";
-    formulas.add(name + "offset_squared_" + other, about + "^2*" + y);
-    formulas.add(name + "offset_" + other + "_squared", about + "*" + y + "^2");
+    formulas.add(meanings.linear_in_b, name + "offset_squared_" + other, about + "^2*" + y);
+    formulas.add(meanings.linear_in_a, name + "offset_" + other + "_squared",
+                 about + "*" + y + "^2");
   }
-  if (b.range.min < 0 && b.range.max > 0) {
-    formulas.add(name + other + "_size", x + "*abs(" + y + ")");
+  if (b.has_both_signs()) {
+    formulas.add(meanings.size, name + other + "_size", x + "*abs(" + y + ")");
   }
-  formulas.add(name + other + "_late", lag_text(x + "*" + y));
+  formulas.add(FormMeaning::late, name + other + "_late", lag_text(x + "*" + y));
 }
 
 }  // namespace
 
-std::vector<model::EffectTerm> formulas_over(const series::SignalSeries& series,
-                                             fog::InputMask inputs) {
+std::vector<Formula> formulas_over(const series::SignalSeries& series, fog::InputMask inputs) {
   const std::vector<VaryingSignal> signals = varying_signals(series, inputs);
   Formulas formulas;
   for (std::size_t i = 0; i < signals.size(); ++i) {
     add_own_forms(formulas, signals[i]);
+    if (signals[i].symbol == "T") add_first_heat(formulas, signals[i], series.rows());
     for (std::size_t j = i + 1; j < signals.size(); ++j) {
       add_products(formulas, signals[i], signals[j]);
     }

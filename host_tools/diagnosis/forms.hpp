@@ -4,19 +4,25 @@
 #include <vector>
 
 #include "core/signal/inputs.hpp"
+#include "diagnosis/form_meaning.hpp"
 #include "model/model.hpp"
 #include "series/signal_series.hpp"
 
 namespace fogcomp::diagnosis {
 
-/// Formulas outside the catalogue, as expressions without coefficients. For every signal of
+/// A formula outside the catalogue, as an expression without coefficients.
+struct Formula {
+  model::EffectTerm term;
+  FormMeaning meaning;
+};
+
+/// Formulas outside the catalogue. For every signal of
 /// `inputs` that varies on these rows: an extension input itself, squares, cubes, magnitudes,
 /// products of up to three factors of two signals (for a temperature also its distance from a
-/// fitted reference), a lag before or after it, a kink and a sine of it. Parameter bounds follow
-/// from the range of the signal. What a formula has in common with the model or the catalogue is
-/// removed later (find_candidates()).
-std::vector<model::EffectTerm> formulas_over(const series::SignalSeries& series,
-                                             fog::InputMask inputs);
+/// fitted reference), a lag before or after it, a kink and a sine of it; of the temperature its
+/// highest value so far. Parameter bounds follow from the range of the signal. What a formula has
+/// in common with the model or the catalogue is removed later (find_candidates()).
+std::vector<Formula> formulas_over(const series::SignalSeries& series, fog::InputMask inputs);
 
 /// An expression for the reader: parameters by name, without bounds.
 std::string form_text(const model::Expression& expression);

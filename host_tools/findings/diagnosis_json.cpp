@@ -58,6 +58,7 @@ Json forms_json(const std::vector<diagnosis::Form>& forms) {
     return Json::object()
         .set("name", form.text)
         .set("expression", form.expression)
+        .set("mechanisms", diagnosis::mechanisms_of(form.meaning))
         .set("share", form.share);
   });
 }

@@ -31,6 +31,14 @@ std::string add_command_line(const diagnosis::AdditionRequest& request, const st
   return shell_words(line);
 }
 
+// Whether the addition is what a coil's first heat leaves.
+bool is_first_heat(const diagnosis::NextStep& next) {
+  return std::any_of(next.forms.begin(), next.forms.end(), [&](const diagnosis::Form& form) {
+    return form.meaning == diagnosis::FormMeaning::first_heat &&
+           form.expression == next.addition->request.expression;
+  });
+}
+
 std::vector<std::string> description_words(const diagnosis::NextStep& next) {
   std::vector<std::string> lines;
   if (!next.forms.empty()) {
@@ -41,6 +49,8 @@ std::vector<std::string> description_words(const diagnosis::NextStep& next) {
               format(" (%.2f)", next.forms[i].share);
     }
     lines.push_back(text);
+    lines.push_back(std::string("which physics gives such a form: ") +
+                    diagnosis::mechanisms_of(next.forms[0].meaning));
   }
   if (next.addition) {
     const diagnosis::AdditionRequest& request = next.addition->request;
@@ -56,6 +66,9 @@ std::vector<std::string> description_words(const diagnosis::NextStep& next) {
   }
   if (next.experiment && !next.experiment->sentence.empty()) {
     lines.push_back("to tell: " + next.experiment->sentence);
+  } else if (next.addition && is_first_heat(next)) {
+    lines.push_back(
+        "the same programme once more would tell: what a first heat has left does not come again");
   } else if (next.addition) {
     lines.push_back(
         "a run of another programme, given to add with --holdout, would tell whether it "

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 #include <string>
 
 #include "model/effect_list.hpp"
@@ -13,29 +14,30 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-std::vector<model::EffectTerm> formulas(fog::InputMask inputs) {
+std::vector<Formula> formulas(fog::InputMask inputs) {
   const model::Model model = fog::test::truth();
   series::SignalSeries series(model);
   series.add(series::make_blocks(fog::test::recording_of(model, fog::test::kQuietNoise, 1)));
   return formulas_over(series, inputs);
 }
 
-bool has_text(const std::vector<model::EffectTerm>& terms, const std::string& text) {
-  return std::any_of(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
-    return form_text(term.expression->expression) == text;
+bool has_text(const std::vector<Formula>& formulas, const std::string& text) {
+  return std::any_of(formulas.begin(), formulas.end(), [&](const Formula& formula) {
+    return form_text(formula.term.expression->expression) == text;
   });
 }
 
 TEST(Forms, AreOfTheSignalsThatVaryAndHaveNamesOfTheirOwn) {
-  const std::vector<model::EffectTerm> found = formulas(~fog::InputMask{0});
+  const std::vector<Formula> found = formulas(~fog::InputMask{0});
   std::set<std::string> names;
-  for (const model::EffectTerm& term : found) {
+  for (const auto& [term, meaning] : found) {
     EXPECT_TRUE(names.insert(term.name).second) << term.name;
     EXPECT_EQ(term.expression->expression.needs() & fog::kAllExtensionInputs, 0U) << term.name;
   }
-  for (const char* text : {"dTdt^2", "abs(dTdt)", "T^2*dTdt", "T*dTdt^2", "lag(dTdt^2,tau)",
-                           "lag(dTdt,tau)^2", "abs(lag(dTdt,tau))", "lag(lag(dTdt,tau),tau)^2",
-                           "(T-c)^2*dTdt", "max(T-c,0)", "sin(6.2832*dTdt/p)"}) {
+  for (const char* text :
+       {"dTdt^2", "abs(dTdt)", "T^2*dTdt", "T*dTdt^2", "lag(dTdt^2,tau)", "lag(dTdt,tau)^2",
+        "abs(lag(dTdt,tau))", "lag(lag(dTdt,tau),tau)^2", "(T-c)^2*dTdt", "max(T-c,0)",
+        "highest(T)", "max(highest(T)-c,0)", "sin(6.2832*dTdt/p)"}) {
     EXPECT_TRUE(has_text(found, text)) << text;
   }
   EXPECT_FALSE(has_text(found, "T*dTdt")) << "the catalogue has it";
@@ -57,6 +59,25 @@ TEST(Forms, HaveAnExtensionInputItself) {
   // Its zero is far away: V^2 would be a straight line.
   EXPECT_TRUE(has_text(formulas_over(series, inputs), "(V-5)^2"));
   EXPECT_FALSE(has_text(formulas_over(series, inputs), "V^2"));
+}
+
+TEST(Forms, SayWhichPhysicsGivesThem) {
+  for (std::size_t i = 0; i < kFormMeanings.size(); ++i) {
+    EXPECT_EQ(static_cast<std::size_t>(kFormMeanings[i].meaning), i);
+  }
+  const auto meaning_of = [found = formulas(~fog::InputMask{0})](const std::string& name) {
+    for (const auto& [term, meaning] : found) {
+      if (term.name == name) return meaning;
+    }
+    throw std::runtime_error("no " + name);
+  };
+  EXPECT_EQ(meaning_of("dTdt_squared"), FormMeaning::squared_rate);
+  EXPECT_EQ(meaning_of("dTdt_size"), FormMeaning::one_direction);
+  EXPECT_EQ(meaning_of("T_offset_squared_dTdt"), FormMeaning::bent_rate);
+  EXPECT_EQ(meaning_of("T_dTdt_squared"), FormMeaning::squared_rate);
+  EXPECT_EQ(meaning_of("dTdt_late_squared"), FormMeaning::late);
+  EXPECT_EQ(meaning_of("T_kink"), FormMeaning::onset);
+  EXPECT_EQ(meaning_of("T_highest"), FormMeaning::first_heat);
 }
 
 TEST(Forms, AreShownWithoutBounds) {

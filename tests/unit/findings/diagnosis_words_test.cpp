@@ -145,17 +145,35 @@ TEST(DiagnosisWords, SayOfADescriptionThatItIsNoCause) {
   diagnosis.effect.clear();
   diagnosis::NextStep next;
   next.describes = true;
-  next.forms = {{"dTdt^2", "square = dTdt^2", 0.86},
-                {"lag(dTdt^2,tau)", "late = lag(dTdt^2,?tau[60,6000])", 0.14}};
+  using diagnosis::FormMeaning;
+  next.forms = {{"dTdt^2", "square = dTdt^2", FormMeaning::squared_rate, 0.86},
+                {"lag(dTdt^2,tau)", "late = lag(dTdt^2,?tau[60,6000])", FormMeaning::late, 0.14}};
   next.addition = tried({}, "dTdt_squared = dTdt^2");
   const DiagnosisWords words = words_of(diagnosis, next, kFiles);
   const std::string all = join(words.findings, "\n");
   EXPECT_NE(all.find("looks like dTdt^2 (0.86), rather than lag(dTdt^2,tau) (0.14)"),
             std::string::npos)
       << all;
+  EXPECT_NE(all.find("which physics gives such a form: stress that a gradient"), std::string::npos)
+      << all;
   EXPECT_NE(all.find("this describes it, it does not say what it is"), std::string::npos) << all;
+  EXPECT_NE(all.find("a run of another programme"), std::string::npos) << all;
   EXPECT_EQ(words.command,
             "fogcomp add x.model run.csv --effect-expr 'dTdt_squared = dTdt^2' -o NEW.model");
+}
+
+// Another programme would have another first heat: only a repetition tells.
+TEST(DiagnosisWords, AskForTheSameProgrammeAgainAfterAFirstHeat) {
+  diagnosis::Diagnosis diagnosis = only_together();
+  diagnosis.verdict = diagnosis::Verdict::unknown;
+  diagnosis.effect.clear();
+  diagnosis::NextStep next;
+  next.describes = true;
+  next.forms = {{"highest(T)", "T_highest = highest(T)", diagnosis::FormMeaning::first_heat, 1}};
+  next.addition = tried({}, "T_highest = highest(T)");
+  const std::string all = join(words_of(diagnosis, next, kFiles).findings, "\n");
+  EXPECT_NE(all.find("the same programme once more would tell"), std::string::npos) << all;
+  EXPECT_EQ(all.find("a run of another programme"), std::string::npos) << all;
 }
 
 // Nothing is missing, and yet there is something to do.
