@@ -16,6 +16,10 @@ constexpr std::size_t kMinInClass = 5;
 /// Smallest number of rows for any statement: ten classes of five. residual_analysis_test.
 constexpr std::size_t kMinRowsToJudge = 50;
 
+/// Fraction of a residual's variance that errors of the input rate have to explain to be reported:
+/// fifteen columns explain less of noise in 150 rows. residual_analysis_test.
+constexpr double kMinInputRateShare = 0.1;
+
 /// Standard deviations of the floor's own error, 0.6 / sqrt(rows), within which a residual is at
 /// the floor. residual_analysis_test.
 constexpr double kFloorErrorSigmas = 4;

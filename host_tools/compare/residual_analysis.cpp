@@ -5,6 +5,7 @@
 
 #include "compare/decision_rules.hpp"
 #include "noise/autocorrelation.hpp"
+#include "noise/input_rate.hpp"
 #include "noise/quiet_rows.hpp"
 
 namespace fogcomp::compare {
@@ -38,6 +39,20 @@ std::vector<recording::RowRange> soak_stretches(const Comparison& comparison) {
   return ranges;
 }
 
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+std::optional<double> input_rate_share(const Comparison& comparison,
+                                       const std::vector<double>& residual_dph) {
+  const bool is_varying = std::any_of(
+      comparison.inputs.begin(), comparison.inputs.end(),
+      [](const Comparison::VaryingInput& one) { return one.input == fog::Input::input_rate; });
+  if (!is_varying || comparison.size() < rules::kMinRowsToJudge) return std::nullopt;
+  return noise::share_of_input_rate(noise::input_rate_columns(comparison.rows),
+                                    vector_of(residual_dph));
+}
+
 }  // namespace
 
 double floor_uncertainty(std::size_t rows) {
@@ -57,9 +72,7 @@ ResidualAnalysis analyse_residual(const Comparison& comparison) {
   rows.residual_dph = comparison.bridged(comparison.residuals_dph());
   rows.time_s = comparison.rows.time_s;
   rows.stretches = comparison.rows.stretches();
-  rows.noise = noise::noise_of(
-      comparison.rows,
-      Eigen::Map<const Eigen::VectorXd>(rows.residual_dph.data(), comparison.rows.size()));
+  rows.noise = noise::noise_of(comparison.rows, vector_of(rows.residual_dph));
   const std::vector<double> degc = comparison.rows.temperatures_degc();
   analysis.excess_dph2 = excess(comparison);
   analysis.offset = test_of_mean(rows);
@@ -70,6 +83,7 @@ ResidualAnalysis analyse_residual(const Comparison& comparison) {
   for (const Comparison::VaryingInput& input : comparison.inputs) {
     analysis.inputs.push_back(dependence_on(input.values, rows, kInputBins));
   }
+  analysis.input_rate_share = input_rate_share(comparison, rows.residual_dph);
   analysis.history = loop_over(degc, rows, kTemperatureBins);
   for (const std::size_t lag : {1U, 2U, 5U, 10U, 20U, 50U, 100U}) {
     if (lag > rows.residual_dph.size() / 4) break;

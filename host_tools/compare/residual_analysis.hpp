@@ -25,6 +25,9 @@ struct ResidualAnalysis {
   Dependence rate;                 ///< degC/min
   Dependence time;                 ///< s
   std::vector<Dependence> inputs;  ///< as Comparison::inputs
+  /// Fraction of the residual's variance that errors of the input rate explain, of any form
+  /// (noise::input_rate_columns); nothing if it is constant or the rows are too few.
+  std::optional<double> input_rate_share;
   Loop history;
   std::vector<LagCorrelation> autocorrelation;
   double white_band = 0;  ///< +-2/sqrt(rows): where 95 % of them lie for white noise

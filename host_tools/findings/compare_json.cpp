@@ -75,7 +75,8 @@ Json loop_json(const compare::ResidualAnalysis& analysis) {
   return object;
 }
 
-Json structure_json(const compare::ResidualAnalysis& analysis) {
+Json structure_json(const compare::Comparison& comparison,
+                    const compare::ResidualAnalysis& analysis) {
   Json offset = test_json(analysis, analysis.offset);
   offset.set("sigma_dph", analysis.offset_sigma_dph);
   Json object = Json::object();
@@ -84,7 +85,12 @@ Json structure_json(const compare::ResidualAnalysis& analysis) {
       .set("temperature_rate", dependence_json(analysis, analysis.rate))
       .set("time_s", dependence_json(analysis, analysis.time))
       .set("history", loop_json(analysis))
-      .set("offset", std::move(offset));
+      .set("offset", std::move(offset))
+      .set("input_rate_share", analysis.input_rate_share);
+  for (std::size_t i = 0; i < analysis.inputs.size(); ++i) {
+    object.set(description_of(comparison.inputs[i].input).column,
+               dependence_json(analysis, analysis.inputs[i]));
+  }
   return object;
 }
 
@@ -147,7 +153,7 @@ Json run_json(const compare::ModelOnRun& run) {
       .set("drift_left_dph", compare::floor_removed(whole.rms_dph, comparison.noise_floor_dph))
       .set("segments", std::move(segments))
       .set("effects", effects_json(comparison.effects))
-      .set("structure", structure_json(run.analysis))
+      .set("structure", structure_json(run.comparison, run.analysis))
       .set("autocorrelation", autocorrelation_json(run.analysis))
       .set("allan", allan_json(run.analysis))
       .set("outside_training", outside_json(comparison.outside));

@@ -29,6 +29,9 @@ std::vector<Part> parts_of(const compare::ResidualAnalysis& analysis,
   };
   look_at(analysis.temperature.test, "temperature");
   look_at(analysis.rate.test, "temperature rate");
+  for (std::size_t i = 0; i < analysis.inputs.size(); ++i) {
+    look_at(analysis.inputs[i].test, description_of(comparison.inputs[i].input).title);
+  }
   if (const compare::LoopBin* widest = analysis.history.widest()) {
     look_at(
         analysis.history.test, "history",
@@ -41,6 +44,17 @@ std::vector<Part> parts_of(const compare::ResidualAnalysis& analysis,
                    [](const Part& a, const Part& b) { return a.share > b.share; });
   look_at(analysis.time.test, "time");
   return found;
+}
+
+// A scale factor that changes with temperature and a late record are no function of the input rate
+// alone.
+std::string input_rate_words(const compare::ResidualAnalysis& analysis) {
+  const double share = analysis.input_rate_share.value_or(0);
+  if (!analysis.excess_dph2 || share < compare::rules::kMinInputRateShare) return "";
+  return format(
+      "errors that go with the input rate, its change or its product with temperature "
+      "explain %.0f %% of its variance",
+      100 * share);
 }
 
 }  // namespace
@@ -61,13 +75,20 @@ std::string structure_words(const compare::ModelOnRun& run) {
   const std::vector<Part> found = parts_of(run.analysis, run.comparison);
   if (run.comparison.size() < compare::rules::kMinRowsToJudge)
     return "too few rows to say on what it depends";
+  const std::string rate = input_rate_words(run.analysis);
   if (found.empty()) {
-    return "nothing in it depends on temperature, temperature rate, time or history beyond noise";
+    std::vector<std::string> variables{"temperature", "temperature rate", "time", "history"};
+    for (const auto& one : run.comparison.inputs) {
+      variables.emplace_back(description_of(one.input).title);
+    }
+    return "nothing in it depends on " + join_list(variables, "or") +
+           (rate.empty() ? " beyond noise" : " alone beyond noise; " + rate);
   }
-  std::string list;
-  for (const Part& part : found) list += (list.empty() ? "" : ", ") + part.text;
-  if (!run.analysis.excess_dph2) return "at the noise floor, yet it depends on " + list;
-  return "of what is above the floor: " + list + (found.size() > 1 ? "; these overlap" : "");
+  std::vector<std::string> list;
+  for (const Part& part : found) list.push_back(part.text);
+  if (!run.analysis.excess_dph2) return "at the noise floor, yet it depends on " + join(list, ", ");
+  return "of what is above the floor: " + join(list, ", ") +
+         (found.size() > 1 ? "; these overlap" : "") + (rate.empty() ? "" : "; " + rate);
 }
 
 std::vector<std::string> remarks(const compare::ModelOnRun& run) {

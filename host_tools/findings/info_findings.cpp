@@ -245,18 +245,14 @@ void add_over_temperature(Document& document, const compare::RunSummary& summary
   document.table(std::move(table));
 }
 
-// Fraction of the bias's variance, 0..1, that depends on the input rate: its powers, magnitude,
-// change, and product with temperature.
 double share_of_input_rate(const recording::Recording& blocks, const std::vector<double>& bias) {
   const auto vector = [](const std::vector<double>& values) {
     return Eigen::Map<const Eigen::VectorXd>(values.data(),
                                              static_cast<Eigen::Index>(values.size()));
   };
-  const Eigen::VectorXd around = vector(bias).array() - vector(bias).mean();
-  Eigen::MatrixXd columns =
-      noise::input_rate_columns(vector(blocks.input_rate_dph), vector(blocks.temperature_degc), 1);
-  columns.rowwise() -= columns.colwise().mean();
-  return 1 - solve_linear(columns, around).residual.squaredNorm() / around.squaredNorm();
+  return noise::share_of_input_rate(
+      noise::input_rate_columns(vector(blocks.input_rate_dph), vector(blocks.temperature_degc), 1),
+      vector(bias));
 }
 
 // The bias as a function of each varying input, the input rate first.

@@ -41,26 +41,13 @@ Look look_of(std::size_t model) {
   return model == 0 ? Look::line : Look::faint;
 }
 
-// Inputs on which the residual depends, which structure_words() does not cover.
-Text input_words(const compare::ModelOnRun& run) {
-  Text text;
-  for (std::size_t i = 0; i < run.analysis.inputs.size(); ++i) {
-    const compare::ClassTest& test = run.analysis.inputs[i].test;
-    if (!test.structured()) continue;
-    const std::optional<double> share = run.analysis.share_of_excess(test);
-    text += "; it depends on the " + input_name(run.comparison.inputs[i].input) +
-            (share ? words(": " + percent(*share) + " of what is above the floor") : Text());
-  }
-  return text;
-}
-
 void add_words(Document& document, const Models& models, std::size_t run, Shown shown) {
   const std::vector<Text> names = labels(models, "");
   for (std::size_t i = 0; i < models.size(); ++i) {
     const Text name = names[i] + (models.size() > 1 ? ": " : "");
     const compare::ModelOnRun& judged = models[i]->runs[run];
     document.sentence(name + words(error_words(judged.comparison)), shown);
-    document.sentence(name + words(structure_words(judged)) + input_words(judged), shown);
+    document.sentence(name + words(structure_words(judged)), shown);
     for (const std::string& remark : remarks(judged))
       document.sentence(name + words(remark), shown);
     for (const std::string& warning : range_warnings(judged.comparison, models[i]->model)) {

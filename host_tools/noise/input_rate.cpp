@@ -50,6 +50,13 @@ Eigen::MatrixXd input_rate_columns(const series::Rows& rows) {
   return input_rate_columns(rate, temperature, 1);
 }
 
+double share_of_input_rate(Eigen::MatrixXd columns, const Eigen::VectorXd& values) {
+  const Eigen::VectorXd around = values.array() - values.mean();
+  if (columns.cols() == 0 || around.squaredNorm() == 0) return 0;
+  columns.rowwise() -= columns.colwise().mean().eval();
+  return 1 - solve_linear(columns, around).residual.squaredNorm() / around.squaredNorm();
+}
+
 Eigen::VectorXd without_input_rate(const series::Rows& rows, const Eigen::VectorXd& residual,
                                    const Eigen::VectorXd& weights) {
   const Eigen::MatrixXd columns = input_rate_columns(rows);

@@ -16,6 +16,10 @@ Eigen::MatrixXd input_rate_columns(const Eigen::VectorXd& input_rate_dph,
 /// Of rows as they are fitted.
 Eigen::MatrixXd input_rate_columns(const series::Rows& rows);
 
+/// Fraction of the variance of `values` that these columns explain, 0..1. Some of it by chance:
+/// about columns / rows of white noise.
+double share_of_input_rate(Eigen::MatrixXd columns, const Eigen::VectorXd& values);
+
 /// A residual less the part explained by these columns, fitted without rows of weight 0: the part
 /// that may be noise. Unchanged if the rate is constant.
 Eigen::VectorXd without_input_rate(const series::Rows& rows, const Eigen::VectorXd& residual,

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "compare/decision_rules.hpp"
 #include "compare/residual_analysis.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
@@ -61,6 +62,31 @@ TEST(Comparison, KnowsTheInputsThatVary) {
   for (const ResidualBin& bin : analysis.inputs[1].bins) {
     EXPECT_NEAR(bin.mean_dph, 3e-4 * bin.at, 5 * bin.sigma_dph);
   }
+  EXPECT_GT(analysis.input_rate_share.value_or(0), 0.9);
+}
+
+// 10 ppm/degC: at no input rate does the mean residual differ from 0.
+TEST(Comparison, KnowsWhatGoesWithTheInputRateAndTemperatureTogether) {
+  const auto analysis_with = [](double per_degc) {
+    recording::Recording recording =
+        fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
+    double mean_degc = 0;
+    for (const double degc : recording.temperature_degc) {
+      mean_degc += degc / static_cast<double>(recording.rows());
+    }
+    for (std::size_t i = 0; i < recording.rows(); ++i) {
+      const double input = 1000 * std::sin(0.01 * static_cast<double>(i));
+      recording.input_rate_dph.push_back(input);
+      recording.rate_dph[i] += input * (1 + per_degc * (recording.temperature_degc[i] - mean_degc));
+    }
+    return analyse_residual(compare(fog::test::truth(), recording));
+  };
+  const ResidualAnalysis found = analysis_with(1e-5);
+  EXPECT_LT(found.share_of_excess(found.inputs.at(0).test).value_or(0), 0.2);
+  EXPECT_GT(found.input_rate_share.value_or(0), 0.9);
+  EXPECT_LT(analysis_with(0).input_rate_share.value_or(1), rules::kMinInputRateShare);
+  const auto at_rest = fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
+  EXPECT_FALSE(analyse_residual(compare(fog::test::truth(), at_rest)).input_rate_share);
 }
 
 }  // namespace
