@@ -101,9 +101,10 @@ Comparison::SegmentError error_in(const Comparison& comparison, const recording:
 
 OutsideTraining outside_training(const model::Model& model, const series::Rows& rows) {
   TrainedRange range(model, rows.row_s);
-  const std::vector<double> degc = rows.temperatures_degc();
   const std::vector<double> rates = rows.temperature_rates_degc_per_min();
-  for (std::size_t i = 0; i < degc.size(); ++i) range.count(rows.time_s[i], degc[i], rates[i]);
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    range.count(rows.time_s[i], rows.inputs[i], rates[i]);
+  }
   return range.outside();
 }
 

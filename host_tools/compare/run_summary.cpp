@@ -5,6 +5,7 @@
 
 #include "noise/noise_floor.hpp"
 #include "noise/outlier_rows.hpp"
+#include "recording/mask.hpp"
 #include "series/complete_rows.hpp"
 #include "series/signal_series.hpp"
 #include "support/units.hpp"
@@ -112,6 +113,17 @@ std::vector<double> bridged(const Judged& judged, const recording::Recording& re
   return values;
 }
 
+// Masked rates are bridged.
+recording::Recording without_masked(recording::Recording recording) {
+  const Judged bias{recording::bias_dph(recording),
+                    recording::covered(recording.masks, recording.time_s)};
+  const std::vector<double> values = bridged(bias, recording);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    recording.rate_dph[i] += values[i] - bias.values[i];
+  }
+  return recording;
+}
+
 // As a recording, for functions that need one.
 recording::Recording without_outliers(recording::Recording rows, const Judged& judged) {
   const std::vector<double> values = bridged(judged, rows);
@@ -124,6 +136,11 @@ recording::Recording without_outliers(recording::Recording rows, const Judged& j
 }  // namespace
 
 RunSummary summarize(const recording::Recording& recording, double average_s) {
+  if (!recording.masks.empty()) {
+    recording::Recording known = without_masked(recording);
+    known.masks.clear();
+    return summarize(known, average_s);
+  }
   const std::vector<recording::Segment> segments = recording::find_segments(recording);
   series::CompleteRows rows = series::complete_rows(recording, wanted_row_s(recording, average_s));
   const std::vector<recording::Segment> in_rows =

@@ -25,16 +25,31 @@ model::Range time_limits(const model::Model& model, double row_s) {
   return {model.time_range_s->min - row_s, needs_time ? model.time_range_s->max + row_s : HUGE_VAL};
 }
 
+std::array<model::Range, fog::kExtensionInputs> input_limits(const model::Model& model) {
+  std::array<model::Range, fog::kExtensionInputs> limits;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const bool needed = has(model::needs_of(model), fog::extension_input(i));
+    const auto& trained = model.input_ranges[i];
+    limits[i] = needed && trained ? trained->range : kEverything;
+  }
+  return limits;
+}
+
 }  // namespace
 
 TrainedRange::TrainedRange(const model::Model& model, double row_s)
     : degc_{model.min_degc, model.max_degc},
       rate_(rate_limits(model)),
-      time_(time_limits(model, row_s)) {}
+      time_(time_limits(model, row_s)),
+      inputs_(input_limits(model)) {}
 
-void TrainedRange::count(double time_s, double temperature_degc, double rate_degc_per_min) {
+void TrainedRange::count(double time_s, const fog::BlockMeans<model::RealNumbers>& inputs,
+                         double rate_degc_per_min) {
   ++rows_;
-  if (!degc_.holds(temperature_degc)) ++rows_outside_.temperature;
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    if (!inputs_[i].holds(inputs.extension[i])) ++rows_outside_.inputs[i];
+  }
+  if (!degc_.holds(inputs.temperature)) ++rows_outside_.temperature;
   if (!rate_.holds(rate_degc_per_min)) ++rows_outside_.temperature_rate;
   if (time_s < time_.min) ++rows_outside_.sooner;
   if (time_s > time_.max) ++rows_outside_.later;
@@ -42,8 +57,12 @@ void TrainedRange::count(double time_s, double temperature_degc, double rate_deg
 
 OutsideTraining TrainedRange::outside() const {
   const double rows = std::max(1.0, rows_);
-  return {rows_outside_.temperature / rows, rows_outside_.temperature_rate / rows,
-          rows_outside_.sooner / rows, rows_outside_.later / rows};
+  OutsideTraining outside{rows_outside_.temperature / rows, rows_outside_.temperature_rate / rows,
+                          rows_outside_.sooner / rows, rows_outside_.later / rows};
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    outside.inputs[i] = rows_outside_.inputs[i] / rows;
+  }
+  return outside;
 }
 
 }  // namespace fogcomp::compare

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+
+#include "core/thermal/signals.hpp"
 #include "model/model.hpp"
+#include "model/real_numbers.hpp"
 
 namespace fogcomp::compare {
 
@@ -13,6 +17,8 @@ struct OutsideTraining {
   double sooner = 0;
   /// Later than all, for models with an effect of the time since power-on.
   double later = 0;
+  /// Beyond the trained values of an extension input that the model needs.
+  std::array<double, fog::kExtensionInputs> inputs{};
 };
 
 /// Counts rows outside a model's trained ranges; ranges that the model lacks are not checked.
@@ -21,7 +27,9 @@ class TrainedRange {
   /// `row_s`: length of a row, which is also the tolerance in time.
   TrainedRange(const model::Model& model, double row_s);
 
-  void count(double time_s, double temperature_degc, double rate_degc_per_min);
+  /// `inputs`: means of the row.
+  void count(double time_s, const fog::BlockMeans<model::RealNumbers>& inputs,
+             double rate_degc_per_min);
   /// Fractions of the rows counted.
   OutsideTraining outside() const;
 
@@ -29,6 +37,7 @@ class TrainedRange {
   model::Range degc_;
   model::Range rate_;
   model::Range time_;
+  std::array<model::Range, fog::kExtensionInputs> inputs_;
   double rows_ = 0;
   OutsideTraining rows_outside_;
 };

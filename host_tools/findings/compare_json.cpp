@@ -124,6 +124,9 @@ Json outside_json(const compare::OutsideTraining& outside) {
       .set("temperature_rate", outside.temperature_rate)
       .set("sooner", outside.sooner)
       .set("later", outside.later);
+  for (std::size_t i = 0; i < outside.inputs.size(); ++i) {
+    object.set(description_of(fog::extension_input(i)).column, outside.inputs[i]);
+  }
   return object;
 }
 

@@ -128,6 +128,13 @@ std::vector<std::string> range_warnings(const compare::Comparison& comparison,
        format("come later after power-on than the trained %.0f s, and the model has an effect of "
               "that time",
               time.max));
+  for (std::size_t i = 0; i < outside.inputs.size(); ++i) {
+    const fog::InputDescription& input = description_of(fog::extension_input(i));
+    const model::Range trained =
+        model.input_ranges[i] ? model.input_ranges[i]->range : model::Range{};
+    warn(outside.inputs[i], format("have a %s beyond the trained %.5g to %.5g %s", input.title,
+                                   trained.min, trained.max, input.unit));
+  }
   return warnings;
 }
 

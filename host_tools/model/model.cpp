@@ -56,17 +56,20 @@ Model as_it_acts_on(Model model, const std::vector<std::uint64_t>& recordings) {
 
 Model after_exposure(Model model) {
   double bias_dph = 0;
-  const auto is_now_bias = [&](EffectTerm& term) {
-    if (!term.expression || !term.expression->expression.has(NodeKind::highest)) return false;
-    Expression& expression = term.expression->expression;
-    expression = expression.after_exposure_to(model.max_degc);
-    if (!expression.nodes.back().constant) return false;
-    const double value = expression.constants(term.parameters).back();
-    bias_dph += std::ldexp(value, -term.expression->scale_log2) * term.coefficients_dph[0];
-    return true;
-  };
-  std::vector<EffectTerm>& terms = model.terms;
-  terms.erase(std::remove_if(terms.begin(), terms.end(), is_now_bias), terms.end());
+  std::vector<EffectTerm> terms;
+  for (EffectTerm& term : model.terms) {
+    if (term.expression && term.expression->expression.has(NodeKind::highest)) {
+      Expression& expression = term.expression->expression;
+      expression = expression.after_exposure_to(model.max_degc);
+      if (expression.nodes.back().constant) {
+        const double value = expression.constants(term.parameters).back();
+        bias_dph += std::ldexp(value, -term.expression->scale_log2) * term.coefficients_dph[0];
+        continue;
+      }
+    }
+    terms.push_back(std::move(term));
+  }
+  model.terms = std::move(terms);
   if (bias_dph != 0) add_to_bias(model, bias_dph);
   return model;
 }

@@ -69,6 +69,30 @@ constexpr std::size_t kMinHeldChanges = 20;
 /// of that record's. Chosen: noise of the readings reaches six. sparse_input_rate_test.
 constexpr double kMaxUsualErrors = 10;
 
+// ---- Does a record of the input rate tell the flanks of a rate table? -------------------------
+/// Fewer flanks do not tell a delay from another movement. table_flanks_test.
+constexpr std::size_t kMinFlanks = 8;
+/// Median of the flanks' scatter about one delay, in standard deviations of the gyro's noise, above
+/// which they are of another movement: noise alone has 0.67; three times it may still be that.
+/// table_flanks_test.
+constexpr double kMaxFlankScatter = 2;
+/// The same as a fraction of what the delay makes, below which a delay is the better description:
+/// an error of the scale factor is late, too. table_flanks_test.
+constexpr double kMaxScatterOfDelay = 0.1;
+/// Seconds on either side of a flank by which a table has settled, twice: the outer half is taken
+/// for steady. A longer movement is no flank. Chosen. table_flanks_test.
+constexpr double kFlankReachS = 10;
+/// Seconds of steady rate within one flank (a table that approaches its rate in two moves).
+constexpr double kFlankPauseS = 1;
+/// Smallest number of rows that show a steady rate on either side. table_flanks_test.
+constexpr std::size_t kMinSteadyRows = 3;
+/// Standard deviations of the record's noise that are no change of the rate, multiples of that by
+/// which the steady rates before and after have to differ, and standard deviations of the gyro's
+/// noise by which it still disagrees. table_flanks_test.
+constexpr double kSteadySigmas = 5;
+constexpr double kMinFlankSteps = 10;
+constexpr double kFlankSigmas = 5;
+
 // ---- Recordings longer than memory should hold ------------------------------------------------
 /// Rows that are judged together: hours at 200 Hz, longer than any excursion (kMaxExcursionS).
 /// long_recording_test.

@@ -41,6 +41,17 @@ std::vector<Mask> masks_of(const std::vector<Mask>& masks, const std::string& pa
   return own;
 }
 
+std::vector<bool> covered(const std::vector<Mask>& masks, const std::vector<double>& time_s) {
+  std::vector<bool> result(time_s.size());
+  for (const Mask& mask : masks) {
+    const auto from = std::lower_bound(time_s.begin(), time_s.end(), mask.from_s);
+    const auto to = std::upper_bound(from, time_s.end(), mask.to_s);
+    std::fill(result.begin() + (from - time_s.begin()), result.begin() + (to - time_s.begin()),
+              true);
+  }
+  return result;
+}
+
 void require_masked_runs(const std::vector<Mask>& masks, const std::vector<std::string>& runs) {
   for (const Mask& mask : masks) {
     const bool known = std::any_of(runs.begin(), runs.end(),

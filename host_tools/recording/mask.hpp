@@ -11,8 +11,6 @@ struct Mask {
   std::string run{};  ///< path or name of its file; "": all files
   double from_s = 0;  ///< since power-on, both ends included
   double to_s = 0;
-
-  bool covers(double time_s) const { return time_s >= from_s && time_s <= to_s; }
 };
 
 /// Reads `FROM..TO` or `RUN:FROM..TO`, seconds. Throws InputError for anything else.
@@ -20,6 +18,9 @@ Mask parse_mask(const std::string& text);
 
 /// The masks for the file at `path`.
 std::vector<Mask> masks_of(const std::vector<Mask>& masks, const std::string& path);
+
+/// Whether a mask covers each of these times, which rise.
+std::vector<bool> covered(const std::vector<Mask>& masks, const std::vector<double>& time_s);
 
 /// Throws InputError for a mask whose file is not among `runs`.
 void require_masked_runs(const std::vector<Mask>& masks, const std::vector<std::string>& runs);

@@ -11,6 +11,7 @@
 #include "recording/refused_rows.hpp"
 #include "recording/stream_reader.hpp"
 #include "recording/stretches.hpp"
+#include "recording/table_flanks.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -43,6 +44,18 @@ void refuse_false_utf16(std::string_view head, const std::string& path) {
   if (head.substr(0, 2) != "\xFF\xFE" && head.substr(0, 2) != "\xFE\xFF") return;
   throw InputError(path,
                    "begins with a UTF-16 byte order mark, but is not UTF-16; save it as UTF-8");
+}
+
+void mask_unknown_flanks(Recording& recording, const ReadWatch& watch) {
+  const UnknownFlanks unknown = unknown_flanks(recording);
+  if (unknown.masks.empty()) return;
+  watch.say(
+      recording.file,
+      format("input_rate_dph: fits and comparisons leave out %.4g s at %zu changes, the first "
+             "at %.6g s, which the gyro sees otherwise (is it a commanded rate, or one value a "
+             "sample?); record the mean over each sample of what the table does",
+             unknown.length_s, unknown.flanks, unknown.masks.front().from_s));
+  recording.masks.insert(recording.masks.end(), unknown.masks.begin(), unknown.masks.end());
 }
 
 }  // namespace
@@ -113,6 +126,7 @@ Recording read_recording(InputFile& file, const ReadOptions& options) {
   const std::vector<Mask> given = masks_of(options.masks, path);
   recording.masks.insert(recording.masks.end(), given.begin(), given.end());
   find_stretches(recording);
+  mask_unknown_flanks(recording, options.watch);
   if (options.keep_refused_rows || recording.rows_per_row > 1) return recording;
   leave_out_refused_rows(recording, lines, options.limits.over(options.model_limits),
                          options.watch);

@@ -39,13 +39,18 @@ void divide(Means& sum, double samples) {
 }
 
 // Sums become means.
-void make_means(BlockSeries::Block& block, const std::vector<recording::Mask>& masks) {
+void make_means(BlockSeries::Block& block) {
   const double samples = block.samples;
   block.time_s /= samples;
   block.rate_dph /= samples;
   divide(block.means, samples);
-  block.masked = std::any_of(masks.begin(), masks.end(),
-                             [&](const auto& mask) { return mask.covers(block.time_s); });
+}
+
+void mark_masked(const std::vector<recording::Mask>& masks, BlockSeries& series) {
+  std::vector<double> times;
+  for (const BlockSeries::Block& block : series.blocks) times.push_back(block.time_s);
+  const std::vector<bool> masked = recording::covered(masks, times);
+  for (std::size_t i = 0; i < masked.size(); ++i) series.blocks[i].masked = masked[i];
 }
 
 // A recording whose time starts before power-on has no time since power-on.
@@ -225,9 +230,10 @@ BlockSeries make_blocks(const recording::Recording& recording) {
     add(block.means, means_of_row(recording, row));
   }
   for (BlockSeries::Block& block : series.blocks) {
-    make_means(block, recording.masks);
+    make_means(block);
     block.means.elapsed = series.first.elapsed + static_cast<double>(block.number) + 1;
   }
+  mark_masked(recording.masks, series);
   set_rates_within(recording, first_rows, series);
   require_unmasked(series);
   return series;

@@ -63,11 +63,7 @@ TEST(NextStep, IsTheFormOfWhatTheCatalogueLacks) {
   const struct {
     const char* form;
     double typical;  // of the formula on this programme
-  } kHidden[] = {{"dTdt^2", 0.3},
-                 {"abs(dTdt)", 0.35},
-                 {"T^2*dTdt", 400},
-                 {"T*dTdt^2", 10},
-                 {"highest(T)", 15}};
+  } kHidden[] = {{"dTdt^2", 0.3}, {"abs(dTdt)", 0.35}, {"T^2*dTdt", 400}, {"T*dTdt^2", 10}};
   for (const auto& [form, typical] : kHidden) {
     model::EffectTerm hidden = written_term(std::string("x = ") + form);
     hidden.coefficients_dph = {std::ldexp(1.5 * fog::test::kQuietNoise.white_dph / typical,

@@ -35,6 +35,19 @@ TEST(RunSummary, TakesMeanFromSamplesAndStdFromRows) {
   EXPECT_EQ(summary.soak_s, 7);
 }
 
+TEST(RunSummary, LeavesOutWhatIsMasked) {
+  std::vector<double> rates(1000);
+  for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = i % 2 == 0 ? 0.9 : 1.1;
+  for (std::size_t i = 500; i < 504; ++i) rates[i] = 500;  // a flank that a slow record lacks
+  recording::Recording recording = record(rates);
+  recording.masks.push_back({"", 500, 503});
+  const RunSummary summary = summarize(recording, 10);
+  EXPECT_NEAR(summary.bias.mean_dph, 1, 1e-3);
+  EXPECT_LT(summary.bias.std_dph.value_or(1), 0.02);
+  EXPECT_LT(summary.bias.sample_std_dph.value_or(1), 0.11);
+  EXPECT_EQ(summary.outliers, 0U);
+}
+
 TEST(RunSummary, OfOneRowHasAMeanAndNothingElse) {
   const RunSummary summary = summarize(record({0.5}), 10);
   EXPECT_EQ(summary.bias.mean_dph, 0.5);

@@ -51,11 +51,11 @@ TEST(Mask, IsForTheFilesThatItNames) {
 }
 
 TEST(Mask, HidesBothEnds) {
-  const Mask mask = parse_mask("1..2");
-  EXPECT_TRUE(mask.covers(1));
-  EXPECT_TRUE(mask.covers(2));
-  EXPECT_FALSE(mask.covers(0.999));
-  EXPECT_FALSE(mask.covers(2.001));
+  const std::vector<double> time_s{-1, 0.999, 1, 1.5, 2, 2.001, 7, 8, 9};
+  const std::vector<bool> expected{false, false, true, true, true, false, false, true, true};
+  EXPECT_EQ(covered({parse_mask("8..100"), parse_mask("1..2"), parse_mask("3..4")}, time_s),
+            expected);
+  EXPECT_EQ(covered({}, time_s), std::vector<bool>(time_s.size()));
 }
 
 }  // namespace
