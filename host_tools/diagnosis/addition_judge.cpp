@@ -141,6 +141,12 @@ AdditionJudge::AdditionJudge(const model::Model& model, const JudgingRuns& runs,
   go_on_from(model);
 }
 
+void AdditionJudge::give_own_biases(bool given) {
+  run_offsets_ = given;
+  refitted_.reset();
+  failure_.clear();
+}
+
 void AdditionJudge::go_on_from(const model::Model& model) {
   model_ = model;
   model_.network = {};

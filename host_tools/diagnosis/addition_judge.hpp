@@ -72,6 +72,9 @@ class AdditionJudge {
   AdditionJudge(const model::Model& model, const JudgingRuns& runs, bool run_offsets);
 
   const JudgingRuns& runs() const { return runs_; }
+  bool gives_own_biases() const { return run_offsets_; }
+  /// Whether the next trials have a bias of its own for each run.
+  void give_own_biases(bool given);
 
   /// The next trials start from this model, which has the same rows and derivative.
   void go_on_from(const model::Model& model);

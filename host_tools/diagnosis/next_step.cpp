@@ -270,6 +270,26 @@ void try_what_noise_hides(const model::Model& model, const Diagnosis& diagnosis,
   describe(diagnosis, formulas.descriptions, judge, next);
 }
 
+// A missing effect may hide that the biases of the runs differ, which no model can know; then one
+// bias for all refuses what is missing.
+bool try_with_own_biases(const Diagnosis& diagnosis, const std::vector<std::string>& named,
+                         bool may_be_little, AdditionJudge& judge, NextStep& next) {
+  const std::size_t runs = judge.runs().training.runs.size() + judge.runs().holdouts.size();
+  if (diagnosis.verdict != Verdict::missing_effect || runs < 2 || judge.gives_own_biases()) {
+    return false;
+  }
+  judge.give_own_biases(true);
+  NextStep own;
+  own.only_with_own_biases = true;
+  if (!try_named(diagnosis, named, may_be_little, judge, own)) {
+    judge.give_own_biases(false);
+    return false;
+  }
+  own.refused = std::move(next.refused);
+  next = std::move(own);
+  return true;
+}
+
 // Tries names and descriptions; false if no description holds.
 bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnosis,
                              const DiagnosisData& data, AdditionJudge& judge,
@@ -290,8 +310,9 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
   if (!is_unknown || !events.empty()) {
     const bool may_be_formula = !is_little && (is_unknown || needs_event(diagnosis));
     if (may_be_formula && try_forms(diagnosis, formulas(), judge, next)) return true;
-    if (try_named(diagnosis, named, is_one || !events.empty(), judge, next) || is_little)
-      return true;
+    const bool may_be_little = is_one || !events.empty();
+    if (try_named(diagnosis, named, may_be_little, judge, next) || is_little) return true;
+    if (try_with_own_biases(diagnosis, named, may_be_little, judge, next)) return true;
   }
   if (!is_unknown && (try_sets(sets_of_effects(diagnosis, named), judge, next) ||
                       try_sets(certain_ones(diagnosis, named), judge, next))) {

@@ -159,6 +159,17 @@ void add_what_is_left(DiagnosisWords& words, const diagnosis::Diagnosis& diagnos
   }
 }
 
+void add_notes(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
+               const diagnosis::NextStep& next) {
+  for (const std::string& note : diagnosis.notes) words.limits.push_back("note: " + note);
+  if (next.only_with_own_biases) {
+    words.limits.push_back(
+        "note: " + join_list(next.addition->request.names(), "and") +
+        " would be refused with one bias for all runs, and helps with one of its "
+        "own for each (--run-offsets): the bias changes from run to run");
+  }
+}
+
 }  // namespace
 
 std::string shape_words(const model::EffectTerm& term) {
@@ -206,7 +217,7 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
   words.limits.push_back(chance_words(diagnosis.chance));
   const std::string network = network_words(diagnosis);
   if (!network.empty()) words.limits.push_back(network);
-  for (const std::string& note : diagnosis.notes) words.limits.push_back("note: " + note);
+  add_notes(words, diagnosis, next);
   if (const diagnosis::CandidateFinding* finding =
           diagnosis.find(diagnosis::effect_to_add(diagnosis))) {
     for (const model::ShapeDoubt& doubt : model::shape_doubts(finding->term())) {

@@ -58,6 +58,23 @@ TEST(NextStep, IsNothingWhereNothingIsMissing) {
   EXPECT_TRUE(asked.next.refused.empty());
 }
 
+// Each power-on has another bias, which shows only once the warm-up is in the model.
+TEST(NextStep, IsWhatIsNamedWithABiasOfItsOwnForEachRunWhereOneForAllRefusesIt) {
+  const model::EffectTerm hidden = natural_term("warm_up", {900, 0}, {0.8});
+  std::vector<recording::Recording> recordings;
+  for (const double bias_dph : {0.0, 0.3, -0.25, 0.2}) {
+    recordings.push_back(recording_with({hidden}, recordings.size() + 1));
+    for (double& rate : recordings.back().rate_dph) rate += bias_dph;
+  }
+  const Asked asked(kBasic, recordings);
+  EXPECT_EQ(asked.found.effect, "warm_up");
+  ASSERT_TRUE(asked.next.addition);
+  EXPECT_TRUE(asked.next.only_with_own_biases);
+  EXPECT_TRUE(asked.next.addition->request.run_offsets);
+  EXPECT_EQ(asked.next.addition->request.effects, std::vector<std::string>{"warm_up"});
+  EXPECT_TRUE(asked.add_accepts());
+}
+
 // Effects outside the catalogue, of 1.5 times the noise.
 TEST(NextStep, IsTheFormOfWhatTheCatalogueLacks) {
   const struct {

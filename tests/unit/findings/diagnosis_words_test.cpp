@@ -162,6 +162,19 @@ TEST(DiagnosisWords, SayOfADescriptionThatItIsNoCause) {
             "fogcomp add x.model run.csv --effect-expr 'dTdt_squared = dTdt^2' -o NEW.model");
 }
 
+TEST(DiagnosisWords, SayThatTheBiasChangesFromRunToRun) {
+  diagnosis::NextStep next;
+  next.addition = tried({"warm_up"});
+  next.addition->request.run_offsets = true;
+  next.only_with_own_biases = true;
+  diagnosis::Diagnosis diagnosis = only_together();
+  diagnosis.verdict = diagnosis::Verdict::missing_effect;
+  const DiagnosisWords words = words_of(diagnosis, next, kFiles);
+  EXPECT_EQ(words.command, "fogcomp add x.model warm_up run.csv --run-offsets -o NEW.model");
+  EXPECT_NE(join(words.limits, "\n").find("warm_up would be refused with one bias for all runs"),
+            std::string::npos);
+}
+
 // Another programme would have another first heat: only a repetition tells.
 TEST(DiagnosisWords, AskForTheSameProgrammeAgainAfterAFirstHeat) {
   diagnosis::Diagnosis diagnosis = only_together();

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace fogcomp::recording {
+namespace fogcomp::recording::flanks {
 namespace {
 
 constexpr double kHoldS = 40;
@@ -117,4 +117,4 @@ TEST(TableFlanks, AreNoneWhereTheTableSweeps) {
 }
 
 }  // namespace
-}  // namespace fogcomp::recording
+}  // namespace fogcomp::recording::flanks
