@@ -128,6 +128,13 @@ std::vector<std::string> range_warnings(const compare::Comparison& comparison,
        format("come later after power-on than the trained %.0f s, and the model has an effect of "
               "that time",
               time.max));
+  for (const model::EffectTerm& term : model.terms) {
+    if (!term.expression || !term.expression->expression.has(model::NodeKind::highest)) continue;
+    warnings.push_back(
+        format("%s begins anew here, as if the coil had never been warm; where it has been at %.3g "
+               "degC before, judge by apply --board, which has its first heat behind it",
+               term.name.c_str(), model.max_degc));
+  }
   for (std::size_t i = 0; i < outside.inputs.size(); ++i) {
     const fog::InputDescription& input = description_of(fog::extension_input(i));
     const model::Range trained =

@@ -78,12 +78,18 @@ double chance_of_walk(const WalkRival& rival, const std::vector<Explanatory>& al
 
 namespace {
 
-// Orthonormal directions of columns outside the span of `basis`.
-Eigen::MatrixXd new_directions(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& basis) {
+// Orthonormal directions of columns outside the span of `basis`. What a model must leave of a
+// column is a part of its variation about `bias`: a supply of 5.0 to 5.1 V hardly differs from one.
+Eigen::MatrixXd new_directions(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& basis,
+                               const Eigen::MatrixXd& bias) {
+  constexpr double kRounding = 1e-6;
   const Eigen::MatrixXd left = projected_out(basis, columns);
+  const Eigen::MatrixXd variation = projected_out(bias, columns);
   std::vector<Eigen::MatrixXd> seen;
   for (Eigen::Index i = 0; i < left.cols(); ++i) {
-    if (left.col(i).norm() > rules::kMinSeen * columns.col(i).norm())
+    const double size = left.col(i).norm();
+    if (size > rules::kMinSeen * variation.col(i).norm() &&
+        size > kRounding * columns.col(i).norm())
       seen.emplace_back(left.col(i));
   }
   return orthonormal(side_by_side(seen, left.rows()));
@@ -96,7 +102,9 @@ Eigen::MatrixXd new_directions(const Eigen::MatrixXd& columns, const Eigen::Matr
 double chance_of_walk(const series::Rows& rows, const noise::NoiseModel& noise,
                       const noise::Whitening& whitening, const AddedColumns& columns) {
   const Eigen::MatrixXd before = orthonormal(columns.before);
-  const Eigen::MatrixXd effect = new_directions(columns.added, before);
+  const Eigen::MatrixXd bias =
+      orthonormal(whitening.apply(Eigen::MatrixXd::Ones(columns.measured.size(), 1)));
+  const Eigen::MatrixXd effect = new_directions(columns.added, before, bias);
   Eigen::MatrixXd modes = visible_walk_modes(rows, noise);
   for (Eigen::Index first = 0; first < modes.cols(); first += kModesAtOnce) {
     auto some = modes.middleCols(first, std::min(kModesAtOnce, modes.cols() - first));

@@ -27,6 +27,9 @@ before=$(left gyro.model) after=$(left NEW.model)
 echo "another programme: $before -> $after deg/h"
 awk -v before="$before" -v after="$after" 'BEGIN { exit !(after < before / 2) }' || fail "another programme"
 
+"$fogcomp" compare NEW.model ramp_rates.csv >compare.txt
+grep -q 'warning: T_highest begins anew here' compare.txt || fail "no word of an earlier heat: $(cat compare.txt)"
+
 "$fogcomp" export NEW.model -o fog_model.h --sample-rate 0.1 >export.txt
 cat export.txt
 grep -q '^note: T_highest is taken at .* degC, the highest trained temperature' export.txt || fail "the note"

@@ -95,6 +95,21 @@ TEST(NextStep, IsTheFormOfWhatTheCatalogueLacks) {
   }
 }
 
+// 5.0 to 5.2 V hardly differ from a bias, but what varies of them is no random walk.
+TEST(NextStep, IsASensitivityToASupplyThatHardlyVaries) {
+  recording::Recording recording = recording_with({}, 1);
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    const double phase = static_cast<double>(i) / static_cast<double>(recording.rows());
+    const double supply_v = 5.1 + 0.1 * std::sin(19 * phase) * std::cos(7 * phase * phase);
+    recording[fog::Input::supply].push_back(supply_v);
+    recording.rate_dph[i] += 0.6 * supply_v;
+  }
+  const Asked asked(kBasic, {recording});
+  ASSERT_TRUE(asked.next.addition);
+  EXPECT_EQ(asked.next.addition->request.expression, "V_itself = V");
+  EXPECT_TRUE(asked.add_accepts());
+}
+
 // Neither the catalogue nor a formula of its inputs describes this.
 TEST(NextStep, IsANetworkWhereNothingElseHoldsAndAnotherRunShowsThatItDoes) {
   model::EffectTerm hidden = written_term("x = sin(T/6)*tanh(4*dTdt)");
