@@ -113,17 +113,6 @@ std::vector<double> bridged(const Judged& judged, const recording::Recording& re
   return values;
 }
 
-// Masked rates are bridged.
-recording::Recording without_masked(recording::Recording recording) {
-  const Judged bias{recording::bias_dph(recording),
-                    recording::covered(recording.masks, recording.time_s)};
-  const std::vector<double> values = bridged(bias, recording);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    recording.rate_dph[i] += values[i] - bias.values[i];
-  }
-  return recording;
-}
-
 // As a recording, for functions that need one.
 recording::Recording without_outliers(recording::Recording rows, const Judged& judged) {
   const std::vector<double> values = bridged(judged, rows);
@@ -137,7 +126,9 @@ recording::Recording without_outliers(recording::Recording rows, const Judged& j
 
 RunSummary summarize(const recording::Recording& recording, double average_s) {
   if (!recording.masks.empty()) {
-    recording::Recording known = without_masked(recording);
+    recording::Recording known = without_outliers(
+        recording,
+        {recording::bias_dph(recording), recording::covered(recording.masks, recording.time_s)});
     known.masks.clear();
     return summarize(known, average_s);
   }

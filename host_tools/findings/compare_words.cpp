@@ -129,7 +129,7 @@ std::vector<std::string> range_warnings(const compare::Comparison& comparison,
               "that time",
               time.max));
   for (const model::EffectTerm& term : model.terms) {
-    if (!term.expression || !term.expression->expression.has(model::NodeKind::highest)) continue;
+    if (!term.has_first_heat()) continue;
     warnings.push_back(
         format("%s begins anew here, as if the coil had never been warm; where it has been at %.3g "
                "degC before, judge by apply --board, which has its first heat behind it",

@@ -21,6 +21,10 @@ const char* EffectTerm::bias_of_others() const {
   return others_part == 1 ? "after" : "mean";
 }
 
+bool EffectTerm::has_first_heat() const {
+  return expression && expression->expression.has(NodeKind::highest);
+}
+
 bool EffectTerm::acts_on(const std::vector<std::uint64_t>& recordings) const {
   return !recording ||
          std::find(recordings.begin(), recordings.end(), *recording) != recordings.end();
@@ -58,7 +62,7 @@ Model after_exposure(Model model) {
   double bias_dph = 0;
   std::vector<EffectTerm> terms;
   for (EffectTerm& term : model.terms) {
-    if (term.expression && term.expression->expression.has(NodeKind::highest)) {
+    if (term.has_first_heat()) {
       Expression& expression = term.expression->expression;
       expression = expression.after_exposure_to(model.max_degc);
       if (expression.nodes.back().constant) {

@@ -40,6 +40,8 @@ struct EffectTerm {
 
   /// The same as a word: "before", "after" or "mean".
   const char* bias_of_others() const;
+  /// Whether it is an expression with highest(T).
+  bool has_first_heat() const;
   /// `recordings`: hashes of the rows of a run's files.
   bool acts_on(const std::vector<std::uint64_t>& recordings) const;
 };

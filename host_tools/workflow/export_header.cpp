@@ -42,7 +42,7 @@ std::vector<std::string> left_out(const model::Model& model,
     notes.back() += "; the board has the " + bias_at(term);
   }
   for (const model::EffectTerm& term : model.terms) {
-    if (!term.expression || !term.expression->expression.has(model::NodeKind::highest)) continue;
+    if (!term.has_first_heat()) continue;
     notes.push_back(
         format("%s is taken at %.4g degC, the highest trained temperature: the board "
                "expects a gyro that has been there",
