@@ -72,13 +72,16 @@ constexpr double kMaxUsualErrors = 10;
 // ---- Does a record of the input rate tell the flanks of a rate table? -------------------------
 /// Fewer flanks do not tell a delay from another movement. table_flanks_test.
 constexpr std::size_t kMinFlanks = 8;
-/// Median of the flanks' scatter about one delay, in standard deviations of the gyro's noise, above
-/// which they are of another movement: noise alone has 0.67; three times it may still be that.
+/// Median of the flanks' angles, and of their scatter about one delay, in standard deviations of
+/// the gyro's noise, above which there is a delay, or another movement: noise alone has 0.67; three
+/// times it may still be that.
 /// table_flanks_test.
 constexpr double kMaxFlankScatter = 2;
 /// The same as a fraction of what the delay makes, below which a delay is the better description:
 /// an error of the scale factor is late, too. table_flanks_test.
 constexpr double kMaxScatterOfDelay = 0.1;
+/// Part of a recording that flanks of one delay may be to be left out. Chosen. table_flanks_test.
+constexpr double kMaxPartOfFlanks = 0.5;
 /// Seconds on either side of a flank by which a table has settled, twice: the outer half is taken
 /// for steady. A longer movement is no flank. Chosen. table_flanks_test.
 constexpr double kFlankReachS = 10;

@@ -52,6 +52,12 @@ std::vector<bool> covered(const std::vector<Mask>& masks, const std::vector<doub
   return result;
 }
 
+double length_s(const std::vector<Mask>& masks) {
+  double sum_s = 0;
+  for (const Mask& mask : masks) sum_s += mask.to_s - mask.from_s;
+  return sum_s;
+}
+
 void require_masked_runs(const std::vector<Mask>& masks, const std::vector<std::string>& runs) {
   for (const Mask& mask : masks) {
     const bool known = std::any_of(runs.begin(), runs.end(),

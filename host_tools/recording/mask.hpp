@@ -22,6 +22,9 @@ std::vector<Mask> masks_of(const std::vector<Mask>& masks, const std::string& pa
 /// Whether a mask covers each of these times, which rise.
 std::vector<bool> covered(const std::vector<Mask>& masks, const std::vector<double>& time_s);
 
+/// Sum of their lengths.
+double length_s(const std::vector<Mask>& masks);
+
 /// Throws InputError for a mask whose file is not among `runs`.
 void require_masked_runs(const std::vector<Mask>& masks, const std::vector<std::string>& runs);
 

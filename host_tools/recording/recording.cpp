@@ -12,6 +12,7 @@
 #include "recording/stream_reader.hpp"
 #include "recording/stretches.hpp"
 #include "recording/table_flanks.hpp"
+#include "recording/unknown_input_rate.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -48,14 +49,20 @@ void refuse_false_utf16(std::string_view head, const std::string& path) {
 
 void mask_unknown_flanks(Recording& recording, const ReadWatch& watch) {
   const UnknownFlanks unknown = unknown_flanks(recording);
-  if (unknown.masks.empty()) return;
-  watch.say(
-      recording.file,
-      format("input_rate_dph: fits and comparisons leave out %.4g s at %zu changes, the first "
-             "at %.6g s, which the gyro sees otherwise (is it a commanded rate, or one value a "
-             "sample?); record the mean over each sample of what the table does",
-             unknown.length_s, unknown.flanks, unknown.masks.front().from_s));
-  recording.masks.insert(recording.masks.end(), unknown.masks.begin(), unknown.masks.end());
+  const std::string changes = "at " + counted(unknown.masks.size(), "change");
+  if (unknown.delay_s) {
+    const double delay_s = *unknown.delay_s;
+    mask_unknown_input_rate(recording, unknown.masks,
+                            changes + format(", which it shows %.4g ms ", 1e3 * std::abs(delay_s)) +
+                                (delay_s > 0 ? "later" : "earlier") + " than the gyro",
+                            "correct its clock", watch);
+  } else {
+    mask_unknown_input_rate(recording, unknown.masks,
+                            changes +
+                                ", which the gyro sees otherwise (is it a commanded rate, or one "
+                                "value a sample?)",
+                            "record the mean over each sample of what the table does", watch);
+  }
 }
 
 }  // namespace

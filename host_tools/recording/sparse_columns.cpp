@@ -9,6 +9,7 @@
 #include "recording/decision_rules.hpp"
 #include "recording/row_removal.hpp"
 #include "recording/sparse_input_rate.hpp"
+#include "recording/unknown_input_rate.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -93,18 +94,6 @@ void say_how_sparse(const Recording& recording, const ColumnInfo& info, std::siz
                    is_smooth ? "smooth curve" : "straight line"));
 }
 
-void mask_unknown(Recording& recording, const std::vector<Mask>& unknown, const ReadWatch& watch) {
-  if (unknown.empty()) return;
-  double length_s = 0;
-  for (const Mask& mask : unknown) length_s += mask.to_s - mask.from_s;
-  watch.say(
-      recording.file,
-      format("input_rate_dph: fits and comparisons leave out %.4g s in which it changed between "
-             "readings, the first at %.6g s; record it with every sample",
-             length_s, unknown.front().from_s));
-  recording.masks.insert(recording.masks.end(), unknown.begin(), unknown.end());
-}
-
 std::vector<std::size_t> incomplete_rows(const Recording& recording) {
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < recording.rows(); ++row) {
@@ -146,7 +135,8 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
     const bool complete_now = readings_in(column) == column.size();
     if (readings > 0 && (complete_now || is_needed(info.column))) {
       say_how_sparse(recording, info, readings, watch);
-      mask_unknown(recording, unknown, watch);
+      mask_unknown_input_rate(recording, unknown, "in which it changed between readings",
+                              "record it with every sample", watch);
     } else {
       watch.say(recording.file,
                 std::string(info.name) + format(" has a value in %zu of %zu samples: "

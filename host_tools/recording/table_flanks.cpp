@@ -64,44 +64,52 @@ class Flanks {
     return all;
   }
 
+  // The first and last rows of movements that are longer than a flank: with jumps of their own.
+  const std::vector<std::size_t>& movement_ends() const { return movement_ends_; }
+
  private:
   std::size_t rows_in(double length_s) const {
     return static_cast<std::size_t>(std::ceil(length_s / recording_.period_s));
   }
 
   void find(const RowRange& stretch) {
-    const std::size_t begin = flanks_.size();
-    const std::size_t pause = std::max<std::size_t>(2, rows_in(rules::kFlankPauseS));
-    std::size_t last = 0;
-    for (std::size_t row = stretch.first + 1; row < stretch.end; ++row) {
-      if (std::abs(rate_[row] - rate_[row - 1]) <= steady_dph_) continue;
-      if (last == 0 || row - last > pause) flanks_.push_back({{row, row + 1}, {}, 0});
-      flanks_.back().rows.end = row + 1;
-      last = row;
-    }
+    const std::vector<RowRange> changes = changes_in(stretch);
     const std::size_t reach = rows_in(rules::kFlankReachS);
-    for (std::size_t i = begin; i < flanks_.size(); ++i) {
-      Flank& flank = flanks_[i];
-      const auto [first, end] = std::pair(flank.rows.first, flank.rows.end);
-      const std::size_t from = i > begin ? (flanks_[i - 1].rows.end + first) / 2 : stretch.first;
+    for (std::size_t i = 0; i < changes.size(); ++i) {
+      const auto [first, end] = std::pair(changes[i].first, changes[i].end);
+      if (changes[i].size() > reach) {
+        movement_ends_.push_back(first);
+        movement_ends_.push_back(end - 1);
+        continue;
+      }
+      const std::size_t from = i > 0 ? (changes[i - 1].end + first) / 2 : stretch.first;
       const std::size_t to =
-          i + 1 < flanks_.size() ? (end + flanks_[i + 1].rows.first) / 2 : stretch.end;
-      flank.around = {std::max(from, first > reach ? first - reach : 0), std::min(to, end + reach)};
-      flank.step_dph = rate_[end - 1] - rate_[first - 1];
+          i + 1 < changes.size() ? (end + changes[i + 1].first) / 2 : stretch.end;
+      const Flank flank{
+          changes[i],
+          {std::max(from, first > reach ? first - reach : 0), std::min(to, end + reach)},
+          rate_[end - 1] - rate_[first - 1]};
+      if (is_between_steady_rates(flank)) flanks_.push_back(flank);
     }
-    flanks_.erase(
-        std::remove_if(flanks_.begin() + static_cast<std::ptrdiff_t>(begin), flanks_.end(),
-                       [&](const Flank& flank) { return is_no_flank(flank); }),
-        flanks_.end());
   }
 
-  // A movement for itself, or one between rates that are not held.
-  bool is_no_flank(const Flank& flank) const {
+  // Rows that differ from the one before, with short pauses.
+  std::vector<RowRange> changes_in(const RowRange& stretch) const {
+    const std::size_t pause = std::max<std::size_t>(2, rows_in(rules::kFlankPauseS));
+    std::vector<RowRange> changes;
+    for (std::size_t row = stretch.first + 1; row < stretch.end; ++row) {
+      if (std::abs(rate_[row] - rate_[row - 1]) <= steady_dph_) continue;
+      if (changes.empty() || row - (changes.back().end - 1) > pause) changes.push_back({row, row});
+      changes.back().end = row + 1;
+    }
+    return changes;
+  }
+
+  bool is_between_steady_rates(const Flank& flank) const {
     const std::size_t before = flank.rows.first - flank.around.first;
     const std::size_t after = flank.around.end - flank.rows.end;
-    return flank.rows.size() > rows_in(rules::kFlankReachS) ||
-           std::min(before, after) < 2 * rules::kMinSteadyRows ||
-           std::abs(flank.step_dph) < rules::kMinFlankSteps * steady_dph_;
+    return std::min(before, after) >= 2 * rules::kMinSteadyRows &&
+           std::abs(flank.step_dph) >= rules::kMinFlankSteps * steady_dph_;
   }
 
   // The outer half on either side is taken for steady.
@@ -141,6 +149,7 @@ class Flanks {
   double noise_dph_ = 0;
   double steady_dph_ = 0;
   std::vector<Flank> flanks_;
+  std::vector<std::size_t> movement_ends_;
 };
 
 // By which the record is late, s: the median, each flank as important as its step is large.
@@ -160,18 +169,65 @@ double delay_s(const std::vector<Deviation>& deviations) {
   return 0;
 }
 
-bool are_of_one_delay(const std::vector<Deviation>& deviations) {
-  const double delay = delay_s(deviations);
-  std::vector<double> of_delay;
-  std::vector<double> scatter;
-  std::vector<double> in_sigmas;
-  for (const Deviation& one : deviations) {
-    of_delay.push_back(std::abs(delay * one.step_dph));
-    scatter.push_back(std::abs(one.angle - delay * one.step_dph));
-    in_sigmas.push_back(scatter.back() / one.sigma);
+// What a delay makes of the angles, and what it leaves of them: medians.
+class OneDelay {
+ public:
+  OneDelay(const std::vector<Deviation>& deviations, double delay_s) {
+    std::vector<double> made;
+    std::vector<double> left;
+    std::vector<double> made_sigmas;
+    std::vector<double> left_sigmas;
+    for (const Deviation& one : deviations) {
+      made.push_back(std::abs(delay_s * one.step_dph));
+      left.push_back(std::abs(one.angle - delay_s * one.step_dph));
+      made_sigmas.push_back(made.back() / one.sigma);
+      left_sigmas.push_back(left.back() / one.sigma);
+    }
+    shows_ = median(std::move(made_sigmas)) > rules::kMaxFlankScatter;
+    explains_ = median(std::move(left_sigmas)) <= rules::kMaxFlankScatter ||
+                median(std::move(left)) <= rules::kMaxScatterOfDelay * median(std::move(made));
   }
-  return median(std::move(in_sigmas)) <= rules::kMaxFlankScatter ||
-         median(std::move(scatter)) <= rules::kMaxScatterOfDelay * median(std::move(of_delay));
+
+  bool shows() const { return shows_; }  // beside the noise
+  bool explains() const { return explains_; }
+
+ private:
+  bool shows_ = false;
+  bool explains_ = false;
+};
+
+// Those of which no part is masked.
+std::vector<Deviation> without(const std::vector<Mask>& masks, const std::vector<double>& time_s,
+                               std::vector<Deviation> deviations) {
+  const std::vector<bool> masked = covered(masks, time_s);
+  const auto is_masked = [&](const Deviation& one) {
+    return masked[one.rows.first] || masked[one.rows.end - 1];
+  };
+  deviations.erase(std::remove_if(deviations.begin(), deviations.end(), is_masked),
+                   deviations.end());
+  return deviations;
+}
+
+// Around each flank, and as long around each end of a movement.
+std::vector<Mask> masks_around(const std::vector<Deviation>& deviations,
+                               const std::vector<std::size_t>& movement_ends,
+                               const Recording& recording) {
+  const double margin_s = std::max(kBlockS, recording.period_s) / 2 + recording.period_s;
+  std::vector<Mask> masks;
+  std::vector<double> lengths_s;
+  for (const Deviation& one : deviations) {
+    masks.push_back({"", recording.time_s[one.rows.first] - margin_s,
+                     recording.time_s[one.rows.end - 1] + margin_s});
+    lengths_s.push_back(masks.back().to_s - masks.back().from_s);
+  }
+  const double usual_s = median(std::move(lengths_s));
+  for (const std::size_t row : movement_ends) {
+    const double time_s = recording.time_s[row];
+    masks.push_back({"", time_s - usual_s, time_s + usual_s});
+  }
+  std::sort(masks.begin(), masks.end(),
+            [](const Mask& a, const Mask& b) { return a.from_s < b.from_s; });
+  return masks;
 }
 
 }  // namespace
@@ -179,21 +235,18 @@ bool are_of_one_delay(const std::vector<Deviation>& deviations) {
 UnknownFlanks unknown_flanks(const Recording& recording) {
   UnknownFlanks unknown;
   if (recording.input_rate_dph.empty() || !(recording.period_s > 0)) return unknown;
-  const std::vector<Deviation> all = Flanks(recording).deviations();
-  const std::vector<bool> masked = covered(recording.masks, recording.time_s);
-  std::vector<Deviation> deviations;
-  for (const Deviation& one : all) {
-    if (!masked[one.rows.first] && !masked[one.rows.end - 1]) deviations.push_back(one);
-  }
-  if (deviations.size() < rules::kMinFlanks || are_of_one_delay(deviations)) return unknown;
-  unknown.flanks = deviations.size();
-  const double margin_s = std::max(kBlockS, recording.period_s) / 2 + recording.period_s;
-  for (const Deviation& one : deviations) {
-    const double from_s = recording.time_s[one.rows.first] - margin_s;
-    const double to_s = recording.time_s[one.rows.end - 1] + margin_s;
-    unknown.masks.push_back({"", from_s, to_s});
-    unknown.length_s += to_s - from_s;
-  }
+  const Flanks flanks(recording);
+  const std::vector<Deviation> deviations =
+      without(recording.masks, recording.time_s, flanks.deviations());
+  if (deviations.size() < rules::kMinFlanks) return unknown;
+  const double late_s = delay_s(deviations);
+  const OneDelay delay(deviations, late_s);
+  if (delay.explains() && !delay.shows()) return unknown;
+  unknown.masks = masks_around(deviations, flanks.movement_ends(), recording);
+  if (!delay.explains()) return unknown;
+  unknown.delay_s = late_s;
+  const double rows_s = recording.period_s * static_cast<double>(recording.rows());
+  if (length_s(unknown.masks) > rules::kMaxPartOfFlanks * rows_s) unknown.masks.clear();
   return unknown;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "recording/mask.hpp"
@@ -11,18 +11,19 @@ namespace fogcomp::recording {
 /// Changes of the input rate from one steady rate to another that the record does not tell as the
 /// gyro saw them.
 struct UnknownFlanks {
-  std::size_t flanks = 0;
-  double length_s = 0;
-  std::vector<Mask> masks;  ///< in order of time, whole blocks of a second
+  std::vector<Mask> masks;        ///< in order of time, whole blocks of a second
+  std::optional<double> delay_s;  ///< by which the record is late, negative: early, if that is all
 };
 
 /// How the gyro differs from the record over each flank, as an angle: a record that is late by a
 /// constant time differs by that time times the change of the rate, whatever its course. Where the
-/// angles scatter about that by more than the gyro's noise, the flanks are those of another
-/// movement: a commanded rate without the table's acceleration, readings that are points in time.
-/// Then all of them are unknown, each until gyro and record agree again as they do at a steady
-/// rate. None if there are fewer than rules::kMinFlanks, or the input rate never stands still.
-/// Needs stretches (find_stretches()); times in `recording.masks` do not count.
+/// angles exceed the gyro's noise, the flanks are unknown, each until gyro and record agree again
+/// as they do at a steady rate. Where they scatter about a delay's, too, the flanks are those of
+/// another movement: a commanded rate without the table's acceleration, readings that are points in
+/// time. The ends of longer movements are left out with them. Flanks of one delay stay if they are
+/// most of the recording: late_reference describes them to first order. None if there are fewer
+/// than rules::kMinFlanks, or the input rate never stands still. Needs stretches
+/// (find_stretches()); times in `recording.masks` do not count.
 UnknownFlanks unknown_flanks(const Recording& recording);
 
 }  // namespace fogcomp::recording

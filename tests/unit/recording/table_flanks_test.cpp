@@ -74,17 +74,9 @@ Recording recording_of(const Rates& moved, const Rates& record, double noise_dph
   return recording;
 }
 
-TEST(TableFlanks, AreKnownFromARecordOfTheMovementHoweverLate) {
-  for (const double delay_s : {0.0, 0.02, 0.12, 0.5}) {
-    const Recording recording = recording_of(movement(), late_by(delay_s, movement()));
-    EXPECT_EQ(unknown_flanks(recording).flanks, 0U) << delay_s;
-  }
-}
-
-TEST(TableFlanks, AreUnknownFromACommandedRate) {
-  const Recording recording = recording_of(movement(), asked());
-  const UnknownFlanks unknown = unknown_flanks(recording);
-  EXPECT_EQ(unknown.flanks, static_cast<std::size_t>(kHolds - 1));
+// More than the noise is left nowhere, and no more than the flanks is masked.
+void expect_only_flanks_masked(const Recording& recording, const UnknownFlanks& unknown) {
+  EXPECT_EQ(unknown.masks.size(), static_cast<std::size_t>(kHolds - 1));
   const std::vector<bool> masked = covered(unknown.masks, recording.time_s);
   double left_dph = 0;
   for (std::size_t i = 0; i < masked.size(); ++i) {
@@ -92,19 +84,59 @@ TEST(TableFlanks, AreUnknownFromACommandedRate) {
     const double off = recording.rate_dph[i] - 1.001 * recording.input_rate_dph[i];
     left_dph = std::max(left_dph, std::abs(off));
   }
-  EXPECT_LT(left_dph, 6 * 5);                           // the noise alone
-  EXPECT_LT(unknown.length_s, 0.15 * kHolds * kHoldS);  // and no more than the flanks
+  EXPECT_LT(left_dph, 6 * 5);
+  EXPECT_LT(length_s(unknown.masks), 0.15 * kHolds * kHoldS);
+}
+
+TEST(TableFlanks, AreKnownFromARecordOfTheMovement) {
+  const UnknownFlanks unknown = unknown_flanks(recording_of(movement(), movement()));
+  EXPECT_TRUE(unknown.masks.empty());
+  EXPECT_FALSE(unknown.delay_s);
+}
+
+TEST(TableFlanks, TellByWhatTheRecordIsLate) {
+  for (const double delay_s : {0.02, 0.12, 0.5}) {
+    const Recording recording = recording_of(movement(), late_by(delay_s, movement()));
+    const UnknownFlanks unknown = unknown_flanks(recording);
+    ASSERT_TRUE(unknown.delay_s) << delay_s;
+    EXPECT_NEAR(*unknown.delay_s, 1.001 * delay_s, 1e-4);  // the gyro has 1000 ppm
+    expect_only_flanks_masked(recording, unknown);
+  }
+}
+
+TEST(TableFlanks, TellByWhatTheGyroIsLate) {
+  const UnknownFlanks unknown = unknown_flanks(recording_of(late_by(0.1, movement()), movement()));
+  ASSERT_TRUE(unknown.delay_s);
+  EXPECT_NEAR(*unknown.delay_s, -0.1, 1e-4);
+}
+
+TEST(TableFlanks, StayIfALateRecordIsMostlyFlanks) {
+  Rates moved(movement().size());
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    moved[i] = 1000 * std::sin(2.4 * static_cast<double>(i / 300) + 1);  // 1.7 s of 3 are masked
+  }
+  const UnknownFlanks unknown = unknown_flanks(recording_of(moved, late_by(0.5, moved)));
+  ASSERT_TRUE(unknown.delay_s);
+  EXPECT_NEAR(*unknown.delay_s, 0.5, 1e-2);
+  EXPECT_TRUE(unknown.masks.empty());
+}
+
+TEST(TableFlanks, AreUnknownFromACommandedRate) {
+  const Recording recording = recording_of(movement(), asked());
+  const UnknownFlanks unknown = unknown_flanks(recording);
+  EXPECT_FALSE(unknown.delay_s);
+  expect_only_flanks_masked(recording, unknown);
 }
 
 TEST(TableFlanks, AreUnknownFromValuesInSomeRhythm) {
   const Rates moved = movement();
   Rates held = moved;
   for (std::size_t i = 0; i < held.size(); ++i) held[i] = moved[i / 137 * 137];
-  EXPECT_GT(unknown_flanks(recording_of(moved, held)).flanks, 30U);
+  EXPECT_GT(unknown_flanks(recording_of(moved, held)).masks.size(), 30U);
 }
 
 TEST(TableFlanks, DoNotMatterBelowTheNoise) {
-  EXPECT_EQ(unknown_flanks(recording_of(movement(), asked(), 2e6)).flanks, 0U);
+  EXPECT_TRUE(unknown_flanks(recording_of(movement(), asked(), 2e6)).masks.empty());
 }
 
 // A sweep never stands still.
@@ -113,7 +145,7 @@ TEST(TableFlanks, AreNoneWhereTheTableSweeps) {
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     sweep[i] = 360'000 * std::sin(0.2 * kFineS * static_cast<double>(i));
   }
-  EXPECT_EQ(unknown_flanks(recording_of(sweep, late_by(0.2, sweep))).flanks, 0U);
+  EXPECT_TRUE(unknown_flanks(recording_of(sweep, late_by(0.2, sweep))).masks.empty());
 }
 
 }  // namespace
