@@ -130,7 +130,9 @@ RunSummary summarize(const recording::Recording& recording, double average_s) {
         recording,
         {recording::bias_dph(recording), recording::covered(recording.masks, recording.time_s)});
     known.masks.clear();
-    return summarize(known, average_s);
+    RunSummary summary = summarize(known, average_s);
+    summary.noise_floor_dph = noise::noise_floor_dph(recording, summary.average_s);
+    return summary;
   }
   const std::vector<recording::Segment> segments = recording::find_segments(recording);
   series::CompleteRows rows = series::complete_rows(recording, wanted_row_s(recording, average_s));

@@ -110,8 +110,7 @@ void project_out_columns(const Eigen::MatrixXd& columns,
 }  // namespace
 
 std::optional<double> noise_floor_dph(const recording::Recording& recording, double average_s) {
-  const std::vector<recording::RowRange> stretches =
-      recording::stretches_of(recording, {0, recording.rows()});
+  const std::vector<recording::RowRange> stretches = recording::unmasked_stretches(recording);
   const std::size_t wanted = series::samples_per_row(recording, average_s);
   std::size_t samples = wanted;
   while (samples > 1 && count_differences(stretches, samples) < rules::kMinFloorDifferences)

@@ -21,8 +21,9 @@ namespace fogcomp::noise {
 /// part that changes from mean to mean. Its slower part, like a random walk, looks like drift and
 /// is left to the models.
 ///
-/// With fewer than 30 means, shorter ones are used, assuming white noise in between. Nothing for
-/// fewer than 3 rows without a gap.
+/// Masked times are left out, and the means in which they would be. With fewer than 30 means,
+/// shorter ones are used, assuming white noise in between. Nothing for fewer than 3 rows without a
+/// gap.
 std::optional<double> noise_floor_dph(const recording::Recording& recording, double average_s);
 
 }  // namespace fogcomp::noise

@@ -153,4 +153,18 @@ std::vector<Segment> segments_on(std::vector<Segment> segments, const std::vecto
   return segments;
 }
 
+std::vector<RowRange> unmasked_stretches(const Recording& recording) {
+  const std::vector<bool> masked = covered(recording.masks, recording.time_s);
+  std::vector<RowRange> unmasked;
+  for (const RowRange& stretch : stretches_of(recording, {0, recording.rows()})) {
+    for (std::size_t row = stretch.first; row < stretch.end; ++row) {
+      if (masked[row]) continue;
+      const bool begins = row == stretch.first || masked[row - 1];
+      if (begins) unmasked.push_back({row, row});
+      unmasked.back().end = row + 1;
+    }
+  }
+  return unmasked;
+}
+
 }  // namespace fogcomp::recording

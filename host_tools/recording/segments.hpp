@@ -34,4 +34,7 @@ std::vector<Segment> segments_on(std::vector<Segment> segments, const std::vecto
 /// The stretches without a gap within `rows`.
 std::vector<RowRange> stretches_of(const Recording& recording, RowRange rows);
 
+/// The stretches without a gap and without a masked time, of the whole recording.
+std::vector<RowRange> unmasked_stretches(const Recording& recording);
+
 }  // namespace fogcomp::recording

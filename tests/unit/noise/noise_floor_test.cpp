@@ -132,6 +132,17 @@ TEST(NoiseFloor, IsZeroForAConstantRate) {
   EXPECT_EQ(noise_floor_dph(recording, kAverageS), 0.0);
 }
 
+// In every 27 s there are 2.5 s that are unknown.
+TEST(NoiseFloor, LeavesMaskedTimesOut) {
+  recording::Recording recording = record_white(5);
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    const double within_s = std::fmod(recording.time_s[i], 27);
+    if (within_s < 2) recording.rate_dph[i] += 100;
+  }
+  for (double t = 0; t < 5 * 3600; t += 27) recording.masks.push_back({"", t - 0.25, t + 2.25});
+  expect_floor(recording);
+}
+
 // Sweeps of 100 deg/s every 45 s with errors of the scale factor of every kind, each alone ten
 // times the noise of a row and more.
 TEST(NoiseFloor, KnowsNothingOfTheScaleFactor) {

@@ -178,6 +178,20 @@ TEST(Segments, FollowTheSegmentColumn) {
   expect_to_cover_all_rows(recording);
 }
 
+TEST(Segments, StretchesEndAtGapsAndMasks) {
+  Recording recording;
+  for (int i = 0; i < 20; ++i) recording.time_s.push_back(i);
+  recording.stretch_starts = {0, 10};
+  recording.masks = {{"", -1, 1}, {"", 5, 6.5}, {"", 9.5, 12}};
+  const std::vector<RowRange> stretches = unmasked_stretches(recording);
+  ASSERT_EQ(stretches.size(), 3U);
+  const std::size_t expected[][2] = {{2, 5}, {7, 10}, {13, 20}};
+  for (std::size_t i = 0; i < stretches.size(); ++i) {
+    EXPECT_EQ(stretches[i].first, expected[i][0]);
+    EXPECT_EQ(stretches[i].end, expected[i][1]);
+  }
+}
+
 TEST(Segments, SplitARealMemsChamberCycleAtItsTurningPoints) {
   const std::string path = FOG_SOURCE_DIR "/../shared/data/mems_chamber_x.csv";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "skipped: no recording";
