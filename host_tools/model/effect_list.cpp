@@ -71,6 +71,11 @@ void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size
 
 void set_parameter(EffectTerm& term, const CatalogueEntry& entry, const std::string& setting) {
   const std::string where = "effect '" + term.name + "'";
+  const std::size_t colon = setting.find(':');
+  if (colon != std::string::npos) {
+    throw InputError(where, "needs a comma between its parameters: " + term.name + ":" +
+                                setting.substr(0, colon) + "," + setting.substr(colon + 1));
+  }
   const std::size_t equals = setting.find('=');
   const std::string name = trimmed(setting.substr(0, equals));
   const std::string given = equals == std::string::npos ? "" : trimmed(setting.substr(equals + 1));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "model/catalogue.hpp"
+#include "support/input_error.hpp"
 
 namespace fogcomp::model {
 namespace {
@@ -18,6 +19,17 @@ TEST(EffectList, BlanksMeanNothing) {
     EXPECT_EQ(blanks[i].identified, plain[i].identified);
   }
   EXPECT_EQ(blanks[2].bounds[0].max, 900);
+}
+
+TEST(EffectList, SaysThatAColonIsToBeAComma) {
+  try {
+    parse_effects("bias,scale_factor_temperature:order=2:lag=?");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "effect 'scale_factor_temperature': needs a comma between its parameters: "
+                 "scale_factor_temperature:order=2,lag=?");
+  }
 }
 
 TEST(EffectList, RefinementsFreeWhatAFormulaLeavesOutOrKeeps) {
