@@ -5,6 +5,8 @@
 #include <iterator>
 
 #include "diagnosis/decision_rules.hpp"
+#include "diagnosis/refinement.hpp"
+#include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
@@ -53,6 +55,33 @@ bool try_named(const Diagnosis& diagnosis, const std::vector<std::string>& named
   if (!try_out(std::move(request), judge, next)) return false;
   if (named.size() > 1) next.together = named;
   return true;
+}
+
+// The next orders of an effect as `add` takes it: {"scale_factor_temperature:order=2", ...}.
+std::vector<std::string> higher_orders(const std::string& effect) {
+  const model::EffectTerm term = model::parse_effects(effect).front();
+  std::vector<std::string> orders;
+  const auto& parameters = model::find_effect(term.name).parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    if (parameters[i].scale != fog::Scale::whole) continue;
+    for (int order = static_cast<int>(term.parameters[i]) + 1;
+         order <= parameters[i].max_milli / 1000; ++order) {
+      orders.push_back(term.name + format(":%s=%d", parameters[i].name, order));
+    }
+  }
+  return orders;
+}
+
+// The effect that is named was refused: what a higher order leaves may have refused the first.
+bool try_higher_orders(const Diagnosis& diagnosis, const std::vector<std::string>& named,
+                       AdditionJudge& judge, NextStep& next) {
+  if (named.size() != 1 || diagnosis.verdict != Verdict::missing_effect) return false;
+  const AdditionRequest first = *request_of(diagnosis, named);
+  if (first.effects.size() != 1) return false;
+  for (const std::string& effect : higher_orders(first.effects.front())) {
+    if (keep(judge.of_description({{effect}, ""}), next)) return true;
+  }
+  return false;
 }
 
 // The catalogue explains the residual, but not by what is named: tries the first few sets in its
@@ -192,41 +221,20 @@ std::vector<Description> possible_descriptions(const Diagnosis& diagnosis,
   return all;
 }
 
-AdditionRequest refinement(const model::EffectTerm& term, const std::string& settings) {
-  AdditionRequest request{{term.name + ":" + settings}, ""};
-  request.may_be_little = true;
-  request.refines = true;
-  return request;
-}
-
-// Frees what the formula of a term leaves out or keeps: all together or, if that is refused, the
-// one that leaves least out of sample.
-std::optional<TriedAddition> refined(const model::EffectTerm& term, AdditionJudge& judge) {
-  std::optional<TriedAddition> best;
-  const auto try_one = [&](const std::string& settings) {
-    AdditionRequest request = refinement(term, settings);
-    if (!judge.may_help(request)) return false;
-    TriedAddition tried = judge(std::move(request));
-    if (tried.accepted && (!best || tried.left() < best->left())) best = std::move(tried);
-    return true;
-  };
-  const std::vector<std::string> settings = model::possible_refinements(term);
-  if (settings.empty() || !try_one(join(settings, ",")) || best || settings.size() == 1) {
-    return best;
-  }
-  for (const std::string& one : settings) try_one(one);
-  return best;
-}
-
-// The refinement that leaves least out of sample: what is left may be what the formulas of the
-// model's own effects leave out.
+// What is left may be what the formulas of the model's own effects leave out. A refinement replaces
+// a formula that does not leave clearly less: it has a cause.
 void refine(const model::Model& model, AdditionJudge& judge, NextStep& next) {
-  for (const model::EffectTerm& term : model.terms) {
-    std::optional<TriedAddition> tried = refined(term, judge);
-    if (!tried || (next.addition && next.addition->left() <= tried->left())) continue;
-    next.addition = std::move(tried);
-    next.describes = true;
+  std::optional<TriedAddition> best = best_refinement(model, judge);
+  if (!best || (next.addition && next.addition->left() < rules::kClearlyLess * best->left())) {
+    return;
   }
+  next.addition = std::move(best);
+  next.describes = true;
+}
+
+// Whether nothing is to be added, or a formula that says nothing of the cause.
+bool may_be_refined(const NextStep& next) {
+  return !next.addition || (next.describes && !next.addition->request.expression.empty());
 }
 
 // Whether the first refusal, of what the diagnosis names, contradicts the name: it raises the error
@@ -312,6 +320,7 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
     if (may_be_formula && try_forms(diagnosis, formulas(), judge, next)) return true;
     const bool may_be_little = is_one || !events.empty();
     if (try_named(diagnosis, named, may_be_little, judge, next) || is_little) return true;
+    if (try_higher_orders(diagnosis, named, judge, next)) return true;
     if (try_with_own_biases(diagnosis, named, may_be_little, judge, next)) return true;
   }
   if (!is_unknown && (try_sets(sets_of_effects(diagnosis, named), judge, next) ||
@@ -349,7 +358,7 @@ NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
   if (!next.addition && noise_may_hide(diagnosis)) {
     try_what_noise_hides(model, diagnosis, data, judge, settings, next);
   }
-  if (!next.addition) refine(model, judge, next);
+  if (may_be_refined(next)) refine(model, judge, next);
   if (!next.addition && nothing_describes && may_learn(model, diagnosis, judge.runs())) {
     next.describes = true;
     try_out({{fit::kNetworkName}, ""}, judge, next);
