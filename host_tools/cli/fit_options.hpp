@@ -33,7 +33,7 @@ struct FitOptions : OptionGroup {
                   join(workflow::preset_names(), ", ")},
              workflow::preset_names()};
   Number average{this, {"average", "S", "rows of the fit, seconds", "10"}, {1e-3, 1e6}};
-  Flag run_offsets{this, "run-offsets", "a bias for each recording; the model keeps the first",
+  Flag run_offsets{this, "run-offsets", "a bias for each power-on; the model keeps the first",
                    kRare};
   TrainingOptions training{this};
   Text inputs{

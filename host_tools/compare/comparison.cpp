@@ -171,6 +171,24 @@ std::vector<double> Comparison::measured_dph() const {
   return {rows.drift_dph.begin(), rows.drift_dph.end()};
 }
 
+std::vector<double> Comparison::residuals_about_bias_dph() const {
+  std::vector<double> residuals = residuals_dph();
+  for (const recording::RowRange& power_on : rows.power_ons()) {
+    double sum = 0;
+    double weight = 0;
+    for (std::size_t row = power_on.first; row < power_on.end; ++row) {
+      if (outlier[row]) continue;
+      const double of_row = rows.weights[static_cast<Eigen::Index>(row)];
+      sum += of_row * residuals[row];
+      weight += of_row;
+    }
+    if (weight == 0) continue;
+    for (std::size_t row = power_on.first; row < power_on.end; ++row)
+      residuals[row] -= sum / weight;
+  }
+  return residuals;
+}
+
 std::vector<double> Comparison::bridged(std::vector<double> values) const {
   noise::bridge_outliers(outlier, rows.stretches(), values);
   return values;

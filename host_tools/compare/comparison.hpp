@@ -48,6 +48,8 @@ struct Comparison {
   std::size_t size() const { return outlier.size(); }
   std::vector<double> measured_dph() const;
   std::vector<double> residuals_dph() const;
+  /// Less the mean of each power-on, which has a bias of its own.
+  std::vector<double> residuals_about_bias_dph() const;
   /// Values per row: with outliers bridged (bridge_outliers), or only the rows that count.
   std::vector<double> bridged(std::vector<double> values) const;
   std::vector<double> counted(const std::vector<double>& values) const;

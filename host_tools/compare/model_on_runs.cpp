@@ -1,5 +1,7 @@
 #include "compare/model_on_runs.hpp"
 
+#include "support/text.hpp"
+
 #include <utility>
 
 #include "noise/noise_floor.hpp"
@@ -17,6 +19,10 @@ bool is_below_floor(const Comparison& comparison) {
   const double rms_dph = comparison.whole.rms_dph;
   const double uncertainty = floor_uncertainty(comparison.size() - comparison.outliers);
   return comparison.noise_floor_dph && rms_dph < *comparison.noise_floor_dph * (1 - uncertainty);
+}
+
+std::string TurnOnBias::from_words() const {
+  return from_s == 0 ? "" : format(" from %.6g s on", from_s);
 }
 
 }  // namespace fogcomp::compare

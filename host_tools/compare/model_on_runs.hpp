@@ -18,14 +18,18 @@ struct ModelOnRun {
 /// Throws InputError if the run lacks a column that the model needs.
 ModelOnRun try_model(const model::Model& model, const RunInBlocks& run);
 
-/// Bias of a run less that of another, with the model's drift refitted to all of them: change from
-/// one power-on to the next (fit/turn_on_bias.hpp).
+/// Bias of a power-on less that of the first, with the model's drift refitted to all of them:
+/// change from one power-on to the next (fit/turn_on_bias.hpp).
 struct TurnOnBias {
   std::string run;
+  double from_s = 0;  ///< time of a power-on within the run; 0 for the run's own
   std::string reference;
   double above_dph = 0;
   double sigma_dph = 0;
   bool certain = false;  ///< noise does not explain it
+
+  /// " from 3600 s on", to be read behind `run`; "" for the run's own.
+  std::string from_words() const;
 };
 
 /// One model on every run, in the order of the command line.
@@ -33,7 +37,8 @@ struct ModelOnRuns {
   std::string file;
   model::Model model;
   std::vector<ModelOnRun> runs;
-  std::vector<TurnOnBias> turn_on{};  ///< of the second run, the third, ...; where the runs tell it
+  std::vector<TurnOnBias>
+      turn_on{};  ///< of the second power-on, the third, ...; where the runs tell it
 };
 
 /// Whether the noise floor lies above the residual by more than its own uncertainty.

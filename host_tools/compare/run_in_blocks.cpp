@@ -73,4 +73,12 @@ RunInBlocks run_in_blocks(const recording::Recording& recording, double average_
   return run;
 }
 
+bool have_several_power_ons(const std::vector<RunInBlocks>& runs) {
+  if (runs.size() > 1) return true;
+  return std::any_of(runs.begin(), runs.end(), [](const RunInBlocks& run) {
+    return std::any_of(run.blocks.blocks.begin(), run.blocks.blocks.end(),
+                       [](const series::BlockSeries::Block& block) { return block.restarts; });
+  });
+}
+
 }  // namespace fogcomp::compare

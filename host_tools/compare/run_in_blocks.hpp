@@ -28,4 +28,7 @@ struct RunInBlocks {
 /// (recording/rate_resolution.hpp).
 RunInBlocks run_in_blocks(const recording::Recording& recording, double average_s);
 
+/// Whether there are several runs, or the power was off within one.
+bool have_several_power_ons(const std::vector<RunInBlocks>& runs);
+
 }  // namespace fogcomp::compare

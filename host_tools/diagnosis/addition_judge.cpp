@@ -116,6 +116,11 @@ bool AdditionRequest::is_network() const {
   return names() == std::vector<std::string>{fit::kNetworkName};
 }
 
+bool JudgingRuns::have_several_power_ons() const {
+  return compare::have_several_power_ons(training.runs) ||
+         (!holdouts.empty() && !training.runs.empty());
+}
+
 JudgingRuns JudgingRuns::without(std::size_t run) const {
   JudgingRuns others = *this;
   const auto left_out = others.training.runs.begin() + static_cast<std::ptrdiff_t>(run);

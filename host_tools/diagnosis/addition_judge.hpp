@@ -14,7 +14,7 @@ namespace fogcomp::diagnosis {
 struct AdditionRequest {
   std::vector<std::string> effects;  ///< as fit::change_effects() takes them; or else
   std::string expression;            ///< `NAME = EXPRESSION`
-  bool run_offsets = false;          ///< with a bias of its own for each run
+  bool run_offsets = false;          ///< with a bias of its own for each power-on
   /// The diagnosis names it, having allowed for inexact terms of the model.
   bool may_be_little = false;
   bool refines = false;  ///< frees what the formulas of the model's own effects leave out
@@ -48,6 +48,8 @@ struct JudgingRuns {
   fit::TrainingRuns training;
   std::vector<compare::RunInBlocks> holdouts;
 
+  /// Whether the gyro was switched on more than once.
+  bool have_several_power_ons() const;
   /// With one of the training runs as the holdout.
   JudgingRuns without(std::size_t run) const;
 };
@@ -68,12 +70,12 @@ bool is_worth_adding(const model::Model& model, double before_dph, double after_
 /// once for all of them, and the regressors of the runs are remembered from model to model.
 class AdditionJudge {
  public:
-  /// `runs` must outlive the judge. `run_offsets`: with a bias of its own for each run.
+  /// `runs` must outlive the judge. `run_offsets`: with a bias of its own for each power-on.
   AdditionJudge(const model::Model& model, const JudgingRuns& runs, bool run_offsets);
 
   const JudgingRuns& runs() const { return runs_; }
   bool gives_own_biases() const { return run_offsets_; }
-  /// Whether the next trials have a bias of its own for each run.
+  /// Whether the next trials have a bias of its own for each power-on.
   void give_own_biases(bool given);
 
   /// The next trials start from this model, which has the same rows and derivative.

@@ -34,6 +34,8 @@ class DiagnosisData {
   }
   /// The same recordings with further expressions, whose inputs the recordings must have.
   DiagnosisData with_offered(const std::vector<model::EffectTerm>& more) const;
+  /// series::SignalSeries::keep_bias().
+  void keep_bias(bool kept) { series_.keep_bias(kept); }
   const recording::KnownRows& known() const { return known_; }
 
   const series::SignalSeries& series() const { return series_; }

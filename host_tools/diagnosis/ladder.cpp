@@ -42,6 +42,23 @@ std::optional<LineInTime> refused_line(const model::Model& model, const Diagnosi
   return line && line->is_significant() ? line : std::nullopt;
 }
 
+// Each power-on has a bias of its own here once additions are judged so.
+class RowsOfLadder {
+ public:
+  explicit RowsOfLadder(const DiagnosisData& given) : given_(given) {}
+
+  const DiagnosisData& with(bool own_biases) {
+    const series::Rows& rows = given_.series().rows();
+    if (!own_biases || !rows.keeps_bias || rows.restart_rows.empty()) return given_;
+    if (!own_) own_.emplace(given_).keep_bias(false);
+    return *own_;
+  }
+
+ private:
+  const DiagnosisData& given_;
+  std::optional<DiagnosisData> own_;
+};
+
 // A diagnosis of a model and, if that is wanted, what to do next.
 struct Look {
   Diagnosis diagnosis;
@@ -98,6 +115,7 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
   Ladder ladder;
   ladder.model = model;
   AdditionJudge judge(model, runs, settings.run_offsets);
+  RowsOfLadder rows(data);
   Look look = look_at(model, data, judge, each, Wanted::next_step);
   ladder.first = std::move(look.diagnosis);
   ladder.next = std::move(look.next);
@@ -110,7 +128,7 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
     if (!addition.request.refines) ++added;
     ladder.model = with_network(ladder.model, addition, runs);
     ladder.is_cut_off = !is_network && added == max_steps;
-    look = look_at(ladder.model, data, judge, each,
+    look = look_at(ladder.model, rows.with(judge.gives_own_biases()), judge, each,
                    is_network          ? Wanted::diagnosis
                    : ladder.is_cut_off ? Wanted::refinement
                                        : Wanted::next_step);

@@ -278,12 +278,12 @@ void try_what_noise_hides(const model::Model& model, const Diagnosis& diagnosis,
   describe(diagnosis, formulas.descriptions, judge, next);
 }
 
-// A missing effect may hide that the biases of the runs differ, which no model can know; then one
-// bias for all refuses what is missing.
+// A missing effect may hide that the biases of the power-ons differ, which no model can know; then
+// one bias for all refuses what is missing.
 bool try_with_own_biases(const Diagnosis& diagnosis, const std::vector<std::string>& named,
                          bool may_be_little, AdditionJudge& judge, NextStep& next) {
-  const std::size_t runs = judge.runs().training.runs.size() + judge.runs().holdouts.size();
-  if (diagnosis.verdict != Verdict::missing_effect || runs < 2 || judge.gives_own_biases()) {
+  if (diagnosis.verdict != Verdict::missing_effect || !judge.runs().have_several_power_ons() ||
+      judge.gives_own_biases()) {
     return false;
   }
   judge.give_own_biases(true);

@@ -184,6 +184,7 @@ Json turn_on_json(const std::vector<compare::TurnOnBias>& turn_on) {
   return json_array(turn_on, [](const compare::TurnOnBias& run) {
     return Json::object()
         .set("file", run.run)
+        .set("from_s", run.from_s)
         .set("reference", run.reference)
         .set("above_dph", run.above_dph)
         .set("sigma_dph", run.sigma_dph)

@@ -151,8 +151,9 @@ std::vector<Text> turn_on_sentences(const std::vector<compare::TurnOnBias>& turn
     if (!run.certain) continue;
     const std::vector<std::string> names = short_names({run.run, run.reference});
     sentences.push_back("turn-on bias: " + verbatim(names[0]) +
-                        words(" is " + with_sigma(std::abs(run.above_dph), run.sigma_dph) +
-                              " deg/h " + (run.above_dph > 0 ? "above " : "below ")) +
+                        words(run.from_words() + " is " +
+                              with_sigma(std::abs(run.above_dph), run.sigma_dph) + " deg/h " +
+                              (run.above_dph > 0 ? "above " : "below ")) +
                         verbatim(names[1]));
   }
   return sentences;

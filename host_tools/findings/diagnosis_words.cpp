@@ -165,8 +165,8 @@ void add_notes(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
   if (next.only_with_own_biases) {
     words.limits.push_back(
         "note: " + join_list(next.addition->request.names(), "and") +
-        " would be refused with one bias for all runs, and helps with one of its "
-        "own for each (--run-offsets): the bias changes from run to run");
+        " would be refused with one bias for all power-ons, and helps with one of its "
+        "own for each (--run-offsets): the bias changes from one to the next");
   }
 }
 

@@ -67,9 +67,9 @@ void add_turn_on(Document& document, const FitOutcome& fit) {
   for (const Text& sentence : sentences) document.sentence(sentence);
   if (sentences.empty()) return;
   document.sentence(fit.result.identified.run_offsets_dph.empty()
-                        ? "one bias is fitted to all recordings; --run-offsets gives each its own, "
-                          "of which a board has the first"
-                        : "each recording has a bias of its own here; a board has the first");
+                        ? "one bias is fitted to all recordings; --run-offsets gives each power-on "
+                          "its own, of which a board has the first"
+                        : "each power-on has a bias of its own here; a board has the first");
 }
 
 void add_model(Document& document, const FitOutcome& fit) {
@@ -83,9 +83,9 @@ void add_model(Document& document, const FitOutcome& fit) {
   }
   for (const fit::PhysicalLag& lag : fit.physical_lags)
     document.sentence(words(fit::physical_lag_words(lag)));
-  for (std::size_t run = 0; run < identified.run_offsets_dph.size(); ++run) {
-    document.sentence(words(format("recording %zu lies %s deg/h from the first", run + 2,
-                                   signed_rounded(identified.run_offsets_dph[run]).c_str())));
+  for (std::size_t i = 0; i < identified.run_offsets_dph.size(); ++i) {
+    document.sentence(words(format("power-on %zu lies %s deg/h from the first", i + 2,
+                                   signed_rounded(identified.run_offsets_dph[i]).c_str())));
   }
   for (const std::string& warning : identified.warnings) {
     document.sentence(words("note: " + warning));

@@ -18,28 +18,28 @@ Eigen::VectorXd weights_without(const Part& left_out, Eigen::VectorXd weights) {
   return weights;
 }
 
-// If that is wanted, a bias of its own for each run that is fitted, but for the first of these.
+// If that is wanted, a bias of its own for each power-on that is fitted, but for the first.
 Eigen::MatrixXd offsets_of_fitted(const series::Rows& rows, const Eigen::VectorXd& weights,
                                   const JudgedWith& with) {
   if (!with.run_offsets) return Eigen::MatrixXd(rows.size(), 0);
   std::vector<Eigen::MatrixXd> columns;
   bool is_first = true;
-  for (const recording::RowRange& run : rows.runs()) {
-    const bool is_fitted = series::of_rows(weights, run).any();
-    if (is_fitted && !is_first) columns.emplace_back(step_column(rows, run.first));
+  for (const recording::RowRange& power_on : rows.power_ons()) {
+    const bool is_fitted = series::of_rows(weights, power_on).any();
+    if (is_fitted && !is_first) columns.emplace_back(ones_in(rows, power_on));
     is_first = is_first && !is_fitted;
   }
   return side_by_side(columns, rows.size());
 }
 
-// The bias of a run that is left out whole is unknown: its mean residual says nothing.
+// The bias of a power-on that is left out whole is unknown: its mean residual says nothing.
 void take_out_unknown_offsets(const series::Rows& rows, const Eigen::VectorXd& fitted,
                               const Eigen::VectorXd& row_weights, Fold& fold) {
-  for (const recording::RowRange& run : rows.runs()) {
-    const auto weights = series::of_rows(row_weights, run);
+  for (const recording::RowRange& power_on : rows.power_ons()) {
+    const auto weights = series::of_rows(row_weights, power_on);
     const double weight = weights.sum();
-    if (series::of_rows(fitted, run).any() || weight <= 0) continue;
-    auto residual = series::of_rows(fold.residual_dph, run);
+    if (series::of_rows(fitted, power_on).any() || weight <= 0) continue;
+    auto residual = series::of_rows(fold.residual_dph, power_on);
     residual.array() -= residual.dot(weights) / weight;
   }
 }

@@ -241,7 +241,7 @@ Identification identify(model::Model& model, const KnownRegressors& known,
   set_shape_sigmas(model.terms, fit, sigma);
   result.warnings = confusions(model.terms, columns, fit.covariance);
 
-  // order: coefficients, offsets of all recordings but the first, steps
+  // order: coefficients, offsets of all power-ons but the first, steps
   const Eigen::Index behind = columns.back().first + columns.back().count;
   const auto offset_values = fit.coefficients.segment(behind, offsets.cols());
   result.run_offsets_dph.assign(offset_values.begin(), offset_values.end());

@@ -26,14 +26,14 @@ struct Identification {
   /// Per effect, deg/h: smallest peak that these recordings show at 5 sigma.
   std::vector<double> visible_dph;
   std::vector<std::string> warnings;    ///< whole sentences
-  std::vector<double> run_offsets_dph;  ///< of the second, third... recording against the first
+  std::vector<double> run_offsets_dph;  ///< of the second, third... power-on against the first
 };
 
 /// Whether identify() searches for bias steps: if an event without a time is among the terms.
 bool searches_steps(const std::vector<model::EffectTerm>& terms);
 
 struct IdentifySettings {
-  /// Every recording has its own bias (turn-on repeatability); the model keeps that of the first.
+  /// Every power-on has its own bias (turn-on repeatability); the model keeps that of the first.
   bool run_offsets = false;
   /// Largest number of new steps. Steps found by earlier fits are searched for again, in their
   /// number.

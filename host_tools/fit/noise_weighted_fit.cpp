@@ -133,11 +133,14 @@ NoiseWeightedFit fit_determined(const KnownRegressors& known,
   return fit;
 }
 
-Eigen::VectorXd step_column(const series::Rows& rows, std::size_t row) {
-  const recording::RowRange run = rows.runs()[rows.run_at(row)];
+Eigen::VectorXd ones_in(const series::Rows& rows, const recording::RowRange& range) {
   Eigen::VectorXd column = Eigen::VectorXd::Zero(rows.size());
-  series::of_rows(column, {row, run.end}).setOnes();
+  series::of_rows(column, range).setOnes();
   return column;
+}
+
+Eigen::VectorXd step_column(const series::Rows& rows, std::size_t row) {
+  return ones_in(rows, {row, rows.runs()[rows.run_at(row)].end});
 }
 
 Eigen::VectorXd run_column(const series::Rows& rows, std::size_t run) {
@@ -145,10 +148,11 @@ Eigen::VectorXd run_column(const series::Rows& rows, std::size_t run) {
 }
 
 Eigen::MatrixXd run_offset_columns(const series::Rows& rows, bool wanted) {
-  const std::size_t runs = wanted ? rows.run_starts.size() : 1;
-  Eigen::MatrixXd columns(rows.size(), static_cast<Eigen::Index>(runs) - 1);
-  for (std::size_t run = 1; run < runs; ++run) {
-    columns.col(static_cast<Eigen::Index>(run) - 1) = run_column(rows, run);
+  const std::vector<recording::RowRange> power_ons = rows.power_ons();
+  const std::size_t count = wanted ? power_ons.size() : 1;
+  Eigen::MatrixXd columns(rows.size(), static_cast<Eigen::Index>(count) - 1);
+  for (std::size_t i = 1; i < count; ++i) {
+    columns.col(static_cast<Eigen::Index>(i) - 1) = ones_in(rows, power_ons[i]);
   }
   return columns;
 }

@@ -59,14 +59,17 @@ NoiseWeightedFit fit_determined(const KnownRegressors& known,
                                 const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept,
                                 const std::function<void(double)>& progress = {});
 
+/// 1 in these rows, else 0.
+Eigen::VectorXd ones_in(const series::Rows& rows, const recording::RowRange& range);
+
 /// 1 from a row to the end of its recording, else 0.
 Eigen::VectorXd step_column(const series::Rows& rows, std::size_t row);
 
 /// 1 in a recording, from 0, else 0.
 Eigen::VectorXd run_column(const series::Rows& rows, std::size_t run);
 
-/// Rows x (recordings - 1): ones in the second, third... recording each. No columns if `wanted` is
-/// false.
+/// Rows x (power-ons - 1): ones in the second, third... of Rows::power_ons() each. No columns if
+/// `wanted` is false.
 Eigen::MatrixXd run_offset_columns(const series::Rows& rows, bool wanted = true);
 
 }  // namespace fogcomp::fit

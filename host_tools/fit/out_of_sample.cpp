@@ -19,8 +19,9 @@ Eigen::VectorXd residual_on(const model::Model& model,
   std::vector<double> residual;
   for (const compare::RunInBlocks& run : runs) {
     const compare::Comparison comparison = compare::compare_in_own_rows(model, run);
-    const double offset = run_offsets ? comparison.whole.mean_dph : 0;
-    for (const double value : comparison.residuals_dph()) residual.push_back(value - offset);
+    const std::vector<double> of_run =
+        run_offsets ? comparison.residuals_about_bias_dph() : comparison.residuals_dph();
+    residual.insert(residual.end(), of_run.begin(), of_run.end());
   }
   return Eigen::Map<const Eigen::VectorXd>(residual.data(),
                                            static_cast<Eigen::Index>(residual.size()));

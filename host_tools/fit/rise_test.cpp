@@ -10,15 +10,16 @@ namespace fogcomp::fit {
 
 void RiseTest::add(const compare::Comparison& before, const compare::Comparison& after) {
   const std::size_t first = rise_.size();
-  const std::vector<double> residual_before = before.residuals_dph();
-  const std::vector<double> residual_after = after.residuals_dph();
-  const double bias_before = run_offsets_ ? before.whole.mean_dph : 0;
-  const double bias_after = run_offsets_ ? after.whole.mean_dph : 0;
+  const auto residuals = [&](const compare::Comparison& of) {
+    return run_offsets_ ? of.residuals_about_bias_dph() : of.residuals_dph();
+  };
+  const std::vector<double> residual_before = residuals(before);
+  const std::vector<double> residual_after = residuals(after);
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (before.outlier[i]) continue;
     const double weight = before.rows.weights[static_cast<Eigen::Index>(i)];
-    const double square_before = std::pow(residual_before[i] - bias_before, 2);
-    const double square_after = std::pow(residual_after[i] - bias_after, 2);
+    const double square_before = std::pow(residual_before[i], 2);
+    const double square_after = std::pow(residual_after[i], 2);
     rise_.push_back(square_after - square_before);
     before_ += weight * square_before;
     after_ += weight * square_after;

@@ -12,7 +12,7 @@ namespace fogcomp::fit {
 /// in 100 times (rules::kOneIn100).
 class RiseTest {
  public:
-  /// `run_offsets`: the bias of a run is its own and says nothing.
+  /// `run_offsets`: the bias of a power-on is its own and says nothing.
   explicit RiseTest(bool run_offsets) : run_offsets_(run_offsets) {}
 
   /// The same run with both models.

@@ -25,13 +25,13 @@ series::BlockSeries without_network(const model::Model& model, series::BlockSeri
   return blocks;
 }
 
-// Mean square of the fitted drift, without the mean of each run.
+// Mean square of the fitted drift, without the mean of each power-on.
 double drift_square(const series::Rows& rows, const NoiseWeightedFit& fit) {
   const Eigen::VectorXd described = fit.columns * fit.coefficients;
   double square = 0;
-  for (const recording::RowRange& run : rows.runs()) {
-    const auto of_run = series::of_rows(described, run);
-    square += (of_run.array() - of_run.mean()).square().sum();
+  for (const recording::RowRange& power_on : rows.power_ons()) {
+    const auto part = series::of_rows(described, power_on);
+    square += (part.array() - part.mean()).square().sum();
   }
   return square / static_cast<double>(rows.size());
 }
@@ -48,7 +48,7 @@ bool is_certain(double standard_deviations, std::size_t differences) {
 std::vector<compare::TurnOnBias> turn_on_biases(const model::Model& model,
                                                 const std::vector<compare::RunInBlocks>& runs) {
   std::vector<compare::TurnOnBias> found;
-  if (runs.size() < 2) return found;
+  if (!compare::have_several_power_ons(runs)) return found;
   series::SignalSeries series(model);
   for (const compare::RunInBlocks& run : runs) {
     if (model.network.present()) {
@@ -57,19 +57,24 @@ std::vector<compare::TurnOnBias> turn_on_biases(const model::Model& model,
       series.add(run.blocks);
     }
   }
-  const Eigen::MatrixXd offsets = run_offset_columns(series.rows());
+  const series::Rows& rows = series.rows();
+  const std::vector<recording::RowRange> power_ons = rows.power_ons();
+  if (power_ons.size() < 2) return found;
+  const Eigen::MatrixXd offsets = run_offset_columns(rows);
   const NoiseWeightedFit fit =
       fit_rows(series, model::with_fixed_shapes(series.acting(model.terms)), offsets);
-  if (series.rows().size() <= fit.linear() || !is_determined(fit)) return found;
-  const Eigen::MatrixXd covariance = coefficient_covariance(series.rows(), fit);
-  const double of_form = rules::kModelFormTolerance * drift_square(series.rows(), fit);
+  if (rows.size() <= fit.linear() || !is_determined(fit)) return found;
+  const Eigen::MatrixXd covariance = coefficient_covariance(rows, fit);
+  const double of_form = rules::kModelFormTolerance * drift_square(rows, fit);
   const Eigen::Index first = fit.linear() - offsets.cols();
-  for (std::size_t run = 1; run < runs.size(); ++run) {
-    const Eigen::Index column = first + static_cast<Eigen::Index>(run) - 1;
+  for (std::size_t i = 1; i < power_ons.size(); ++i) {
+    const Eigen::Index column = first + static_cast<Eigen::Index>(i) - 1;
     const double above_dph = fit.coefficients[column];
     const double sigma_dph = std::sqrt(covariance(column, column) + of_form);
-    found.push_back({runs[run].file, runs[0].file, above_dph, sigma_dph,
-                     is_certain(above_dph / sigma_dph, runs.size() - 1)});
+    const std::size_t row = power_ons[i].first;
+    found.push_back({runs[rows.run_at(row)].file, rows.starts_run(row) ? 0 : rows.time_s[row],
+                     runs[0].file, above_dph, sigma_dph,
+                     is_certain(above_dph / sigma_dph, power_ons.size() - 1)});
   }
   return found;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace fogcomp::series {
 namespace {
@@ -31,15 +32,28 @@ void add_weighted(double weight, const Signals& signals, Signals& sum) {
   add_weighted(weight, signals.block, sum.block);
 }
 
+std::vector<recording::RowRange> ranges_from(const std::vector<std::size_t>& starts,
+                                             std::size_t rows) {
+  std::vector<recording::RowRange> ranges;
+  for (const std::size_t start : starts) {
+    if (!ranges.empty()) ranges.back().end = start;
+    ranges.push_back({start, rows});
+  }
+  return ranges;
+}
+
 }  // namespace
 
 std::vector<recording::RowRange> Rows::runs() const {
-  std::vector<recording::RowRange> runs;
-  for (const std::size_t start : run_starts) {
-    if (!runs.empty()) runs.back().end = start;
-    runs.push_back({start, static_cast<std::size_t>(size())});
-  }
-  return runs;
+  return ranges_from(run_starts, static_cast<std::size_t>(size()));
+}
+
+std::vector<recording::RowRange> Rows::power_ons() const {
+  if (keeps_bias) return runs();
+  std::vector<std::size_t> starts;
+  std::merge(run_starts.begin(), run_starts.end(), restart_rows.begin(), restart_rows.end(),
+             std::back_inserter(starts));
+  return ranges_from(starts, static_cast<std::size_t>(size()));
 }
 
 std::size_t Rows::run_at(std::size_t row) const {
@@ -102,6 +116,11 @@ std::int32_t RowAverager::take(const BlockSeries::Block& block, const Signals& s
   if (block.masked) return kNoRow;
   const std::int64_t number = block.number / blocks_per_row_;
   if (sums_.empty() || sums_.back().number != number) {
+    // A row in which the power was off belongs to the time before.
+    const double power_on_s = block.means.power_on.at;
+    if (!sums_.empty() && power_on_s != power_on_s_)
+      rows_.restart_rows.push_back(first_row_ + sums_.size());
+    power_on_s_ = power_on_s;
     sums_.emplace_back();
     sums_.back().number = number;
     sums_.back().further = Eigen::RowVectorXd::Zero(further_values_);

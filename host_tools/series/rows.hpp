@@ -25,11 +25,16 @@ struct Rows {
   std::vector<fog::BlockMeans<model::RealNumbers>>
       inputs;                           ///< means of the inputs in the row itself
   std::vector<std::size_t> run_starts;  ///< first row of each recording
-  model::InputRanges input_ranges{};    ///< of all recordings together
+  /// First row after each further power-on within a recording, in order.
+  std::vector<std::size_t> restart_rows;
+  bool keeps_bias = false;            ///< of a recording, whether the power was off or not
+  model::InputRanges input_ranges{};  ///< of all recordings together
 
   Eigen::Index size() const { return drift_dph.size(); }
   /// The rows of each recording.
   std::vector<recording::RowRange> runs() const;
+  /// The rows that have one bias: of each power-on; of each recording if that `keeps_bias`.
+  std::vector<recording::RowRange> power_ons() const;
   /// Recording of a row, and whether the row is its first.
   std::size_t run_at(std::size_t row) const;
   bool starts_run(std::size_t row) const;
@@ -84,6 +89,7 @@ class RowAverager {
   double sample_s_;
   std::size_t first_row_;
   std::vector<Sum> sums_;
+  double power_on_s_ = 0;  // before the last row
   Eigen::Index further_values_;
   Eigen::MatrixXd further_;
 };

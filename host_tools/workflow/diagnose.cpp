@@ -31,19 +31,19 @@ void note_rows(const fit::RowLength& rows, const model::Model& model,
   }
 }
 
-// Whether the biases of runs and holdouts certainly differ, which no model can know; `notes` then
-// says so.
+// Whether the biases of power-ons, of runs and holdouts, certainly differ, which no model can know;
+// `notes` then says so.
 bool have_own_biases(const model::Model& model, const diagnosis::JudgingRuns& judging,
                      std::vector<std::string>& notes) {
-  if (judging.training.runs.size() + judging.holdouts.size() < 2) return false;
   std::vector<compare::RunInBlocks> runs = judging.training.runs;
   runs.insert(runs.end(), judging.holdouts.begin(), judging.holdouts.end());
   for (const compare::TurnOnBias& turn_on : fit::turn_on_biases(model, runs)) {
     if (!turn_on.certain) continue;
-    notes.push_back(format(
-        "the bias of %s is %.2g +- %.1g deg/h above that of %s: additions are "
-        "judged with a bias of its own for each run (--run-offsets)",
-        turn_on.run.c_str(), turn_on.above_dph, turn_on.sigma_dph, turn_on.reference.c_str()));
+    notes.push_back(
+        format("the bias of %s%s is %.2g +- %.1g deg/h above that of %s: additions are "
+               "judged with a bias of its own for each power-on (--run-offsets)",
+               turn_on.run.c_str(), turn_on.from_words().c_str(), turn_on.above_dph,
+               turn_on.sigma_dph, turn_on.reference.c_str()));
     return true;
   }
   return false;
@@ -93,6 +93,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const diagnosis::Judgin
   }
   std::vector<std::string> notes;
   settings.run_offsets = have_own_biases(*outcome.model, judging, notes);
+  outcome.data.keep_bias(!settings.run_offsets);
   outcome.ladder =
       diagnosis::stepwise_selection(model, outcome.data, judging, request.max_steps, settings);
   outcome.ladder.first.as_given = as_given;

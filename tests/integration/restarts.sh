@@ -35,4 +35,15 @@ awk -v told="$(left restarts.csv)" -v untold="$(left untold.csv)" 'BEGIN { exit 
 cmp restarts.csv again.csv
 "$fogcomp" replay gyro.model restarts.csv -o board.bin 2>&1 |
   grep 'restarts.csv: was switched on again at [0-9]* s; the board sees it as if it had stayed on' >/dev/null
+
+# A gyro of another bias at every power-on: one bias for all refuses the warm-up, which has one of its own for each.
+awk -F, -v OFS=, 'NR > 1 { if ($4 + 0 < up) ++on; up = $4 + 0; $3 += 0.35 * sin(2.1 * on) } { print }' restarts.csv >turn_on.csv
+"$fogcomp" fit turn_on.csv -o turn_on.model --effects bias,temperature_rate >/dev/null
+"$fogcomp" diagnose turn_on.model turn_on.csv >said.txt || true
+grep -q '^missing effect: warm_up ' said.txt || { cat said.txt >&2; exit 1; }
+grep -q -- '--run-offsets' said.txt || { cat said.txt >&2; exit 1; }
+eval "\"\$fogcomp\" $(sed -n 's/^  next: fogcomp //p' said.txt)" >added.txt || { cat added.txt >&2; exit 1; }
+"$fogcomp" diagnose NEW.model turn_on.csv >said.txt
+grep -q '^nothing is missing' said.txt || { cat said.txt >&2; exit 1; }
+grep -q 'the bias of turn_on.csv from [0-9]* s on is ' said.txt || { cat said.txt >&2; exit 1; }
 echo "restarts are seen, and told"

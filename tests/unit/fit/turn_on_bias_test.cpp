@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/effect_list.hpp"
+#include "recording/stretches.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
 namespace fogcomp::fit {
@@ -60,6 +61,26 @@ TEST(TurnOnBias, IsNotSaidOfADriftThatTheModelLacks) {
   ASSERT_EQ(found.size(), 1U);
   EXPECT_FALSE(found[0].certain) << found[0].above_dph << " +- " << found[0].sigma_dph;
   EXPECT_GT(std::abs(found[0].above_dph), 0.02);  // which noise alone would not make
+}
+
+// The power is off at the end of the first half.
+TEST(TurnOnBias, WithinARunIsSaidWithItsTime) {
+  recording::Recording recording =
+      fog::test::thinned(fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1), 6);
+  recording.file = "twice.csv";
+  const std::size_t restart = recording.rows() / 2;
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    const double on_s = recording.time_s[row < restart ? 0 : restart];
+    recording.uptime_s.push_back(recording.time_s[row] - on_s);
+    if (row >= restart) recording.rate_dph[row] -= 0.12;
+  }
+  recording::find_stretches(recording);
+  const auto found =
+      turn_on_biases(in_minutes(fog::test::truth()), {compare::run_in_blocks(recording, 60)});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(found[0].certain);
+  EXPECT_NEAR(found[0].from_s, recording.time_s[restart], 60);
+  EXPECT_NEAR(found[0].above_dph, -0.12, 3 * found[0].sigma_dph);
 }
 
 TEST(TurnOnBias, OfOneRunIsNotAsked) {

@@ -70,6 +70,24 @@ Eigen::VectorXd regressor_of(const std::string& effect, const recording::Recordi
 // The row at 4210 s: at a restart the first block only starts the model.
 constexpr Eigen::Index kRestart = 360;
 
+// The board's first block after a restart is no row of its own: it begins there.
+TEST(SignalSeries, KnowsThePowerOnsOfARecording) {
+  model::Model model;
+  model.average_s = 60;
+  for (const Phase phase : {Phase::board, Phase::zero}) {
+    SignalSeries series(model, phase);
+    series.add(make_blocks(switched_off_once()));
+    series.add(make_blocks(begun_on_a_ramp()));
+    const std::vector<recording::RowRange> power_ons = series.rows().power_ons();
+    ASSERT_EQ(power_ons.size(), 3U);
+    EXPECT_EQ(power_ons[1].first, 60U);
+    EXPECT_GE(series.rows().time_s[power_ons[1].first], 4200);
+    EXPECT_EQ(power_ons[2].first, series.rows().run_starts[1]);
+    series.keep_bias(true);
+    EXPECT_EQ(series.rows().power_ons().size(), 2U);
+  }
+}
+
 TEST(SignalSeries, BeginsAWarmUpAnewAtARestartAsFarAsItHasCooled) {
   const Eigen::VectorXd warm_up = regressor_of("warm_up:tau=900", switched_off_once());
   ASSERT_EQ(warm_up.size(), 659);
