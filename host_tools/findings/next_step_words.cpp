@@ -89,10 +89,13 @@ std::string nothing_holds_words(const diagnosis::NextStep& next) {
   }
   if (next.refused.empty()) return "";
   const std::string text = "nothing to add: " + refusal_words(next.refused[0]);
+  constexpr std::size_t kMaxSaid = 3;
   std::vector<std::string> others;
-  for (std::size_t i = 1; i < next.refused.size(); ++i) {
+  for (std::size_t i = 1; i < next.refused.size() && i <= kMaxSaid; ++i) {
     others.push_back(what_is_tried(next.refused[i].request));
   }
+  const std::size_t unsaid = next.refused.size() - 1 - others.size();
+  if (unsaid > 0) others.push_back(format("%zu more", unsaid));
   return others.empty() ? text : text + "; so were: " + join(others, "; ");
 }
 
