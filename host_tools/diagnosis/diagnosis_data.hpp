@@ -24,7 +24,9 @@ class DiagnosisData {
   explicit DiagnosisData(const model::Model& model, std::vector<model::EffectTerm> offered = {})
       : average_s_(model.average_s),
         series_(model, series::Phase::zero),
-        offered_(std::move(offered)) {}
+        offered_(std::move(offered)) {
+    keep_bias(true);
+  }
 
   /// Throws InputError if a recording lacks an input of the model or of an offered expression.
   /// Returns the file added before that has the same rows (then only that one counts), or "".
@@ -34,7 +36,7 @@ class DiagnosisData {
   }
   /// The same recordings with further expressions, whose inputs the recordings must have.
   DiagnosisData with_offered(const std::vector<model::EffectTerm>& more) const;
-  /// series::SignalSeries::keep_bias().
+  /// series::SignalSeries::keep_bias(); true unless the biases of power-ons certainly differ.
   void keep_bias(bool kept) { series_.keep_bias(kept); }
   const recording::KnownRows& known() const { return known_; }
 
