@@ -30,7 +30,8 @@ enum class Refuted {
   no,
   out_of_sample,  ///< it fails there: a description leaves far less (rules::kRefutes), it raises
                   ///< the error and nothing lowers it, or it harms on thirds of the runs
-  by_formula      ///< it needs or is an event; a formula that needs none is as certain as names
+  by_formula      ///< it needs or is an event, or needs two parts; a formula that needs none is as
+                  ///< certain as names
 };
 
 struct Diagnosis {

@@ -165,6 +165,16 @@ bool needs_event(const Diagnosis& diagnosis) {
          !events_among(diagnosis, diagnosis.explanations.front().effects).empty();
 }
 
+// Whether an effect of temperature and time is named in two parts, which imitate nearly everything
+// on one programme.
+bool needs_second_part(const Diagnosis& diagnosis, const std::vector<std::string>& named) {
+  return std::any_of(named.begin(), named.end(), [&](const std::string& effect) {
+    const CandidateFinding* const finding = diagnosis.find(effect);
+    return finding != nullptr && model::has_second_part(finding->term()) &&
+           !model::has_own_input(finding->term());
+  });
+}
+
 // Diagnoses with formulas when first asked: that takes as long as the first diagnosis.
 using AskFormulas = std::function<const LikelyFormulas&()>;
 
@@ -316,7 +326,8 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
     return *likely;
   };
   if (!is_unknown || !events.empty()) {
-    const bool may_be_formula = !is_little && (is_unknown || needs_event(diagnosis));
+    const bool may_be_formula =
+        !is_little && (is_unknown || needs_event(diagnosis) || needs_second_part(diagnosis, named));
     if (may_be_formula && try_forms(diagnosis, formulas(), judge, next)) return true;
     const bool may_be_little = is_one || !events.empty();
     if (try_named(diagnosis, named, may_be_little, judge, next) || is_little) return true;

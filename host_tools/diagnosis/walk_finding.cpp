@@ -38,7 +38,8 @@ std::string WalkFinding::words() const {
   return format("a random walk of the bias of %.2g deg/h/sqrt(h) ", coefficient) +
          (chance > kAsWell
               ? "explains them as well as any effect"
-              : format("beside the noise has a probability of %.2g, too much to name an effect", chance)) +
+              : format("beside the noise has a probability of %.2g, too much to name an effect",
+                       chance)) +
          (has_static ? ": one more run of the programme would tell"
                      : ": one more run of the programme, or a recording at rest with --static, "
                        "would tell");

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "compare/comparison.hpp"
+#include "diagnosis/descriptions.hpp"
 #include "findings/figures.hpp"
 #include "findings/labels.hpp"
 #include "findings/residual_words.hpp"
@@ -34,9 +35,14 @@ Headline missing_words(const diagnosis::Diagnosis& diagnosis) {
 std::string refutation_words(const diagnosis::Diagnosis& diagnosis) {
   if (diagnosis.refuted != diagnosis::Refuted::by_formula) return " does not hold out of sample";
   const diagnosis::CandidateFinding* const withdrawn = diagnosis.find(diagnosis.withdrawn);
-  return withdrawn != nullptr && model::is_event(withdrawn->term())
-             ? " follows a formula that needs no step"
-             : " needs a bias step beside it, and a formula needs none";
+  if (withdrawn != nullptr && model::is_event(withdrawn->term())) {
+    return " follows a formula that needs no step";
+  }
+  const bool needs_event =
+      diagnosis.explanations.empty() ||
+      !diagnosis::events_among(diagnosis, diagnosis.explanations.front().effects).empty();
+  if (!needs_event) return " would need two parts of one effect, and a formula explains it alone";
+  return " needs a bias step beside it, and a formula needs none";
 }
 
 Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_holds) {

@@ -75,6 +75,9 @@ inline bool is_optional_part(const fog::ParameterDescription& parameter) {
   return parameter.not_given == fog::NotGiven::left_out;
 }
 
+/// Whether a term has such a second part.
+bool has_second_part(const EffectTerm& term);
+
 /// Whether a parameter that is not given is computed from the rows of the fit.
 inline bool is_reference(const fog::ParameterDescription& parameter) {
   return parameter.not_given == fog::NotGiven::mean_temperature ||

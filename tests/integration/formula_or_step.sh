@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # formula_or_step.sh FOGCOMP: strain that follows the square of the temperature rate, late, is hidden on a programme
-# on which T dT/dt with a bias step imitates it, and |dT/dt| where a step alone does. The form is found and proposed all
-# the same. Where T dT/dt and a step are hidden, they are named.
+# on which T dT/dt with a bias step imitates it, |dT/dt| where a step alone does, a first heat where two ripples do. The
+# form is found and proposed all the same. Where T dT/dt and a step are hidden, they are named.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: formula_or_step.sh FOGCOMP}")
@@ -45,3 +45,14 @@ gyro both paper 903 temperature_rate_product:scale=5 bias_step:peak=0.05
 grep -q 'what looks like bias_step follows a formula that needs no step$' size.txt || fail "$(cat size.txt)"
 grep -q 'outside the catalogue it looks like abs(dTdt)' size.txt || fail "$(cat size.txt)"
 eval "\"\$fogcomp\" $(sed -n 's/^  next: fogcomp //p' size.txt)" >added.txt || fail "refused: $(cat added.txt)"
+
+# A coil's first heat with two rises, which two ripples imitate.
+"$fogcomp" simulate -o ripple.csv --profile power_cycles --seed 906 --preset none --rate 0.1 --noise white=0.0024 \
+  --effect housing:housing_j_per_k=573,to_air_w_per_k=0.833 --effect bias --effect bias_temperature \
+  --effect temperature_rate:coefficient=0.12 --effect warmest_so_far:scale=57.7 >/dev/null
+"$fogcomp" fit ripple.csv -o ripple.model --effects bias,bias_temperature:order=2,temperature_rate >/dev/null
+"$fogcomp" diagnose ripple.model ripple.csv >ripple.txt
+grep -q 'ripple.* would need two parts of one effect, and a formula explains it alone$' ripple.txt ||
+  fail "$(cat ripple.txt)"
+grep -q 'outside the catalogue it looks like highest(T)' ripple.txt || fail "$(cat ripple.txt)"
+eval "\"\$fogcomp\" $(sed -n 's/^  next: fogcomp //p' ripple.txt)" >added.txt || fail "refused: $(cat added.txt)"

@@ -79,6 +79,11 @@ TEST(DiagnosisWords, OfAWithdrawnNameSayWhatItLookedLike) {
   withdraw_name(by_formula, diagnosis::Refuted::by_formula);
   EXPECT_EQ(words_of(by_formula, {}, kFiles).verdict,
             "something is missing that no effect of the catalogue explains: what looks like aging "
+            "would need two parts of one effect, and a formula explains it alone");
+  by_formula.candidates.push_back(finding_of("bias_step", 0.9, 900));
+  by_formula.explanations[0].effects.emplace_back("bias_step");
+  EXPECT_EQ(words_of(by_formula, {}, kFiles).verdict,
+            "something is missing that no effect of the catalogue explains: what looks like aging "
             "needs a bias step beside it, and a formula needs none");
 }
 
@@ -162,7 +167,7 @@ TEST(DiagnosisWords, SayOfADescriptionThatItIsNoCause) {
             "fogcomp add x.model run.csv --effect-expr 'dTdt_squared = dTdt^2' -o NEW.model");
 }
 
-TEST(DiagnosisWords, SayThatTheBiasChangesFromRunToRun) {
+TEST(DiagnosisWords, SayThatTheBiasChangesFromOnePowerOnToTheNext) {
   diagnosis::NextStep next;
   next.addition = tried({"warm_up"});
   next.addition->request.run_offsets = true;
@@ -171,8 +176,9 @@ TEST(DiagnosisWords, SayThatTheBiasChangesFromRunToRun) {
   diagnosis.verdict = diagnosis::Verdict::missing_effect;
   const DiagnosisWords words = words_of(diagnosis, next, kFiles);
   EXPECT_EQ(words.command, "fogcomp add x.model warm_up run.csv --run-offsets -o NEW.model");
-  EXPECT_NE(join(words.limits, "\n").find("warm_up would be refused with one bias for all runs"),
-            std::string::npos);
+  EXPECT_NE(
+      join(words.limits, "\n").find("warm_up would be refused with one bias for all power-ons"),
+      std::string::npos);
 }
 
 // Another programme would have another first heat: only a repetition tells.
