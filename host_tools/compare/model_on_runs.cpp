@@ -1,10 +1,9 @@
 #include "compare/model_on_runs.hpp"
 
-#include "support/text.hpp"
-
 #include <utility>
 
 #include "noise/noise_floor.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp::compare {
 

@@ -37,8 +37,8 @@ struct ModelOnRuns {
   std::string file;
   model::Model model;
   std::vector<ModelOnRun> runs;
-  std::vector<TurnOnBias>
-      turn_on{};  ///< of the second power-on, the third, ...; where the runs tell it
+  /// Of the second power-on, the third, ...; where the runs tell it.
+  std::vector<TurnOnBias> turn_on{};
 };
 
 /// Whether the noise floor lies above the residual by more than its own uncertainty.

@@ -122,18 +122,9 @@ recording::Recording without_outliers(recording::Recording rows, const Judged& j
   return rows;
 }
 
-}  // namespace
-
-RunSummary summarize(const recording::Recording& recording, double average_s) {
-  if (!recording.masks.empty()) {
-    recording::Recording known = without_outliers(
-        recording,
-        {recording::bias_dph(recording), recording::covered(recording.masks, recording.time_s)});
-    known.masks.clear();
-    RunSummary summary = summarize(known, average_s);
-    summary.noise_floor_dph = noise::noise_floor_dph(recording, summary.average_s);
-    return summary;
-  }
+// `recording`: `masked` with its masked times bridged, which do not have the noise.
+RunSummary summary_of(const recording::Recording& recording, const recording::Recording& masked,
+                      double average_s) {
   const std::vector<recording::Segment> segments = recording::find_segments(recording);
   series::CompleteRows rows = series::complete_rows(recording, wanted_row_s(recording, average_s));
   const std::vector<recording::Segment> in_rows =
@@ -146,7 +137,7 @@ RunSummary summarize(const recording::Recording& recording, double average_s) {
   summary.outliers =
       static_cast<std::size_t>(std::count(row_bias.outlier.begin(), row_bias.outlier.end(), true));
   summary.bias = summarize_bias(bias, {0, recording.rows()}, row_bias, {0, rows.means.rows()});
-  summary.noise_floor_dph = noise::noise_floor_dph(recording, summary.average_s);
+  summary.noise_floor_dph = noise::noise_floor_dph(masked, summary.average_s);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     SegmentSummary segment = summarize_segment(recording, segments[i]);
     segment.bias = summarize_bias(bias, segments[i].rows, row_bias, in_rows[i].rows);
@@ -161,6 +152,17 @@ RunSummary summarize(const recording::Recording& recording, double average_s) {
   summary.sensitivity = temperature_sensitivity(without_outliers(rows.means, row_bias), in_rows);
   summary.blocks = std::move(rows.means);
   return summary;
+}
+
+}  // namespace
+
+RunSummary summarize(const recording::Recording& recording, double average_s) {
+  if (recording.masks.empty()) return summary_of(recording, recording, average_s);
+  recording::Recording bridged = without_outliers(
+      recording,
+      {recording::bias_dph(recording), recording::covered(recording.masks, recording.time_s)});
+  bridged.masks.clear();
+  return summary_of(bridged, recording, average_s);
 }
 
 }  // namespace fogcomp::compare

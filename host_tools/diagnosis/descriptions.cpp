@@ -95,6 +95,11 @@ std::vector<std::string> events_among(const Diagnosis& diagnosis,
   return events;
 }
 
+bool needs_event(const Diagnosis& diagnosis) {
+  return !diagnosis.explanations.empty() &&
+         !events_among(diagnosis, diagnosis.explanations.front().effects).empty();
+}
+
 std::optional<AdditionRequest> request_of(const Diagnosis& diagnosis,
                                           const std::vector<std::string>& effects) {
   AdditionRequest request;

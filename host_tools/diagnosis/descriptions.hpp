@@ -30,6 +30,10 @@ struct Description {
 std::vector<std::string> events_among(const Diagnosis& diagnosis,
                                       const std::vector<std::string>& effects);
 
+/// Whether the most probable set has an event. It explains whatever the others leave: a formula
+/// that needs none may be the truth.
+bool needs_event(const Diagnosis& diagnosis);
+
 /// The request for `add`; nothing for an expression together with others: `add` takes effects, or
 /// one expression.
 std::optional<AdditionRequest> request_of(const Diagnosis& diagnosis,

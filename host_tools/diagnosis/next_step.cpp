@@ -158,13 +158,6 @@ void append(std::vector<Description> more, std::vector<Description>& all) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-// Whether the most probable set has an event. It explains whatever the others leave: a formula that
-// needs none may be the truth.
-bool needs_event(const Diagnosis& diagnosis) {
-  return !diagnosis.explanations.empty() &&
-         !events_among(diagnosis, diagnosis.explanations.front().effects).empty();
-}
-
 // Whether an effect of temperature and time is named in two parts, which imitate nearly everything
 // on one programme.
 bool needs_second_part(const Diagnosis& diagnosis, const std::vector<std::string>& named) {

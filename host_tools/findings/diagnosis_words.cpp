@@ -38,11 +38,9 @@ std::string refutation_words(const diagnosis::Diagnosis& diagnosis) {
   if (withdrawn != nullptr && model::is_event(withdrawn->term())) {
     return " follows a formula that needs no step";
   }
-  const bool needs_event =
-      diagnosis.explanations.empty() ||
-      !diagnosis::events_among(diagnosis, diagnosis.explanations.front().effects).empty();
-  if (!needs_event) return " would need two parts of one effect, and a formula explains it alone";
-  return " needs a bias step beside it, and a formula needs none";
+  return diagnosis::needs_event(diagnosis)
+             ? " needs a bias step beside it, and a formula needs none"
+             : " would need two parts of one effect, and a formula explains it alone";
 }
 
 Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_holds) {
