@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "support/parallel.hpp"
 
@@ -10,6 +11,14 @@ namespace fogcomp::noise {
 namespace {
 
 constexpr double kNothingKnown = std::numeric_limits<double>::infinity();
+
+// What is left of each component after this time, as a fraction.
+Eigen::VectorXd decays(const NoiseModel& noise, double elapsed_s) {
+  Eigen::VectorXd decay(static_cast<Eigen::Index>(noise.components.size()));
+  std::transform(noise.components.begin(), noise.components.end(), decay.begin(),
+                 [&](const auto& component) { return std::exp(-elapsed_s / component.tau_s); });
+  return decay;
+}
 
 }  // namespace
 
@@ -19,6 +28,8 @@ Whitening::Whitening(const NoiseModel& noise, const series::Rows& rows,
   const Eigen::Index size = rows.size();
   decay_.setZero(components, size);
   gain_.setZero(components, size);
+  update_.setZero(components, size);
+  update_of_sum_.setZero(size);
   scale_.resize(size);
   Eigen::VectorXd variances(components);
   for (Eigen::Index j = 0; j < components; ++j) {
@@ -36,13 +47,10 @@ Whitening::Whitening(const NoiseModel& noise, const series::Rows& rows,
       ++next_run;
     } else {
       const double elapsed_s = rows.time_s[row] - rows.time_s[row - 1];
-      if (elapsed_s != decay_s) {
-        for (Eigen::Index j = 0; j < components; ++j) {
-          decay[j] = std::exp(-elapsed_s / noise.components[static_cast<std::size_t>(j)].tau_s);
-        }
-        decay_s = elapsed_s;
-      }
+      if (std::exchange(decay_s, elapsed_s) != elapsed_s) decay = decays(noise, elapsed_s);
       decay_.col(i) = decay;
+      update_.col(i) = decay.cwiseProduct(gain_.col(i - 1));
+      update_of_sum_[i] = update_.col(i).sum();
       covariance.array().colwise() *= decay.array();
       covariance.array().rowwise() *= decay.array().transpose();
       covariance.diagonal().array() += variances.array() * (1 - decay.array().square());
@@ -68,8 +76,9 @@ Eigen::MatrixXd Whitening::apply(const Eigen::MatrixXd& matrix) const {
   return white;
 }
 
-// Several columns side by side, and the states summed in two halves, because within a column every
-// row depends on the innovation of the row before.
+// Several columns side by side, because within a column every row depends on the innovation of the
+// row before: what the states are without it is added up first, so that the chain from one
+// innovation to the next is short.
 template <int kColumns>
 void Whitening::filter(const Eigen::MatrixXd& matrix, Eigen::Index first,
                        Eigen::MatrixXd& white) const {
@@ -79,20 +88,14 @@ void Whitening::filter(const Eigen::MatrixXd& matrix, Eigen::Index first,
   state.setZero(kColumns, states);
   Side innovation = Side::Zero();
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    const Eigen::Index before = std::max<Eigen::Index>(i - 1, 0);
-    const auto predicted = [&](Eigen::Index j) -> Side {
-      state.col(j) = (state.col(j) + gain_(j, before) * innovation) * decay_(j, i);
-      return state.col(j);
-    };
-    Side even = Side::Zero();
-    Side odd = Side::Zero();
-    for (Eigen::Index j = 0; j + 1 < states; j += 2) {
-      even += predicted(j);
-      odd += predicted(j + 1);
+    Side predicted = Side::Zero();
+    for (Eigen::Index j = 0; j < states; ++j) {
+      const Side kept = state.col(j) * decay_(j, i);
+      predicted += kept;
+      state.col(j) = kept + update_(j, i) * innovation;
     }
-    Side sum = even + odd;
-    if (states % 2 == 1) sum += predicted(states - 1);
-    innovation = matrix.template block<1, kColumns>(i, first).transpose().array() - sum;
+    const Side value = matrix.template block<1, kColumns>(i, first).transpose();
+    innovation = (value - predicted) - update_of_sum_[i] * innovation;
     white.template block<1, kColumns>(i, first) = scale_[i] * innovation.transpose();
   }
 }

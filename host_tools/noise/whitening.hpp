@@ -39,6 +39,9 @@ class Whitening {
 
   Eigen::MatrixXd decay_;  // components x rows: from the row before to this one
   Eigen::MatrixXd gain_;   // components x rows
+  // What the innovation of the row before adds to each component in this row, and to their sum.
+  Eigen::MatrixXd update_;
+  Eigen::VectorXd update_of_sum_;
   Eigen::VectorXd scale_;  // 1 / standard deviation of each innovation
 };
 
