@@ -11,9 +11,10 @@
 namespace fogcomp::fit {
 namespace {
 
-constexpr double kDifferenceStep = 1e-4;  // of a parameter's range, for derivatives
-constexpr double kDependent = 1e-8;
-constexpr std::size_t kTogether = 4;  // shapes of a grid that are whitened and projected at once
+constexpr double kDifferenceStep = 1e-4;    // of a parameter's range, for derivatives
+constexpr double kDependent = 1e-8;         // of a column's length: only rounding is left
+constexpr double kRoughlyDependent = 1e-5;  // where differences of squares have to show it
+constexpr std::size_t kTogether = 8;  // shapes of a grid that are whitened and projected at once
 
 // A shape at which an expression overflows is worse than any other.
 double finite_or_worst(double cost) {
@@ -29,11 +30,21 @@ Eigen::MatrixXd without(const Eigen::MatrixXd& basis, const Eigen::MatrixXd& col
   return left;
 }
 
-// The same from the normal equations: less exact where columns are nearly dependent.
-double rough_cost_of(const Eigen::MatrixXd& columns, const Eigen::VectorXd& measured) {
-  const Eigen::MatrixXd square = columns.transpose().lazyProduct(columns);
-  const Eigen::VectorXd with = columns.transpose() * measured;
-  return finite_or_worst(measured.squaredNorm() - with.dot(solve_semidefinite(square, with)));
+// What the columns leave of `left`, which is outside the span of the basis, by normal equations:
+// less exact where columns are nearly dependent. `within`: basis' columns.
+double rough_cost_of(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& within,
+                     const Eigen::VectorXd& left) {
+  Eigen::MatrixXd outside = columns.transpose().lazyProduct(columns);
+  const Eigen::VectorXd whole = outside.diagonal();
+  outside -= within.transpose().lazyProduct(within);
+  Eigen::VectorXd with = columns.transpose() * left;
+  for (Eigen::Index i = 0; i < whole.size(); ++i) {
+    if (!(outside(i, i) <= kRoughlyDependent * kRoughlyDependent * whole[i])) continue;
+    outside.row(i).setZero();
+    outside.col(i).setZero();
+    with[i] = 0;
+  }
+  return finite_or_worst(left.squaredNorm() - with.dot(solve_semidefinite(outside, with)));
 }
 
 }  // namespace
@@ -189,11 +200,13 @@ std::vector<double> WhitenedProblem::costs(const model::ShapeParameter& paramete
       moved.parameters[parameter.index] = values[i];
       tried.emplace_back((*(*regressors_)(moved))(Eigen::all, split.moved));
     }
-    const Eigen::MatrixXd columns = without(basis, whitening_->apply(side_by_side(tried, rows)));
+    const Eigen::MatrixXd columns = whitening_->apply(side_by_side(tried, rows));
+    const Eigen::MatrixXd within = basis.transpose() * columns;
     Eigen::Index at = 0;
     for (std::size_t i = 0; i < tried.size(); ++i) {
       const Eigen::Index count = tried[i].cols();
-      costs[first + i] = rough_cost_of(columns.middleCols(at, count), left);
+      costs[first + i] =
+          rough_cost_of(columns.middleCols(at, count), within.middleCols(at, count), left);
       at += count;
     }
   });

@@ -139,7 +139,9 @@ Eigen::MatrixXd projected_out(const Eigen::MatrixXd& basis, const Eigen::MatrixX
     const Eigen::Index first = static_cast<Eigen::Index>(panel) * kPanel;
     const Eigen::Index count = std::min(kPanel, columns.cols() - first);
     const auto own = columns.middleCols(first, count);
-    left.middleCols(first, count) = own - basis * (basis.transpose() * own).eval();
+    const Eigen::MatrixXd within = basis.transpose() * own;
+    left.middleCols(first, count) = own;
+    left.middleCols(first, count).noalias() -= basis * within;
   });
   return left;
 }
