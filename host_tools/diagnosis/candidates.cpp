@@ -4,6 +4,7 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/step_candidates.hpp"
@@ -104,40 +105,49 @@ double half_distance(const std::vector<Candidate::Shape>& shapes,
   return gap;
 }
 
+// A grid point of one parameter.
+struct Place {
+  double unit = 0;
+  std::optional<Candidate::Shape> shape{};
+  bool is_made = false;
+  bool as_the_next = false;  // no point is needed between the two
+};
+
+bool differ(const Place& a, const Place& b) {
+  if (a.shape.has_value() != b.shape.has_value()) return b.unit - a.unit > kEdgeResolution;
+  return a.shape.has_value() && overlap(*a.shape, *b.shape) < kAlike;
+}
+
+// The same with a new place between each two neighbours that differ.
+std::vector<Place> halved(std::vector<Place> places) {
+  std::vector<Place> finer;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const bool more = i + 1 < places.size() && finer.size() + places.size() - i < kMaxGridPoints;
+    const double left = places[i].unit;
+    const bool different = more && !places[i].as_the_next && differ(places[i], places[i + 1]);
+    places[i].as_the_next = more && !different;
+    finer.push_back(std::move(places[i]));
+    if (different) finer.push_back({(left + places[i + 1].unit) / 2});
+  }
+  return finer;
+}
+
 // Makes the grid of one parameter; the others keep their values in `term`.
-void add_grid(const ShapeMaker& make, model::EffectTerm term,
+void add_grid(const ShapeMaker& make, const model::EffectTerm& term,
               const model::ShapeParameter& parameter, std::vector<Candidate::Shape>& shapes) {
-  struct Place {
-    double unit;
-    std::optional<Candidate::Shape> shape;
-    bool as_the_next = false;  // no point is needed between the two
-  };
-  const auto at = [&](double unit) {
-    term.parameters[parameter.index] = parameter.from_unit(unit);
-    return Place{unit, make(term)};
-  };
-  const auto differ = [](const Place& a, const Place& b) {
-    if (a.shape.has_value() != b.shape.has_value()) return b.unit - a.unit > kEdgeResolution;
-    return a.shape.has_value() && overlap(*a.shape, *b.shape) < kAlike;
-  };
   std::vector<Place> places;
   for (int i = 0; i < kFirstGridPoints; ++i) {
-    places.push_back(at(static_cast<double>(i) / (kFirstGridPoints - 1)));
+    places.push_back({static_cast<double>(i) / (kFirstGridPoints - 1)});
   }
-  for (bool halved = true; halved && places.size() < kMaxGridPoints;) {
-    halved = false;
-    std::vector<Place> finer;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const bool more = i + 1 < places.size() && finer.size() + places.size() - i < kMaxGridPoints;
-      const double left = places[i].unit;
-      const bool different = more && !places[i].as_the_next && differ(places[i], places[i + 1]);
-      places[i].as_the_next = more && !different;
-      finer.push_back(std::move(places[i]));
-      if (!different) continue;
-      finer.push_back(at((left + places[i + 1].unit) / 2));
-      halved = true;
-    }
-    places = std::move(finer);
+  for (std::size_t made = 0; made < places.size();) {
+    for_each_index(places.size(), [&](std::size_t i) {
+      if (std::exchange(places[i].is_made, true)) return;
+      model::EffectTerm at = term;
+      at.parameters[parameter.index] = parameter.from_unit(places[i].unit);
+      places[i].shape = make(at);
+    });
+    made = places.size();
+    if (made < kMaxGridPoints) places = halved(std::move(places));
   }
   for (Place& place : places) {
     if (place.shape) shapes.push_back(std::move(*place.shape));
