@@ -1,6 +1,7 @@
 #include "fit/cross_validation.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -13,9 +14,13 @@
 
 namespace fogcomp::fit {
 
-// Parts that were left out each, and the fits without them.
+// Parts that were left out each, and the fits of both sets without them.
 struct CrossValidation::LeftOut {
+  explicit LeftOut(std::vector<Part> given)
+      : parts(std::move(given)), remaining(parts.size()), folds(parts.size()) {}
+
   std::vector<Part> parts;
+  std::vector<std::optional<RemainingRows>> remaining;
   std::vector<Pair> folds;
 
   // For each part, whether it can judge: not if the other rows leave a coefficient undetermined.
@@ -53,21 +58,22 @@ CrossValidation::CrossValidation(const KnownRegressors& known,
       after_(model::with_fixed_shapes(after, changed)),
       changed_(std::move(changed)),
       with_(with),
-      all_(without({})) {}
-
-CrossValidation::Pair CrossValidation::without(const Part& part) const {
-  Pair pair;
-  for_each_index(2, [&](std::size_t i) {
-    (i == 0 ? pair.before : pair.after) = leave_out(known_, i == 0 ? before_ : after_, part, with_);
-  });
-  return pair;
-}
+      all_(std::move(leave_out_each({{}}).folds.front())) {}
 
 CrossValidation::LeftOut CrossValidation::leave_out_each(std::vector<Part> parts) const {
-  LeftOut left{std::move(parts), {}};
-  left.folds.resize(left.parts.size());
-  for_each_index(left.parts.size(), [&](std::size_t i) { left.folds[i] = without(left.parts[i]); });
+  LeftOut left(std::move(parts));
+  for_each_index(left.parts.size(), [&](std::size_t i) { fit_after(i, left); });
+  for_each_index(left.parts.size(), [&](std::size_t i) { fit_before(i, left); });
   return left;
+}
+
+void CrossValidation::fit_after(std::size_t part, LeftOut& left) const {
+  left.remaining[part].emplace(known_, left.parts[part], with_);
+  left.folds[part].after = fit_to(*left.remaining[part], known_, after_, with_);
+}
+
+void CrossValidation::fit_before(std::size_t part, LeftOut& left) const {
+  left.folds[part].before = fit_to(*left.remaining[part], known_, before_, with_);
 }
 
 bool CrossValidation::determine_changed(const Fold& after) const {
@@ -77,6 +83,22 @@ bool CrossValidation::determine_changed(const Fold& after) const {
 bool CrossValidation::all_determine_changed(const LeftOut& left) const {
   return std::all_of(left.folds.begin(), left.folds.end(),
                      [&](const Pair& fold) { return determine_changed(fold.after); });
+}
+
+// The parts left out each, nothing if without one of them a changed term is undetermined: then not
+// all that the others would tell is computed.
+std::optional<CrossValidation::LeftOut> CrossValidation::leave_out_if_determined(
+    std::vector<Part> parts) const {
+  LeftOut left(std::move(parts));
+  std::atomic<bool> is_determined{true};
+  for_each_index(left.parts.size(), [&](std::size_t i) {
+    if (!is_determined) return;
+    fit_after(i, left);
+    if (!determine_changed(left.folds[i].after)) is_determined = false;
+  });
+  if (!is_determined) return std::nullopt;
+  for_each_index(left.parts.size(), [&](std::size_t i) { fit_before(i, left); });
+  return left;
 }
 
 // On the rows of the parts that judge.
@@ -105,15 +127,13 @@ std::optional<OutOfSample> CrossValidation::on_runs() const {
 
 // The start of a run may be one stretch, without which nothing is known of a warm-up: then more.
 OutOfSample CrossValidation::on_stretches(double count) const {
-  LeftOut left = leave_out_each(parts_of(rows_, count));
   const double max = static_cast<double>(rows_.size()) / rules::kMinRowsOfShort;
-  bool is_enough = all_determine_changed(left) || !with_.noise.from_quiet_parts;
-  while (!is_enough && all_.after.determined && count * rules::kShorter <= max) {
-    count *= rules::kShorter;
-    LeftOut shorter = leave_out_each(parts_of(rows_, count));
-    is_enough = all_determine_changed(shorter);
-    if (is_enough) left = std::move(shorter);
+  const bool may_be_shorter = with_.noise.from_quiet_parts && all_.after.determined;
+  std::optional<LeftOut> found;
+  for (double each = count; may_be_shorter && !found && each <= max; each *= rules::kShorter) {
+    found = leave_out_if_determined(parts_of(rows_, each));
   }
+  const LeftOut left = found ? std::move(*found) : leave_out_each(parts_of(rows_, count));
   std::vector<bool> judges = left.which_judge(all_);
   if (std::none_of(judges.begin(), judges.end(), [](bool one) { return one; })) {
     judges.assign(judges.size(), true);
@@ -163,7 +183,7 @@ TemperatureTest CrossValidation::on_temperatures() const {
   test.rms_after_dph = rms([&](std::size_t i) { return left.folds[i].after.residual_dph; });
   if (test.rms_after_dph <= test.rms_before_dph) return test;
   const double uncertain_dph = rms([&](std::size_t i) {
-    return prediction_sigma_dph(known_, left.folds[i].after, left.parts[i], with_);
+    return prediction_sigma_dph(known_, left.folds[i].after, *left.remaining[i]);
   });
   test.rms_expected_dph = std::hypot(weighted_rms(all_.after.residual_dph, weights), uncertain_dph);
   return test;

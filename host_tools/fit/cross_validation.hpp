@@ -86,8 +86,11 @@ class CrossValidation {
   };
   struct LeftOut;
 
-  Pair without(const Part& part) const;
   LeftOut leave_out_each(std::vector<Part> parts) const;
+  std::optional<LeftOut> leave_out_if_determined(std::vector<Part> parts) const;
+  /// In this order.
+  void fit_after(std::size_t part, LeftOut& left) const;
+  void fit_before(std::size_t part, LeftOut& left) const;
   bool determine_changed(const Fold& after) const;
   bool all_determine_changed(const LeftOut& left) const;
   OutOfSample judge(const LeftOut& left, const std::vector<bool>& judges, std::string how) const;

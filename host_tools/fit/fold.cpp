@@ -55,15 +55,20 @@ bool determines(const Fold& fold, const Fold& all, Eigen::Index first, Eigen::In
 
 }  // namespace
 
-Fold leave_out(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
-               const Part& left_out, const JudgedWith& with) {
+RemainingRows::RemainingRows(const KnownRegressors& known, const Part& left_out,
+                             const JudgedWith& with)
+    : all(left_out.empty()),
+      weights(weights_without(left_out, with.row_weights)),
+      whitening(with.noise, known.series().rows(), weights),
+      offsets(offsets_of_fitted(known.series().rows(), weights, with)) {}
+
+Fold fit_to(const RemainingRows& remaining, const KnownRegressors& known,
+            const std::vector<model::EffectTerm>& terms, const JudgedWith& with) {
   const series::Rows& rows = known.series().rows();
-  const Eigen::VectorXd weights = weights_without(left_out, with.row_weights);
-  const noise::Whitening whitening(with.noise, rows, weights);
-  const Eigen::MatrixXd offsets = offsets_of_fitted(rows, weights, with);
-  WhitenedProblem problem(known, whitening, terms, offsets);
+  const Eigen::MatrixXd& offsets = remaining.offsets;
+  WhitenedProblem problem(known, remaining.whitening, terms, offsets);
   const std::vector<model::ShapeParameter> shapes = model::shape_parameters(terms);
-  search_shapes(problem, shapes, std::vector<bool>(shapes.size(), !left_out.empty()));
+  search_shapes(problem, shapes, std::vector<bool>(shapes.size(), !remaining.all), false);
   const LinearFit fit = problem.solve();
   Fold fold;
   fold.terms = problem.terms();
@@ -77,17 +82,14 @@ Fold leave_out(const KnownRegressors& known, const std::vector<model::EffectTerm
     column += regressors->cols();
   }
   fold.residual_dph -= offsets * fit.coefficients.tail(offsets.cols());
-  if (with.run_offsets) take_out_unknown_offsets(rows, weights, with.row_weights, fold);
+  if (with.run_offsets) take_out_unknown_offsets(rows, remaining.weights, with.row_weights, fold);
   return fold;
 }
 
 Eigen::VectorXd prediction_sigma_dph(const KnownRegressors& known, const Fold& fold,
-                                     const Part& left_out, const JudgedWith& with) {
+                                     const RemainingRows& remaining) {
   const series::Rows& rows = known.series().rows();
-  const Eigen::VectorXd weights = weights_without(left_out, with.row_weights);
-  const noise::Whitening whitening(with.noise, rows, weights);
-  const Eigen::MatrixXd offsets = offsets_of_fitted(rows, weights, with);
-  const WhitenedProblem problem(known, whitening, fold.terms, offsets);
+  const WhitenedProblem problem(known, remaining.whitening, fold.terms, remaining.offsets);
   const std::vector<model::ShapeParameter> shapes = model::shape_parameters(fold.terms);
   const LinearFit fit = problem.solve(shapes);
   if (fit.covariance.size() == 0) {
@@ -95,14 +97,14 @@ Eigen::VectorXd prediction_sigma_dph(const KnownRegressors& known, const Fold& f
   }
   std::vector<Eigen::MatrixXd> slopes;
   for (const model::EffectTerm& term : fold.terms) slopes.push_back(*known(term));
-  slopes.push_back(offsets);
+  slopes.push_back(remaining.offsets);
   const std::vector<series::ColumnRange> columns = series::columns_of(fold.terms, rows.row_s);
   for (const model::ShapeParameter& shape : shapes) {
     const series::ColumnRange& own = columns[shape.term];
     slopes.emplace_back(problem.derivative(shape, fit.coefficients.segment(own.first, own.count)));
   }
   const Eigen::MatrixXd slope = side_by_side(slopes, rows.size());
-  const auto fitted = static_cast<double>((weights.array() > 0).count());
+  const auto fitted = static_cast<double>((remaining.weights.array() > 0).count());
   const double power =
       std::max(1.0, fit.residual.squaredNorm() / fitted) *
       noise::correlated_values({fit.residual.begin(), fit.residual.end()}, rows.runs());
@@ -132,8 +134,9 @@ bool others_determine(const KnownRegressors& known, const std::vector<model::Eff
                       const std::vector<std::size_t>& changed, std::size_t run,
                       const JudgedWith& with) {
   const std::vector<model::EffectTerm> terms = model::with_fixed_shapes(after, changed);
-  const Fold all = leave_out(known, terms, {}, with);
-  const Fold others = leave_out(known, terms, {known.series().rows().runs()[run]}, with);
+  const Fold all = fit_to({known, {}, with}, known, terms, with);
+  const Part left_out{known.series().rows().runs()[run]};
+  const Fold others = fit_to({known, left_out, with}, known, terms, with);
   return determines_terms(others, all, known, terms, changed);
 }
 

@@ -6,8 +6,19 @@
 #include "fit/known_regressors.hpp"
 #include "fit/left_out_parts.hpp"
 #include "fit/out_of_sample.hpp"
+#include "noise/whitening.hpp"
 
 namespace fogcomp::fit {
+
+/// The rows that remain when a part is left out, for fits of several sets of effects to them.
+struct RemainingRows {
+  RemainingRows(const KnownRegressors& known, const Part& left_out, const JudgedWith& with);
+
+  bool all;                 ///< nothing is left out
+  Eigen::VectorXd weights;  ///< 0 for those left out
+  noise::Whitening whitening;
+  Eigen::MatrixXd offsets;  ///< biases of power-ons, if each has its own
+};
 
 /// A set of effects, identified without some of the rows.
 struct Fold {
@@ -19,14 +30,14 @@ struct Fold {
 
 /// Solves for all coefficients of `terms` and, if anything is left out, for those of their shapes
 /// that are identified: with all rows the fit that is judged has found them.
-Fold leave_out(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
-               const Part& left_out, const JudgedWith& with);
+Fold fit_to(const RemainingRows& remaining, const KnownRegressors& known,
+            const std::vector<model::EffectTerm>& terms, const JudgedWith& with);
 
-/// Standard deviation of what a fold predicts in each row, deg/h, by the uncertainty of its
-/// coefficients and shapes, with noise as strong and as long as what the fit leaves. `left_out`,
-/// `with`: those of leave_out(). Infinite if the fold is not determined.
+/// Standard deviation of what a fold of these rows predicts in each row, deg/h, by the uncertainty
+/// of its coefficients and shapes, with noise as strong and as long as what the fit leaves.
+/// Infinite if the fold is not determined.
 Eigen::VectorXd prediction_sigma_dph(const KnownRegressors& known, const Fold& fold,
-                                     const Part& left_out, const JudgedWith& with);
+                                     const RemainingRows& remaining);
 
 /// Whether the rows of `fold` determine every coefficient not far worse than all rows do
 /// (rules::kFarWorse times their sigma).
