@@ -39,18 +39,31 @@ struct Judge {
   }
 };
 
-// The model with any subset of the added effects, refitted, each subset once; without a network.
+// The model with subsets of the added effects, refitted; without a network.
 class PartsOfSet {
  public:
+  using Subset = std::vector<std::size_t>;
+
   PartsOfSet(const FittedPair& pair, const model::Model& after) : pair_(pair) {
-    take({}, pair.before);
-    take(pair.change.changed, after);
+    fitted_[{}] = without_network(pair.before);
+    fitted_[pair.change.changed] = without_network(after);
   }
-  // Throws InputError if the data do not determine that subset.
-  const model::Model& fitted(const std::vector<std::size_t>& chosen) {
-    const auto known = fitted_.find(chosen);
-    if (known != fitted_.end()) return known->second;
-    model::Model model = fitted_.at({});
+  // Fits those that are not known yet, side by side.
+  void fit(const std::vector<Subset>& subsets) {
+    std::vector<std::pair<const Subset, std::optional<model::Model>>*> unknown;
+    for (const Subset& subset : subsets) {
+      const auto [entry, is_new] = fitted_.try_emplace(subset);
+      if (is_new) unknown.push_back(&*entry);
+    }
+    for_each_index(unknown.size(),
+                   [&](std::size_t i) { unknown[i]->second = refit_with(unknown[i]->first); });
+  }
+  // Nothing if the data do not determine that subset; it must have been fitted.
+  const std::optional<model::Model>& with(const Subset& subset) const { return fitted_.at(subset); }
+
+ private:
+  std::optional<model::Model> refit_with(const Subset& chosen) const {
+    model::Model model = *fitted_.at({});
     model.terms = pair_.given;
     for (const std::size_t i : chosen) {
       const model::EffectTerm& term = pair_.change.terms[i];
@@ -60,51 +73,63 @@ class PartsOfSet {
         model.terms.push_back(term);
       }
     }
-    fit_model(model, pair_.known, fit_settings(model, pair_.settings));
-    return fitted_[chosen] = std::move(model);
-  }
-
- private:
-  void take(const std::vector<std::size_t>& chosen, const model::Model& model) {
-    fitted_[chosen] = without_network(model);
+    try {
+      fit_model(model, pair_.known, fit_settings(model, pair_.settings));
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+    return model;
   }
 
   const FittedPair& pair_;
-  std::map<std::vector<std::size_t>, model::Model> fitted_;
+  std::map<Subset, std::optional<model::Model>> fitted_;
 };
 
 // Judges the effects `added` to those of `before`; nothing if the data determine them only together
 // with others.
-std::optional<OutOfSample> judge_part(const Judge& judge, const std::vector<std::size_t>& before,
-                                      const std::vector<std::size_t>& after, std::size_t added,
-                                      PartsOfSet& models) {
-  try {
-    const model::Model& with = models.fitted(after);
-    return judge(models.fitted(before), with, places_of(judge.pair.change, {added}, with));
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
+std::optional<OutOfSample> judge_part(const Judge& judge, const PartsOfSet& models,
+                                      const PartsOfSet::Subset& before,
+                                      const PartsOfSet::Subset& after, std::size_t added) {
+  const std::optional<model::Model>& without = models.with(before);
+  const std::optional<model::Model>& with = models.with(after);
+  if (!without || !with) return std::nullopt;
+  return judge(*without, *with, places_of(judge.pair.change, {added}, *with));
 }
 
 bool is_needless(const Addition::Part& part) {
   return part.beside && !part.beside->helps();
 }
 
+PartsOfSet::Subset all_but(const PartsOfSet::Subset& all, std::size_t one) {
+  PartsOfSet::Subset others = all;
+  others.erase(std::find(others.begin(), others.end(), one));
+  return others;
+}
+
 // Judges each effect of a set alone and beside the others. If only the verdict is wanted, only
 // beside the others, up to the first that is not needed.
 std::vector<Addition::Part> judge_parts(const Judge& judge, PartsOfSet& models) {
   const EffectChange& change = judge.pair.change;
+  const PartsOfSet::Subset& all = change.changed;
   const bool verdict_only = judge.pair.settings.verdict_only;
-  std::vector<Addition::Part> parts;
-  for (const std::size_t i : change.changed) {
-    Addition::Part part{change.terms[i].name, {}, {}};
-    std::vector<std::size_t> others = change.changed;
-    others.erase(std::find(others.begin(), others.end(), i));
-    if (!verdict_only) part.alone = judge_part(judge, {}, {i}, i, models);
-    part.beside = judge_part(judge, others, change.changed, i, models);
-    parts.push_back(std::move(part));
-    if (verdict_only && is_needless(parts.back())) break;
+  std::vector<PartsOfSet::Subset> subsets;
+  for (const std::size_t i : all) {
+    subsets.push_back(all_but(all, i));
+    if (!verdict_only) subsets.push_back({i});
   }
+  models.fit(subsets);
+  std::vector<Addition::Part> parts(all.size());
+  std::vector<std::atomic<bool>> needless(parts.size());
+  for_each_index(parts.size(), [&](std::size_t i) {
+    const auto own = needless.begin() + static_cast<std::ptrdiff_t>(i);
+    if (verdict_only && std::find(needless.begin(), own, true) != own) return;
+    parts[i].effect = change.terms[all[i]].name;
+    if (!verdict_only) parts[i].alone = judge_part(judge, models, {}, {all[i]}, all[i]);
+    parts[i].beside = judge_part(judge, models, all_but(all, all[i]), all, all[i]);
+    *own = is_needless(parts[i]);
+  });
+  const auto first = std::find_if(parts.begin(), parts.end(), is_needless);
+  if (verdict_only && first != parts.end()) parts.erase(first + 1, parts.end());
   return parts;
 }
 
