@@ -122,6 +122,22 @@ void refuse_if_little(double noise_floor_dph, TriedAddition& tried) {
              rounded(tried.rms_before_dph).c_str(), rounded(tried.rms_after_dph).c_str());
 }
 
+// Refuses a description by an effect that goes on while the power is off if there is one power-on:
+// all stretches of it share its time, so that none shows what is left at the next. A name has
+// physics for it.
+void refuse_if_of_one_power_on(const JudgingRuns& runs, TriedAddition& tried) {
+  if (!tried.accepted || runs.have_several_power_ons()) return;
+  for (const std::string& effect : tried.request.effects) {
+    const std::string name = model::parse_effects(effect).front().name;
+    if (!model::find_effect(name).description.outlives_power) continue;
+    tried.accepted = false;
+    tried.reason = name +
+                   " goes on while the power is off, and one run cannot tell what is left of it "
+                   "at the next power-on: a second run, given with the first or with --holdout, "
+                   "would";
+  }
+}
+
 // Tries the first few descriptions; of those accepted the one that leaves least out of sample is
 // taken, an earlier one if that is nearly as good. The addition that `next` has is the first.
 bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
@@ -133,6 +149,7 @@ bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
   const auto judge_one = [&](std::size_t i) {
     tried[i] = judge.of_description(std::move(descriptions[i].request));
     refuse_if_little(diagnosis.noise_floor_dph, tried[i]);
+    refuse_if_of_one_power_on(judge.runs(), tried[i]);
   };
   judge_one(0);  // with all threads: often it is the one
   if (leaves_noise(tried[0], diagnosis.noise_floor_dph, judge.runs())) {
