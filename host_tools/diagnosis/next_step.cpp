@@ -128,10 +128,10 @@ void refuse_if_little(double noise_floor_dph, TriedAddition& tried) {
 void refuse_if_of_one_power_on(const JudgingRuns& runs, TriedAddition& tried) {
   if (!tried.accepted || runs.have_several_power_ons()) return;
   for (const std::string& effect : tried.request.effects) {
-    const std::string name = model::parse_effects(effect).front().name;
-    if (!model::find_effect(name).description.outlives_power) continue;
+    const model::EffectTerm term = model::parse_effects(effect).front();
+    if (!model::info_of(term).outlives_power) continue;
     tried.accepted = false;
-    tried.reason = name +
+    tried.reason = term.name +
                    " goes on while the power is off, and one run cannot tell what is left of it "
                    "at the next power-on: a second run, given with the first or with --holdout, "
                    "would";

@@ -16,8 +16,11 @@ namespace fogcomp::fit {
 
 // Parts that were left out each, and the fits of both sets without them.
 struct CrossValidation::LeftOut {
-  explicit LeftOut(std::vector<Part> given)
-      : parts(std::move(given)), remaining(parts.size()), folds(parts.size()) {}
+  LeftOut(std::vector<Part> given, const KnownRegressors& known, const JudgedWith& with)
+      : parts(std::move(given)), remaining(parts.size()), folds(parts.size()) {
+    for_each_index(parts.size(),
+                   [&](std::size_t i) { remaining[i].emplace(known, parts[i], with); });
+  }
 
   std::vector<Part> parts;
   std::vector<std::optional<RemainingRows>> remaining;
@@ -61,14 +64,14 @@ CrossValidation::CrossValidation(const KnownRegressors& known,
       all_(std::move(leave_out_each({{}}).folds.front())) {}
 
 CrossValidation::LeftOut CrossValidation::leave_out_each(std::vector<Part> parts) const {
-  LeftOut left(std::move(parts));
-  for_each_index(left.parts.size(), [&](std::size_t i) { fit_after(i, left); });
-  for_each_index(left.parts.size(), [&](std::size_t i) { fit_before(i, left); });
+  LeftOut left(std::move(parts), known_, with_);
+  for_each_index(2 * left.parts.size(), [&](std::size_t i) {
+    i % 2 == 0 ? fit_after(i / 2, left) : fit_before(i / 2, left);
+  });
   return left;
 }
 
 void CrossValidation::fit_after(std::size_t part, LeftOut& left) const {
-  left.remaining[part].emplace(known_, left.parts[part], with_);
   left.folds[part].after = fit_to(*left.remaining[part], known_, after_, with_);
 }
 
@@ -85,11 +88,11 @@ bool CrossValidation::all_determine_changed(const LeftOut& left) const {
                      [&](const Pair& fold) { return determine_changed(fold.after); });
 }
 
-// The parts left out each, nothing if without one of them a changed term is undetermined: then not
-// all that the others would tell is computed.
+// Nothing if without one of the parts a changed term is undetermined: then the fits that have not
+// begun are not made.
 std::optional<CrossValidation::LeftOut> CrossValidation::leave_out_if_determined(
     std::vector<Part> parts) const {
-  LeftOut left(std::move(parts));
+  LeftOut left(std::move(parts), known_, with_);
   std::atomic<bool> is_determined{true};
   for_each_index(left.parts.size(), [&](std::size_t i) {
     if (!is_determined) return;

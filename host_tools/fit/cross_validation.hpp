@@ -88,7 +88,6 @@ class CrossValidation {
 
   LeftOut leave_out_each(std::vector<Part> parts) const;
   std::optional<LeftOut> leave_out_if_determined(std::vector<Part> parts) const;
-  /// In this order.
   void fit_after(std::size_t part, LeftOut& left) const;
   void fit_before(std::size_t part, LeftOut& left) const;
   bool determine_changed(const Fold& after) const;
