@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "diagnosis/candidates.hpp"
+#include "series/signal_series.hpp"
+
+namespace fogcomp::diagnosis {
+
+/// Makes shapes of a candidate: columns of an effect beyond those that the model already has.
+class ShapeMaker {
+ public:
+  /// `owned`: number of the effect's first columns that the model has. The first two must outlive
+  /// this.
+  ShapeMaker(const series::SignalSeries& series, const ProjectOutModel& project_out_model,
+             Eigen::Index owned)
+      : series_(series), to_visible_(project_out_model), owned_(owned) {}
+
+  /// Nothing if the effect is negligible or invisible with these parameters, or an expression is
+  /// not finite.
+  std::optional<Candidate::Shape> operator()(const model::EffectTerm& term) const;
+
+ private:
+  const series::SignalSeries& series_;
+  const ProjectOutModel& to_visible_;
+  Eigen::Index owned_;
+};
+
+/// Mean fraction of a's directions that b explains, 0..1; 1 for the same subspace.
+double overlap(const Candidate::Shape& a, const Candidate::Shape& b);
+
+/// All shapes of a term whose marked parameters may vary: a fine grid of the first, coarse grids of
+/// the others.
+std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const model::EffectTerm& term);
+
+}  // namespace fogcomp::diagnosis
