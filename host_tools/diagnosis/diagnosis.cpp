@@ -71,7 +71,7 @@ Experiment experiment_for_rivals(const model::Model& model, const Diagnosis& dia
 }
 
 // Several effects may be missing at once; the one that explains most is named.
-void name_effects(const model::Model& model, Diagnosis& diagnosis) {
+void name_effects(Diagnosis& diagnosis) {
   const CandidateFinding& first = diagnosis.candidates.front();
   if (model::only_tail_is_seen(first.term())) return;
   if (first.probability >= rules::kNamed) {
@@ -83,13 +83,11 @@ void name_effects(const model::Model& model, Diagnosis& diagnosis) {
   for (const CandidateFinding& finding : diagnosis.candidates) {
     if (finding.lead >= rules::kConfusable) diagnosis.confusable.push_back(finding.effect);
   }
-  diagnosis.experiment = experiment_for_rivals(model, diagnosis);
 }
 
 // The verdict where something is missing. `slow_excess`: chi^2 above noise of what is not fast.
 // `may_be_named`: the catalogue explains that, and noise does not.
-void decide(const model::Model& model, double slow_excess, const FastFinding& fast,
-            bool may_be_named, Diagnosis& diagnosis) {
+void decide(double slow_excess, const FastFinding& fast, bool may_be_named, Diagnosis& diagnosis) {
   const bool fast_left = fast.excess > rules::kMaxUnexplained[0] * (fast.excess + slow_excess);
   if (fast_left) {
     diagnosis.fast_kind = fast.kind;
@@ -97,7 +95,7 @@ void decide(const model::Model& model, double slow_excess, const FastFinding& fa
     if (fast.excess > slow_excess) diagnosis.variable = "time_s";
   }
   diagnosis.verdict = Verdict::unknown;
-  if (may_be_named && !fast_left && !diagnosis.walk.may_be_all()) name_effects(model, diagnosis);
+  if (may_be_named && !fast_left && !diagnosis.walk.may_be_all()) name_effects(diagnosis);
 }
 
 struct Weighed {
@@ -121,9 +119,8 @@ Weighed weigh(const EvidenceSpace& evidence, double degrees_of_freedom, std::uin
 }
 
 // Tests the residual against noise, compares the hypotheses and sets the verdict.
-void judge(const model::Model& model, const EvidenceSpace& evidence,
-           const series::SignalSeries& series, const fit::NoiseWeightedFit& fit, std::uint64_t seed,
-           Diagnosis& diagnosis) {
+void judge(const EvidenceSpace& evidence, const series::SignalSeries& series,
+           const fit::NoiseWeightedFit& fit, std::uint64_t seed, Diagnosis& diagnosis) {
   const auto [test, hypotheses] = weigh(evidence, fit.noise.degrees_of_freedom, seed);
   if (hypotheses.empty()) return;
   const Explanation explanation =
@@ -153,7 +150,7 @@ void judge(const model::Model& model, const EvidenceSpace& evidence,
   diagnosis.explanations = likeliest_sets(evidence, hypotheses, explanation.excess);
   if (something) {
     const bool may_be_named = explanation.enough && test.library_log_p < rules::kLibraryLogP;
-    decide(model, explanation.excess, fast, may_be_named, diagnosis);
+    decide(explanation.excess, fast, may_be_named, diagnosis);
     if (is_mainly_fast(diagnosis))
       diagnosis.late_ripples = find_late_ripples(series, fit.terms, fast.left);
   } else if (diagnosis.chance < rules::kFaintChance &&
@@ -200,6 +197,31 @@ std::string blind_spot_of(const Diagnosis& diagnosis, const series::Rows& rows,
       100 * above_white);
 }
 
+// Where the residual is, and what may be missing. The columns of all explanations, most of a
+// diagnosis' memory, live as long as this.
+void look_for_causes(const model::Model& model, const DiagnosisData& data,
+                     const fit::NoiseWeightedFit& fit, const DiagnosisSettings& settings,
+                     Diagnosis& diagnosis) {
+  const series::SignalSeries& series = data.series();
+  // Candidates take most of the time, the test against noise the rest.
+  constexpr double kCandidates = 0.75;
+  const EvidenceSpace evidence = make_evidence_space(data, fit, [&](double done) {
+    if (settings.progress) settings.progress(kCandidates * done);
+  });
+  diagnosis.untestable = evidence.untestable;
+  ResidualPlace place = place_of(evidence.smooth, evidence.residual(), data.segments());
+  diagnosis.variable = std::move(place.variable);
+  diagnosis.variables = std::move(place.variables);
+  diagnosis.segments = std::move(place.segments);
+  if (!evidence.regressors.empty()) judge(evidence, series, fit, settings.seed, diagnosis);
+  diagnosis.walk.has_static = settings.noise.has_value();
+  if (model.network.present()) {
+    diagnosis.network =
+        ask_network(model.network, series, evidence.candidates,
+                    [&](const Eigen::MatrixXd& columns) { return evidence.residualizer(columns); });
+  }
+}
+
 }  // namespace
 
 Diagnosis diagnose(const model::Model& model, const DiagnosisData& data,
@@ -218,22 +240,9 @@ Diagnosis diagnose(const model::Model& model, const DiagnosisData& data,
   diagnosis.residual_dph = fit.residual_dph;
   diagnosis.noise_floor_dph = data.noise_floor_dph().value_or(fit.noise.white_dph());
 
-  // Candidates take most of the time, the test against noise the rest.
-  constexpr double kCandidates = 0.75;
-  const EvidenceSpace evidence = make_evidence_space(data, fit, [&](double done) {
-    if (settings.progress) settings.progress(kCandidates * done);
-  });
-  diagnosis.untestable = evidence.untestable;
-  ResidualPlace place = place_of(evidence.smooth, evidence.residual(), data.segments());
-  diagnosis.variable = std::move(place.variable);
-  diagnosis.variables = std::move(place.variables);
-  diagnosis.segments = std::move(place.segments);
-  if (!evidence.regressors.empty()) judge(model, evidence, series, fit, settings.seed, diagnosis);
-  diagnosis.walk.has_static = settings.noise.has_value();
-  if (model.network.present()) {
-    diagnosis.network =
-        ask_network(model.network, series, evidence.candidates,
-                    [&](const Eigen::MatrixXd& columns) { return evidence.residualizer(columns); });
+  look_for_causes(model, data, fit, settings, diagnosis);
+  if (diagnosis.verdict == Verdict::ambiguous) {
+    diagnosis.experiment = experiment_for_rivals(model, diagnosis);
   }
   diagnosis.notes = limits_of(diagnosis, settings.noise.has_value());
   diagnosis.blind_spot = blind_spot_of(diagnosis, rows, settings.noise.has_value());
