@@ -9,12 +9,13 @@ namespace fogcomp::diagnosis {
 namespace {
 
 // A few columns at a time: less memory than all of them.
-Eigen::MatrixXd visible_of(const Eigen::MatrixXd& columns, const Residualizer& residualizer) {
+Eigen::MatrixXf visible_of(const Eigen::MatrixXf& columns, const Residualizer& residualizer) {
   constexpr Eigen::Index kAtOnce = 16;
-  Eigen::MatrixXd visible(residualizer.residual().size(), columns.cols());
+  Eigen::MatrixXf visible(residualizer.residual().size(), columns.cols());
   for (Eigen::Index first = 0; first < columns.cols(); first += kAtOnce) {
     const Eigen::Index count = std::min(kAtOnce, columns.cols() - first);
-    visible.middleCols(first, count) = residualizer(columns.middleCols(first, count)).columns;
+    const Eigen::MatrixXd some = columns.middleCols(first, count).cast<double>();
+    visible.middleCols(first, count) = residualizer(some).columns.cast<float>();
   }
   return visible;
 }
@@ -23,7 +24,7 @@ Eigen::MatrixXd visible_of(const Eigen::MatrixXd& columns, const Residualizer& r
 struct PossibleColumns {
   CandidateList candidates;
   VisibleStructure smooth;
-  Eigen::MatrixXd walk_modes;
+  Eigen::MatrixXf walk_modes;
 };
 
 // All three side by side: the last two keep one thread each busy.
@@ -92,11 +93,11 @@ Eigen::VectorXd without(const EvidenceSpace& evidence, const Hypothesis& hypothe
   Eigen::VectorXd left = evidence.residual();
   Eigen::Index at = 0;
   for (const Hypothesis::Part& part : hypothesis.parts) {
-    const Eigen::MatrixXd& basis = evidence.candidates[part.candidate].shapes[part.shape].basis;
-    left -= basis * coefficients.segment(at, basis.cols());
+    const Eigen::MatrixXf& basis = evidence.candidates[part.candidate].shapes[part.shape].basis;
+    left -= basis.cast<double>() * coefficients.segment(at, basis.cols());
     at += basis.cols();
   }
-  left -= evidence.smooth.all * coefficients.tail(evidence.smooth.all.cols());
+  left -= evidence.smooth.all.cast<double>() * coefficients.tail(evidence.smooth.all.cols());
   return left.head(rows);
 }
 

@@ -25,7 +25,7 @@ NetworkLearnt ask_network(const model::RealNetwork& network, const series::Signa
     if (candidate.is_event()) continue;
     NetworkLearnt::Share best;
     for (const Candidate::Shape& shape : candidate.shapes) {
-      const double share = std::min(1.0, (shape.basis.transpose() * beyond).squaredNorm());
+      const double share = std::min(1.0, shape.chi2_drop(beyond));
       if (share >= best.share) best = {shape.term, share};
     }
     if (!best.term.name.empty()) learnt.effects.push_back(std::move(best));

@@ -9,7 +9,7 @@ ResidualPlace place_of(const VisibleStructure& structure, const Eigen::VectorXd&
   ResidualPlace place;
   double max = 0;
   for (std::size_t i = 0; i < structure.groups.size(); ++i) {
-    const Eigen::VectorXd projection = structure.groups[i].transpose() * residual;
+    const Eigen::VectorXd projection = structure.groups[i].cast<double>().transpose() * residual;
     const double evidence =
         fit::log_evidence(projection.squaredNorm(), static_cast<double>(projection.size()));
     place.variables.push_back({structure.variables[i], evidence});
@@ -18,7 +18,8 @@ ResidualPlace place_of(const VisibleStructure& structure, const Eigen::VectorXd&
     place.variable = structure.variables[i];
   }
   for (NamedShare& variable : place.variables) variable.share /= max > 0 ? max : 1;
-  const Eigen::VectorXd smooth = structure.all * (structure.all.transpose() * residual);
+  const Eigen::MatrixXd all = structure.all.cast<double>();
+  const Eigen::VectorXd smooth = all * (all.transpose() * residual);
   double sum = 0;
   for (const recording::Segment& segment : segments) {
     const auto first = static_cast<Eigen::Index>(segment.rows.first);

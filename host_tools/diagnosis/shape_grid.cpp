@@ -53,11 +53,12 @@ std::optional<Candidate::Shape> ShapeMaker::operator()(const model::EffectTerm& 
     if (part.visible[i] < rules::kMinVisible) continue;
     part.columns.col(kept++) = part.columns.col(i);
   }
-  return Candidate::Shape{term, orthonormal(part.columns.leftCols(kept), kRank), 0};
+  return Candidate::Shape{term, orthonormal(part.columns.leftCols(kept), kRank).cast<float>(), 0};
 }
 
 double overlap(const Candidate::Shape& a, const Candidate::Shape& b) {
-  return (a.basis.transpose() * b.basis).squaredNorm() /
+  const Eigen::MatrixXf within = a.basis.transpose() * b.basis;
+  return within.cast<double>().squaredNorm() /
          static_cast<double>(std::max(a.basis.cols(), b.basis.cols()));
 }
 

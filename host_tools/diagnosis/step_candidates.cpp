@@ -28,7 +28,7 @@ std::optional<Candidate::Shape> step_shape(const series::SignalSeries& series,
   step.parameters[0] = rows.time_s[row];
   step.recording = series.recording_of(row);
   step.identified[0] = false;
-  return Candidate::Shape{std::move(step), part.columns.colwise().normalized(), row};
+  return Candidate::Shape{std::move(step), part.columns.colwise().normalized().cast<float>(), row};
 }
 
 }  // namespace
@@ -109,8 +109,9 @@ class Steps {
 }  // namespace
 
 void place_steps(std::vector<Candidate::Shape>& shapes, const series::SignalSeries& series,
-                 const Residualizer& residualizer, const Eigen::MatrixXd& smooth) {
+                 const Residualizer& residualizer, const Eigen::MatrixXf& smooth_columns) {
   const series::Rows& rows = series.rows();
+  const Eigen::MatrixXd smooth = smooth_columns.cast<double>();
   const Eigen::MatrixXd nothing(smooth.rows(), 0);
   Eigen::MatrixXd left(smooth.rows(), 2);
   left.col(0) = residualizer.residual();
@@ -125,7 +126,7 @@ void place_steps(std::vector<Candidate::Shape>& shapes, const series::SignalSeri
     for (const std::size_t row : best_rows(rows, drops.col(which))) {
       auto placed = step_shape(series, residualizer, step, row);
       if (!placed) continue;
-      const Eigen::VectorXd own = projected_out(beside, placed->basis);
+      const Eigen::VectorXd own = projected_out(beside, placed->basis.cast<double>());
       const double drop =
           std::pow(own.dot(left.col(which)), 2) / std::max(own.squaredNorm(), 1e-300);
       if (drop < min_drop) return;

@@ -19,7 +19,7 @@ std::vector<Candidate::Shape> step_shapes(const series::SignalSeries& series,
 /// (rules::kMinPlacedChi2Drop): an effect that is missing, too, has no edges. Other steps are
 /// tested on the grid only, as noise is.
 void place_steps(std::vector<Candidate::Shape>& shapes, const series::SignalSeries& series,
-                 const Residualizer& residualizer, const Eigen::MatrixXd& smooth);
+                 const Residualizer& residualizer, const Eigen::MatrixXf& smooth);
 
 /// Removes steps where the residual changes over minutes rather than within a row
 /// (noise::gain_of_gradual_change(), fit::rules::kMaxGradualGain): slow noise, or another effect.

@@ -115,14 +115,14 @@ std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
 namespace {
 
 // Orthonormal directions of the columns that are not practically invisible.
-Eigen::MatrixXd principal(const Eigen::MatrixXd& columns) {
+Eigen::MatrixXf principal(const Eigen::MatrixXd& columns) {
   constexpr double kMin = 1e-3;  // norm relative to a unit column
   const SymmetricEigen eigen = symmetric_eigen(gram(columns));
   Eigen::Index kept = 0;
   while (kept < columns.cols() && eigen.values[columns.cols() - 1 - kept] > kMin) ++kept;
   const Eigen::MatrixXd directions = eigen.vectors.rightCols(kept);
   const Eigen::VectorXd scale = eigen.values.tail(kept).cwiseSqrt().cwiseInverse();
-  return columns * directions * scale.asDiagonal();
+  return (columns * directions * scale.asDiagonal()).cast<float>();
 }
 
 }  // namespace

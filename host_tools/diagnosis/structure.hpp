@@ -40,8 +40,8 @@ std::vector<StructureGroup> structure_groups(const series::Rows& rows);
 /// together.
 struct VisibleStructure {
   std::vector<std::string> variables;
-  std::vector<Eigen::MatrixXd> groups;
-  Eigen::MatrixXd all;
+  std::vector<Eigen::MatrixXf> groups;
+  Eigen::MatrixXf all;
 };
 VisibleStructure visible_structure(const series::Rows& rows, const Residualizer& residualizer);
 

@@ -16,7 +16,7 @@ constexpr Eigen::Index kRowsAtOnce = 1024;
 
 }  // namespace
 
-series::ColumnRange ExplainedSpace::add(const Eigen::MatrixXd& columns) {
+series::ColumnRange ExplainedSpace::add(const Eigen::MatrixXf& columns) {
   const series::ColumnRange range{width_, columns.cols()};
   width_ += columns.cols();
   parts_.push_back(&columns);
@@ -32,8 +32,8 @@ void ExplainedSpace::finish() {
     const Eigen::Index count = std::min(kRowsAtOnce, residual_.size() - first);
     rows.resize(count, width_);
     Eigen::Index at = 0;
-    for (const Eigen::MatrixXd* const part : parts_) {
-      rows.middleCols(at, part->cols()) = part->middleRows(first, count);
+    for (const Eigen::MatrixXf* const part : parts_) {
+      rows.middleCols(at, part->cols()) = part->middleRows(first, count).cast<double>();
       at += part->cols();
     }
     add_to_gram(rows, gram_);

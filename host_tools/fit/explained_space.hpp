@@ -9,15 +9,16 @@ namespace fogcomp::fit {
 
 /// Inner products of columns and a residual, so that the chi^2 explained by any set of columns
 /// needs only a small linear system, whatever the number of rows. Everything is whitened with the
-/// model projected out; columns have unit length.
+/// model projected out; columns have unit length. They are of single precision, for their memory:
+/// their rounding, another in each row, averages out in the inner products, which are of double.
 class ExplainedSpace {
  public:
   explicit ExplainedSpace(Eigen::VectorXd residual) : residual_(std::move(residual)) {}
 
   /// The columns are not copied (they are most of a diagnosis' memory): they must stay as they are
   /// until finish().
-  series::ColumnRange add(const Eigen::MatrixXd& columns);
-  series::ColumnRange add(const Eigen::MatrixXd&& columns) = delete;
+  series::ColumnRange add(const Eigen::MatrixXf& columns);
+  series::ColumnRange add(const Eigen::MatrixXf&& columns) = delete;
   /// To be called after the last add().
   void finish();
 
@@ -58,7 +59,7 @@ class ExplainedSpace {
                 const Eigen::VectorXd& projection) const;
 
   Eigen::VectorXd residual_;
-  std::vector<const Eigen::MatrixXd*> parts_;  // until finish()
+  std::vector<const Eigen::MatrixXf*> parts_;  // until finish()
   Eigen::Index width_ = 0;
   Eigen::MatrixXd gram_;
   Eigen::VectorXd projection_;

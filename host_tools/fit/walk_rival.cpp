@@ -18,7 +18,7 @@ bool is_possible(const noise::NoiseModel::Walk& walk) {
 
 }  // namespace
 
-Eigen::MatrixXd visible_walk_modes(const series::Rows& rows, const noise::NoiseModel& noise) {
+Eigen::MatrixXf visible_walk_modes(const series::Rows& rows, const noise::NoiseModel& noise) {
   double max = 0;
   for (const noise::NoiseModel::Walk& walk : noise.walks) {
     if (is_possible(walk)) max = std::max(max, walk.coefficient);
@@ -26,15 +26,15 @@ Eigen::MatrixXd visible_walk_modes(const series::Rows& rows, const noise::NoiseM
   return noise::random_walk_modes(rows, max / noise.white_dph());
 }
 
-WalkModes add_walk(ExplainedSpace& space, Eigen::MatrixXd& modes) {
+WalkModes add_walk(ExplainedSpace& space, Eigen::MatrixXf& modes) {
   constexpr double kVisibleMode = 1e-9;
-  const Eigen::VectorXd square = modes.colwise().squaredNorm();
+  const Eigen::VectorXd square = modes.cast<double>().colwise().squaredNorm();
   const double max = square.size() > 0 ? square.maxCoeff() : 0;
   WalkModes walk{{}, Eigen::VectorXd(modes.cols())};
   Eigen::Index count = 0;
   for (Eigen::Index i = 0; i < modes.cols(); ++i) {
     if (square[i] <= kVisibleMode * max) continue;
-    modes.col(count) = modes.col(i) / std::sqrt(square[i]);
+    modes.col(count) = modes.col(i) / static_cast<float>(std::sqrt(square[i]));
     walk.square[count++] = square[i];
   }
   walk.square.conservativeResize(count);
@@ -105,14 +105,15 @@ double chance_of_walk(const series::Rows& rows, const noise::NoiseModel& noise,
   const Eigen::MatrixXd bias =
       orthonormal(whitening.apply(Eigen::MatrixXd::Ones(columns.measured.size(), 1)));
   const Eigen::MatrixXd effect = new_directions(columns.added, before, bias);
-  Eigen::MatrixXd modes = visible_walk_modes(rows, noise);
+  Eigen::MatrixXf modes = visible_walk_modes(rows, noise);
   for (Eigen::Index first = 0; first < modes.cols(); first += kModesAtOnce) {
     auto some = modes.middleCols(first, std::min(kModesAtOnce, modes.cols() - first));
-    some = projected_out(before, whitening.apply(some));
+    some = projected_out(before, whitening.apply(some.cast<double>())).cast<float>();
   }
   ExplainedSpace space(projected_out(before, columns.measured));
   const WalkModes walk = add_walk(space, modes);
-  const series::ColumnRange in_effect = space.add(effect);
+  const Eigen::MatrixXf effect_columns = effect.cast<float>();
+  const series::ColumnRange in_effect = space.add(effect_columns);
   space.finish();
   const double chi2_drop = (effect.transpose() * columns.measured).squaredNorm();
   const double evidence = log_evidence(chi2_drop, static_cast<double>(effect.cols()));

@@ -23,11 +23,11 @@ struct WalkModes {
 };
 /// Columns of a random walk (noise::random_walk_modes) as far as one that the quiet parts do not
 /// exclude is visible.
-Eigen::MatrixXd visible_walk_modes(const series::Rows& rows, const noise::NoiseModel& noise);
+Eigen::MatrixXf visible_walk_modes(const series::Rows& rows, const noise::NoiseModel& noise);
 
 /// `modes`: visible_walk_modes(), whitened, model projected out. Those within the model are
 /// removed, the others scaled to unit length; they must stay as they are then until space.finish().
-WalkModes add_walk(ExplainedSpace& space, Eigen::MatrixXd& modes);
+WalkModes add_walk(ExplainedSpace& space, Eigen::MatrixXf& modes);
 
 /// Most probable walk according to the quiet parts (`walks`) and `space`. Prior: a walk is as
 /// probable as none, all of `walks` equally. Walks excluded by the quiet parts are not considered.

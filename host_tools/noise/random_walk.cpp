@@ -39,7 +39,7 @@ Eigen::Index visible_modes(const Span& span, double row_s, double relative) {
 
 }  // namespace
 
-Eigen::MatrixXd random_walk_modes(const series::Rows& rows, double relative) {
+Eigen::MatrixXf random_walk_modes(const series::Rows& rows, double relative) {
   constexpr double kOfAllRuns = 96;
   constexpr Eigen::Index kMinCount = 8;
   const std::vector<recording::RowRange> runs = rows.runs();
@@ -52,7 +52,7 @@ Eigen::MatrixXd random_walk_modes(const series::Rows& rows, double relative) {
     counts.push_back(
         std::max(kMinCount, std::min(share, visible_modes(span, rows.row_s, relative))));
   }
-  Eigen::MatrixXd modes = Eigen::MatrixXd::Zero(
+  Eigen::MatrixXf modes = Eigen::MatrixXf::Zero(
       rows.size(), std::accumulate(counts.begin(), counts.end(), Eigen::Index{0}));
   Eigen::Index column = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -61,8 +61,8 @@ Eigen::MatrixXd random_walk_modes(const series::Rows& rows, double relative) {
     for (Eigen::Index k = 0; k < counts[i]; ++k, ++column) {
       const double size = amplitude(k, span.length_s);
       for (std::size_t row = run.first; row < run.end; ++row) {
-        modes(static_cast<Eigen::Index>(row), column) =
-            size * std::sin(angle_of(k) * (rows.time_s[row] - span.start_s) / span.length_s);
+        modes(static_cast<Eigen::Index>(row), column) = static_cast<float>(
+            size * std::sin(angle_of(k) * (rows.time_s[row] - span.start_s) / span.length_s));
       }
     }
   }

@@ -12,6 +12,6 @@ namespace fogcomp::noise {
 /// which is the recording's own bias, and for variations faster than the modes. `relative`: largest
 /// coefficient of interest over the white noise of a row, in 1/sqrt(h): as many modes as such a
 /// walk makes visible, but at least 8 a recording, and a hundred or so in all.
-Eigen::MatrixXd random_walk_modes(const series::Rows& rows, double relative);
+Eigen::MatrixXf random_walk_modes(const series::Rows& rows, double relative);
 
 }  // namespace fogcomp::noise

@@ -58,7 +58,7 @@ const Candidate* find(const CandidateList& list, const std::string& effect) {
 double best_gain(const Candidate& candidate, const Eigen::VectorXd& residual) {
   double best = 0;
   for (const Candidate::Shape& shape : candidate.shapes) {
-    best = std::max(best, (shape.basis.transpose() * residual).squaredNorm());
+    best = std::max(best, shape.chi2_drop(residual));
   }
   return best;
 }
@@ -91,8 +91,8 @@ TEST_F(CandidatesTest, HaveOrthonormalBasesAndShapesWithinTheirBounds) {
     for (const Candidate::Shape& shape : candidate.shapes) {
       EXPECT_EQ(shape.term.name, candidate.effect);
       ASSERT_GT(shape.basis.cols(), 0) << candidate.effect;
-      const Eigen::MatrixXd product = shape.basis.transpose() * shape.basis;
-      EXPECT_TRUE(product.isIdentity(1e-6)) << candidate.effect;
+      const Eigen::MatrixXf product = shape.basis.transpose() * shape.basis;
+      EXPECT_TRUE(product.isIdentity(1e-5F)) << candidate.effect;
       const model::CatalogueEntry& entry = model::find_effect(candidate.effect);
       for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
         const double value = shape.term.parameters[i];

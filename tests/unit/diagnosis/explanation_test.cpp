@@ -11,8 +11,8 @@ enum class Kind { plain, event, free_shape };
 bool is_enough(std::size_t effects, Kind kind, double left, double chi_square = 10000) {
   const auto last = static_cast<Eigen::Index>(effects);
   const Eigen::MatrixXd axes = Eigen::MatrixXd::Identity(50, last + 1);
-  std::vector<Eigen::MatrixXd> columns;
-  for (const auto axis : axes.colwise()) columns.emplace_back(axis);
+  std::vector<Eigen::MatrixXf> columns;
+  for (const auto axis : axes.colwise()) columns.emplace_back(axis.cast<float>());
   Eigen::VectorXd projection = Eigen::VectorXd::Constant(
       last + 1, std::sqrt((1 - left) / static_cast<double>(effects) * chi_square));
   projection[last] = std::sqrt(left * chi_square);

@@ -22,7 +22,7 @@ std::vector<Hypothesis> hypotheses_of(const std::array<const char*, 3>& effects)
   for (const char* effect : effects) {
     const model::EffectTerm term = model::parse_effects(effect)[0];
     const auto axis = static_cast<Eigen::Index>(candidates.size());
-    candidates.push_back({term.name, {{term, axes.col(axis)}}});
+    candidates.push_back({term.name, {{term, axes.col(axis).cast<float>()}}});
     regressors.push_back({space.add(candidates.back().shapes[0].basis)});
   }
   space.finish();
@@ -67,7 +67,7 @@ class Directions {
     const model::EffectTerm term = model::parse_effects(effect)[0];
     candidates_.push_back({term.name, {}});
     for (const Eigen::VectorXd& shape : shapes) {
-      candidates_.back().shapes.push_back({term, shape.normalized()});
+      candidates_.back().shapes.push_back({term, shape.normalized().cast<float>()});
     }
     regressors_.emplace_back();
     for (const Candidate::Shape& shape : candidates_.back().shapes) {

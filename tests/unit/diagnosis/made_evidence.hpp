@@ -35,7 +35,9 @@ class MadeEvidence {
         const fogcomp::model::EffectTerm term = fogcomp::model::parse_effects(shape)[0];
         all.back().effect = term.name;
         all.back().shapes.push_back(
-            {term, fogcomp::orthonormal(residualizer(series_.regressors(term)).columns), 0});
+            {term,
+             fogcomp::orthonormal(residualizer(series_.regressors(term)).columns).cast<float>(),
+             0});
       }
       regressors.emplace_back();
       for (const fogcomp::diagnosis::Candidate::Shape& shape : all.back().shapes) {

@@ -33,7 +33,7 @@ class NetworkLearntTest : public testing::Test {
          {"thermal_hysteresis:radius=5", "temperature_rate", "bias_step:at=9000"}) {
       const model::EffectTerm term = model::parse_effects(effect)[0];
       const Eigen::MatrixXd columns = without_mean(series_.regressors(term)).columns;
-      candidates_.push_back({term.name, {{term, orthonormal(columns)}}});
+      candidates_.push_back({term.name, {{term, orthonormal(columns).cast<float>()}}});
     }
   }
   static VisiblePart without_mean(const Eigen::MatrixXd& columns) {

@@ -29,9 +29,9 @@ Eigen::MatrixXd noise_columns(Eigen::Index columns, std::uint64_t seed) {
 // Effects of one and two columns, several similar shapes each, and six smooth functions.
 NullTest tested(const Eigen::VectorXd& residual, std::size_t effects = 5, std::uint64_t seed = 1) {
   ExplainedSpace space(residual);
-  std::deque<Eigen::MatrixXd> columns;
+  std::deque<Eigen::MatrixXf> columns;
   const auto add = [&](const Eigen::MatrixXd& some) {
-    return space.add(columns.emplace_back(orthonormal(some)));
+    return space.add(columns.emplace_back(orthonormal(some).cast<float>()));
   };
   RegressorBasis regressors;
   for (std::size_t effect = 0; effect < effects; ++effect) {

@@ -13,7 +13,7 @@ using recording::SegmentKind;
 // Rows as directions: temperature describes the first two rows, time the third, nothing the fourth.
 // Two rows to a segment.
 ResidualPlace place_of_rows(const Eigen::Vector4d& residual) {
-  const Eigen::MatrixXd axes = Eigen::MatrixXd::Identity(4, 4);
+  const Eigen::MatrixXf axes = Eigen::MatrixXf::Identity(4, 4);
   const VisibleStructure structure{
       {"temperature_degc", "time_s"}, {axes.leftCols(2), axes.col(2)}, axes.leftCols(3)};
   const std::vector<Segment> segments{{"soak 20", SegmentKind::soak, 0, 20, {0, 2}},

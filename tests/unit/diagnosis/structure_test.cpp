@@ -100,10 +100,11 @@ TEST(Structure, BehindAModelIsOrthonormalAndNothingThatTheModelDoes) {
   const Residualizer residualizer(series.rows(), fit);
   const VisibleStructure structure = visible_structure(series.rows(), residualizer);
   ASSERT_EQ(structure.variables.size(), structure.groups.size());
-  std::vector<Eigen::MatrixXd> bases = structure.groups;
+  std::vector<Eigen::MatrixXf> bases = structure.groups;
   bases.push_back(structure.all);
-  for (const Eigen::MatrixXd& basis : bases) {
-    ASSERT_GT(basis.cols(), 0);
+  for (const Eigen::MatrixXf& kept : bases) {
+    ASSERT_GT(kept.cols(), 0);
+    const Eigen::MatrixXd basis = kept.cast<double>();
     const Eigen::MatrixXd product = basis.transpose() * basis;
     EXPECT_LT(
         (product - Eigen::MatrixXd::Identity(basis.cols(), basis.cols())).cwiseAbs().maxCoeff(),
@@ -111,7 +112,7 @@ TEST(Structure, BehindAModelIsOrthonormalAndNothingThatTheModelDoes) {
   }
   for (const model::EffectTerm& term : model.terms) {
     const Eigen::MatrixXd own = residualizer.whitening().apply(series.regressors(term));
-    const Eigen::MatrixXd seen = structure.all.topRows(own.rows()).transpose() * own;
+    const Eigen::MatrixXd seen = structure.all.topRows(own.rows()).cast<double>().transpose() * own;
     EXPECT_LT(seen.norm(), 0.05 * own.norm()) << term.name;
   }
 }

@@ -41,15 +41,15 @@ class WalkingRows {
     for (const char* const effect : {"temperature_rate", "thermal_hysteresis:radius=5", "aging",
                                      "polarization_ripple:period=9"}) {
       const model::EffectTerm term = model::parse_effects(effect)[0];
-      evidence.candidates.push_back({term.name, {{term, axes_.col(axis++), 0}}});
+      evidence.candidates.push_back({term.name, {{term, axes_.col(axis++).cast<float>(), 0}}});
       evidence.regressors.push_back(
           {evidence.space.add(evidence.candidates.back().shapes[0].basis)});
     }
-    const Eigen::MatrixXd structure = axes_.middleCols(4, 2);
+    const Eigen::MatrixXf structure = axes_.middleCols(4, 2).cast<float>();
     evidence.structure = evidence.space.add(structure);
-    Eigen::MatrixXd modes = axes_.middleCols(6, kModes);
+    Eigen::MatrixXf modes = axes_.middleCols(6, kModes).cast<float>();
     for (Eigen::Index k = 0; k < kModes; ++k)
-      modes.col(k) *= 30 / kWalk / static_cast<double>(k + 1);
+      modes.col(k) *= static_cast<float>(30 / kWalk / static_cast<double>(k + 1));
     evidence.walk = fit::add_walk(evidence.space, modes);
     evidence.space.finish();
     return assess_walk(evidence,

@@ -15,22 +15,28 @@ Eigen::MatrixXd noise(Eigen::Index rows, Eigen::Index columns, std::uint64_t see
   return Eigen::MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
 }
 
+Eigen::MatrixXf units(const Eigen::MatrixXd& columns) {
+  return columns.colwise().normalized().cast<float>();
+}
+
 TEST(ExplainedSpace, GainsWhatLeastSquaresGains) {
   const Eigen::VectorXd residual = noise(200, 1, 1);
-  const Eigen::MatrixXd a = noise(200, 2, 2).colwise().normalized();
-  const Eigen::MatrixXd b = noise(200, 3, 3).colwise().normalized();
+  const Eigen::MatrixXf a = units(noise(200, 2, 2));
+  const Eigen::MatrixXf b = units(noise(200, 3, 3));
   ExplainedSpace space(residual);
   const auto in_a = space.add(a);
   const auto in_b = space.add(b);
   space.finish();
-  const double left = solve_linear(side_by_side({a, b}, 200), residual).residual.squaredNorm();
+  const double left =
+      solve_linear(side_by_side({a.cast<double>(), b.cast<double>()}, 200), residual)
+          .residual.squaredNorm();
   EXPECT_NEAR(space.chi2_drop({in_a, in_b}), residual.squaredNorm() - left, 1e-6);
   EXPECT_NEAR(space.chi2_drop({in_b, in_a}), space.chi2_drop({in_a, in_b}), 1e-9);
 }
 
 TEST(ExplainedSpace, CountsAColumnThatIsThereTwiceOnce) {
   const Eigen::VectorXd residual = noise(100, 1, 4);
-  const Eigen::MatrixXd a = noise(100, 1, 5).colwise().normalized();
+  const Eigen::MatrixXf a = units(noise(100, 1, 5));
   ExplainedSpace space(residual);
   const auto first = space.add(a);
   const auto second = space.add(a);
@@ -41,20 +47,21 @@ TEST(ExplainedSpace, CountsAColumnThatIsThereTwiceOnce) {
 // More rows than are taken at once.
 TEST(ExplainedSpace, SumsOverAllRows) {
   const Eigen::VectorXd residual = noise(2500, 1, 6);
-  const Eigen::MatrixXd a = noise(2500, 2, 7).colwise().normalized();
+  const Eigen::MatrixXf a = units(noise(2500, 2, 7));
+  const Eigen::MatrixXd exact = a.cast<double>();
   ExplainedSpace space(residual);
   space.add(a);
   space.finish();
-  EXPECT_LT((space.gram() - a.transpose() * a).cwiseAbs().maxCoeff(), 1e-14);
-  EXPECT_LT((space.projection() - a.transpose() * residual).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_LT((space.gram() - exact.transpose() * exact).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_LT((space.projection() - exact.transpose() * residual).cwiseAbs().maxCoeff(), 1e-12);
 }
 
 TEST(ExplainedSpace, ProjectsColumnsOut) {
   const Eigen::VectorXd residual = noise(200, 1, 8);
-  const Eigen::MatrixXd a = noise(200, 2, 9).colwise().normalized();
-  const Eigen::MatrixXd b =
-      (noise(200, 3, 10) + 0.1 * a.col(0).replicate(1, 3)).colwise().normalized();
-  const Eigen::MatrixXd none(200, 0);
+  const Eigen::MatrixXf a = units(noise(200, 2, 9));
+  const Eigen::MatrixXf b =
+      units(noise(200, 3, 10) + 0.1 * a.col(0).cast<double>().replicate(1, 3));
+  const Eigen::MatrixXf none(200, 0);
   ExplainedSpace space(residual);
   const auto in_a = space.add(a);
   const auto in_b = space.add(b);
