@@ -27,7 +27,18 @@ struct PossibleColumns {
   Eigen::MatrixXf walk_modes;
 };
 
-// All three side by side: the last two keep one thread each busy.
+void put_steps_in_place(const series::SignalSeries& series, const Residualizer& residualizer,
+                        PossibleColumns& found) {
+  for (Candidate& candidate : found.candidates.testable) {
+    if (!candidate.is_event()) continue;
+    place_steps(candidate.shapes, series, residualizer, found.smooth.all);
+    remove_gradual_steps(candidate.shapes, series.rows(), residualizer);
+  }
+  remove_those_without_shapes(found.candidates.testable);
+}
+
+// Candidates and steps use all threads only in part; smooth functions and the walk's modes keep
+// one of them busy beside each.
 PossibleColumns possible_columns(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
                                  const Residualizer& residualizer,
                                  const std::function<void(double)>& progress) {
@@ -36,25 +47,24 @@ PossibleColumns possible_columns(const DiagnosisData& data, const fit::NoiseWeig
     return residualizer(columns);
   };
   PossibleColumns found;
-  for_each_index(3, [&](std::size_t i) {
+  for_each_index(2, [&](std::size_t i) {
     if (i == 0) {
       found.candidates = find_candidates(series, fit.terms, data.offered(), data.inputs(),
                                          project_out_model, progress);
       refine_shape_parameters(found.candidates.testable, series, fit.terms, project_out_model,
                               residualizer.residual());
-    } else if (i == 1) {
+    } else {
       found.smooth = visible_structure(series.rows(), residualizer);
+    }
+  });
+  for_each_index(2, [&](std::size_t i) {
+    if (i == 0) {
+      put_steps_in_place(series, residualizer, found);
     } else {
       found.walk_modes =
           visible_of(fit::visible_walk_modes(series.rows(), fit.noise), residualizer);
     }
   });
-  for (Candidate& candidate : found.candidates.testable) {
-    if (!candidate.is_event()) continue;
-    place_steps(candidate.shapes, series, residualizer, found.smooth.all);
-    remove_gradual_steps(candidate.shapes, series.rows(), residualizer);
-  }
-  remove_those_without_shapes(found.candidates.testable);
   return found;
 }
 
