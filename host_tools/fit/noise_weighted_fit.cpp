@@ -20,10 +20,15 @@ constexpr int kRounds = 3;  // iterations of noise and solution
 Eigen::MatrixXd all_columns(const KnownRegressors& regressors,
                             const std::vector<model::EffectTerm>& terms,
                             const Eigen::MatrixXd& nuisance) {
-  std::vector<Eigen::MatrixXd> parts;
-  for (const model::EffectTerm& term : terms) parts.push_back(*regressors(term));
-  parts.push_back(nuisance);
-  return side_by_side(parts, nuisance.rows());
+  const series::Rows& rows = regressors.series().rows();
+  const std::vector<series::ColumnRange> columns = series::columns_of(terms, rows.row_s);
+  const Eigen::Index own = columns.empty() ? 0 : columns.back().first + columns.back().count;
+  Eigen::MatrixXd all(rows.size(), own + nuisance.cols());
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    all.middleCols(columns[i].first, columns[i].count) = *regressors(terms[i]);
+  }
+  all.rightCols(nuisance.cols()) = nuisance;
+  return all;
 }
 
 // Relative to the quiet rows, for which the noise model is. Without quiet rows the scale is 1:

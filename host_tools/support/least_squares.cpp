@@ -146,16 +146,30 @@ Eigen::MatrixXd projected_out(const Eigen::MatrixXd& basis, const Eigen::MatrixX
   return left;
 }
 
-Eigen::MatrixXd side_by_side(const std::vector<Eigen::MatrixXd>& parts, Eigen::Index rows) {
+namespace {
+
+template <typename Parts>
+Eigen::MatrixXd joined(const Parts& parts, Eigen::Index rows) {
   Eigen::Index width = 0;
-  for (const Eigen::MatrixXd& part : parts) width += part.cols();
+  for (const auto& part : parts) width += part.cols();
   Eigen::MatrixXd all(rows, width);
   Eigen::Index at = 0;
-  for (const Eigen::MatrixXd& part : parts) {
+  for (const auto& part : parts) {
     all.middleCols(at, part.cols()) = part;
     at += part.cols();
   }
   return all;
+}
+
+}  // namespace
+
+Eigen::MatrixXd side_by_side(const std::vector<Eigen::MatrixXd>& parts, Eigen::Index rows) {
+  return joined(parts, rows);
+}
+
+Eigen::MatrixXd side_by_side(std::initializer_list<Eigen::Ref<const Eigen::MatrixXd>> parts,
+                             Eigen::Index rows) {
+  return joined(parts, rows);
 }
 
 double weighted_rms(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <initializer_list>
 #include <vector>
 
 namespace fogcomp {
@@ -47,5 +48,7 @@ double weighted_rms(const Eigen::VectorXd& values, const Eigen::VectorXd& weight
 
 /// Concatenates matrices of `rows` rows, with any number of columns each.
 Eigen::MatrixXd side_by_side(const std::vector<Eigen::MatrixXd>& parts, Eigen::Index rows);
+Eigen::MatrixXd side_by_side(std::initializer_list<Eigen::Ref<const Eigen::MatrixXd>> parts,
+                             Eigen::Index rows);
 
 }  // namespace fogcomp
