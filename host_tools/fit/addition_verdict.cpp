@@ -252,7 +252,7 @@ void decide(const model::Model& before, bool has_risen, Addition& after) {
   } else if (!doubt.sentence.empty()) {
     after.reason = doubt.sentence;
     after.may_be_line = doubt.may_be_line;
-  } else if (after.model.uncertain && !before.uncertain) {
+  } else if (after.model.uncertain && !after.model.uncertain->at_power_on && !before.uncertain) {
     after.reason = format(
         "with it these runs do not determine the drift: in a soak it is known to +- %.2g "
         "deg/h, and %.2g deg/h are to be compensated",

@@ -178,23 +178,25 @@ void add_step(model::Model& model, Identification& result, const series::SignalS
              change.time_s));
 }
 
-// If the worst uncertainty of the drift in a soak exceeds the drift, warns that no compensation
-// would be as good.
+// If the worst uncertainty of the drift in a soak or at power-on exceeds the drift, warns that no
+// compensation would be as good.
 void judge_uncertainty(model::Model& model, const NoiseWeightedFit& fit,
                        const Eigen::MatrixXd& covariance, const series::Rows& rows,
                        std::vector<std::string>& warnings) {
-  SoakUncertainty worst = soak_uncertainty(model, fit, covariance, rows);
-  worst.sigma_dph = std::min(worst.sigma_dph, model::kMaxModelDph);  // larger values mean the same
-  const double drift_dph =
-      std::sqrt(rows.drift_dph.cwiseAbs2().dot(rows.weights) / rows.weights.sum());
+  const double drift_dph = weighted_rms(rows.drift_dph, rows.weights);
   model.uncertain.reset();
-  if (worst.sigma_dph <= drift_dph) return;
-  model.uncertain = model::Model::Uncertain{worst.sigma_dph, drift_dph};
-  warnings.push_back(
-      format("in a soak at %.4g degC the drift is known to +- %.2g deg/h, worse than "
-             "the %.2g deg/h that are to be compensated: record more temperatures "
-             "or rows, or leave effects out",
-             worst.at_degc, worst.sigma_dph, drift_dph));
+  for (const bool at_power_on : {false, true}) {
+    SoakUncertainty worst = soak_uncertainty(model, fit, covariance, rows, at_power_on);
+    if (worst.sigma_dph <= drift_dph) continue;
+    worst.sigma_dph = std::min(worst.sigma_dph, model::kMaxModelDph);  // larger ones mean the same
+    model.uncertain = model::Model::Uncertain{worst.sigma_dph, drift_dph, at_power_on};
+    warnings.push_back(
+        format("%s at %.4g degC the drift is known to +- %.2g deg/h, worse than the %.2g deg/h "
+               "that are to be compensated: record %s, or leave effects out",
+               at_power_on ? "at power-on" : "in a soak", worst.at_degc, worst.sigma_dph, drift_dph,
+               at_power_on ? "from power-on" : "more temperatures or rows"));
+    return;
+  }
 }
 
 // Warnings about the whole model, and its residual.

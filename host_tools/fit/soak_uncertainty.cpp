@@ -65,9 +65,11 @@ Eigen::VectorXd gradient(const std::vector<model::EffectTerm>& terms, const Nois
 }  // namespace
 
 SoakUncertainty soak_uncertainty(const model::Model& model, const NoiseWeightedFit& fit,
-                                 const Eigen::MatrixXd& covariance, const series::Rows& rows) {
+                                 const Eigen::MatrixXd& covariance, const series::Rows& rows,
+                                 bool at_power_on) {
   constexpr int kTemperatures = 33;
   Signals signals = mean_signals(rows);
+  if (at_power_on) signals.block.elapsed = 0;
   // A second sensor settles as far from the first as it is on average.
   const double second_above = signals.block[fog::Input::temperature2] - signals.temperature;
   SoakUncertainty worst;

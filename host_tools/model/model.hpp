@@ -123,6 +123,8 @@ struct Model {
   struct Uncertain {
     double sigma_dph = 0;  ///< of the drift, in the soak with the largest uncertainty
     double drift_dph = 0;  ///< rms of the drift to be removed from the training data
+    bool at_power_on =
+        false;  ///< not in a soak, but when a board begins; the recordings began late
   };
   std::optional<Uncertain> uncertain{};
 

@@ -283,6 +283,7 @@ const std::map<std::string, LineReader> kLines{
      [](ModelReader& in, Model& m) {
        const double sigma_dph = read_dph(in);
        m.uncertain = Model::Uncertain{sigma_dph, read_dph(in)};
+       if (!in.at_end_of_line()) m.uncertain->at_power_on = in.count(1) == 1;
      }},
     {"denoise", read_denoiser},
     {"effect", [](ModelReader& in, Model& m) { m.terms.push_back(read_effect(in)); }},

@@ -100,7 +100,9 @@ std::string model_text(const Model& model) {
   out.word("noise_dph_rthz").number(model.noise_dph_rthz).end_line();
   out.word("residual_rms_dph").number(model.residual_rms_dph).end_line();
   if (const auto& uncertain = model.uncertain) {
-    out.word("uncertain_dph").number(uncertain->sigma_dph).number(uncertain->drift_dph).end_line();
+    out.word("uncertain_dph").number(uncertain->sigma_dph).number(uncertain->drift_dph);
+    if (uncertain->at_power_on) out.number(1);
+    out.end_line();
   }
   out.word("average_s").number(model.average_s).end_line();
   out.word("denoise").word(model.denoise.wavelet).number(model.denoise.levels);

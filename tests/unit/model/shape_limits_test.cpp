@@ -94,6 +94,7 @@ TEST(UncertainFit, IsMarkedWhereNoCompensationWouldDoBetter) {
   const Model read = parse_model(model_text(model), "written");
   ASSERT_TRUE(read.uncertain.has_value());
   EXPECT_EQ(read.uncertain->sigma_dph, model.uncertain->sigma_dph);
+  EXPECT_FALSE(read.uncertain->at_power_on);
 }
 
 TEST(UncertainFit, IsNotMarkedWhereTheDataSufficeForTheEffects) {
@@ -117,6 +118,30 @@ TEST(UncertainFit, LetsASecondSensorFollowTheFirst) {
   fit::identify(model, series);
   EXPECT_GT(50 * model.terms[3].sigma_dph[0], 0.5);  // 50 degC apart it would be
   EXPECT_FALSE(model.uncertain.has_value());
+}
+
+// A model with a warm-up of some time constant after a recording that began so late.
+Model warmed_up(double began_s) {
+  recording::Recording recording =
+      fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    recording.rate_dph[row] += 0.3 * std::exp(-recording.time_s[row] / 1200);
+    recording.time_s[row] += began_s;
+  }
+  Model model = fog::test::model_of(parse_effects("bias,bias_temperature:order=3,warm_up"));
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(recording));
+  fit::identify(model, series);
+  return model;
+}
+
+// A board begins at power-on, where a warm-up is largest.
+TEST(UncertainFit, IsMarkedWhereARecordingBeganTooLateForAWarmUp) {
+  EXPECT_FALSE(warmed_up(0).uncertain.has_value());
+  const Model late = warmed_up(40000);
+  ASSERT_TRUE(late.uncertain.has_value());
+  EXPECT_TRUE(late.uncertain->at_power_on);
+  EXPECT_TRUE(parse_model(model_text(late), "written").uncertain->at_power_on);
 }
 
 }  // namespace
