@@ -53,14 +53,15 @@ void mark_masked(const std::vector<recording::Mask>& masks, BlockSeries& series)
   for (std::size_t i = 0; i < masked.size(); ++i) series.blocks[i].masked = masked[i];
 }
 
-// A recording whose time starts before power-on has no time since power-on.
+// A recording whose time starts before power-on has no time since power-on. A first stamp that is
+// early by less than a sample has only jitter.
 fog::InputMask inputs_of(const recording::Recording& recording) {
   fog::InputMask inputs = 0;
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     if (!recording.extension[i].empty()) inputs |= bit_of(fog::extension_input(i));
   }
   if (!recording.input_rate_dph.empty()) inputs |= bit_of(fog::Input::input_rate);
-  if (recording.time_s[0] >= 0) inputs |= bit_of(fog::Input::elapsed);
+  if (recording.time_s[0] > -recording.period_s) inputs |= bit_of(fog::Input::elapsed);
   return inputs;
 }
 
