@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "diagnosis/decision_rules.hpp"
+#include "diagnosis/forms.hpp"
 #include "fit/cross_validation.hpp"
 #include "fit/decision_rules.hpp"
 #include "fit/effect_change.hpp"
@@ -50,12 +51,22 @@ std::optional<AdditionRequest> with_all_parts(AdditionRequest request) {
   return has_more ? std::optional(std::move(request)) : std::nullopt;
 }
 
-// Judges a request and, if a line in time would do as well, the same with all parts.
+// The same formula with lags of many hours; nothing if it has none.
+std::optional<AdditionRequest> with_more_room(AdditionRequest request) {
+  std::string expression = with_longer_lags(request.expression);
+  if (expression == request.expression) return std::nullopt;
+  request.expression = std::move(expression);
+  return request;
+}
+
+// Judges a request and, if a line in time would do as well, the same with all parts; if a formula's
+// lag should be longer than it may, with longer ones.
 template <class Judge>
 TriedAddition with_bend(AdditionRequest request, const Judge& judge) {
   TriedAddition first = judge(request);
-  if (!first.may_be_line) return first;
-  const auto more = with_all_parts(std::move(request));
+  if (!first.may_be_line && !first.wants_more) return first;
+  const auto more =
+      first.may_be_line ? with_all_parts(std::move(request)) : with_more_room(std::move(request));
   if (!more) return first;
   TriedAddition second = judge(*more);
   return second.accepted ? second : first;
@@ -209,6 +220,7 @@ TriedAddition AdditionJudge::tried(AdditionRequest request,
     trial.accepted = addition->accepted && objection.empty();
     trial.may_be_walk = addition->chance_of_walk.value_or(0) >= fit::rules::kMaxChanceOfWalk;
     trial.may_be_line = addition->may_be_line;
+    trial.wants_more = addition->wants_more;
     trial.fails_far = addition->thirds && addition->thirds->harms();
     trial.fitted_before_dph = addition->fitted_before_dph;
     trial.fitted_after_dph = addition->fitted_after_dph;

@@ -29,6 +29,7 @@ struct TriedAddition {
   bool accepted = false;
   bool may_be_walk = false;  ///< a random walk of the bias would explain as much
   bool may_be_line = false;  ///< refused because a line in time would do as well
+  bool wants_more = false;   ///< refused because a shape is at its upper bound
   bool fails_far = false;    ///< refused for what it does on rows far from those fitted
   std::string reason;        ///< one line: why it is accepted or not
   double rms_after_dph = 0;  ///< out of sample; both 0 for an event, which nothing else can judge

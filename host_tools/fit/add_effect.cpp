@@ -48,13 +48,16 @@ void fit_both(int network_hidden, const AddSettings& settings, const KnownSteps*
   };
   if (settings.before != nullptr) {
     refits.before = settings.before->model;
+    refits.after.soak_sigma_before_dph = settings.before->soak_sigma_dph;
   } else {
-    fit_model(refits.before, refits.series->known(), fitting);
+    const FitResult before = fit_model(refits.before, refits.series->known(), fitting);
+    refits.after.soak_sigma_before_dph = before.identified.soak_sigma_dph;
   }
   half = 1;
   if (steps != nullptr) fitting.identify.steps = steps->after;
   if (network_hidden > 0) fitting.network.hidden = network_hidden;
   refits.after.fit = fit_model(refits.after.model, refits.series->known(), fitting);
+  refits.after.soak_sigma_after_dph = refits.after.fit.identified.soak_sigma_dph;
 }
 
 using Runs = std::vector<compare::RunInBlocks>;
@@ -175,6 +178,7 @@ RefittedModel refitted(const model::Model& model, const TrainingRuns& training,
       fit_model(result.model, result.series->known(), fit_settings(result.model, settings));
   result.noise = fit.identified.noise;
   result.row_weights = std::move(fit.identified.row_weights);
+  result.soak_sigma_dph = fit.identified.soak_sigma_dph;
   return result;
 }
 

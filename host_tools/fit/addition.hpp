@@ -21,6 +21,7 @@ struct RefittedModel {
   model::Model model;
   noise::NoiseModel noise{};  ///< as Identification has them
   Eigen::VectorXd row_weights{};
+  double soak_sigma_dph = 0;
 };
 
 struct AddSettings {
@@ -48,6 +49,9 @@ struct AdditionVerdict {
   double fitted_before_dph = 0;
   double fitted_after_dph = 0;
   std::optional<model::HistoryEntry::Holdout> holdouts{};
+  /// Std of the drift in the soak that is known worst, before and after.
+  double soak_sigma_before_dph = 0;
+  double soak_sigma_after_dph = 0;
   std::vector<Part> parts;  ///< of a set, in the order of Addition::changed; empty for one effect
   /// The effects alone, before against after; for a network, the model with it against that
   /// without. Nothing for an event, or if the training was interrupted.
@@ -62,6 +66,7 @@ struct AdditionVerdict {
   bool accepted = false;
   std::string reason;        ///< one line: why it is accepted or not
   bool may_be_line = false;  ///< refused because a line in time would do as well
+  bool wants_more = false;   ///< refused because a shape is at its upper bound
 };
 
 /// A model with added or changed effects, and the verdict on them.

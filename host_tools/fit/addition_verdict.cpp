@@ -164,17 +164,39 @@ std::optional<double> ask_walk(const Judge& judge, const Addition& after) {
 struct Doubt {
   std::string sentence;  // "" if there is none
   bool may_be_line = false;
+  bool wants_more = false;
 };
 Doubt doubt_of(const model::EffectTerm& term, const model::Model& before) {
   const model::EffectTerm* own = before.find(term.name);
   for (const model::ShapeDoubt& doubt : model::shape_doubts(term)) {
     if (own != nullptr && own->identified[doubt.parameter]) continue;
-    return {doubt.sentence, doubt.instead == model::kLineInTime};
+    return {doubt.sentence, doubt.instead == model::kLineInTime, doubt.wants_more};
   }
   // With a free shape the coefficient may be uncertain although the curve is known well: for t <<
   // t0 the logarithm of aging is a line with the slope coefficient / t0.
   const bool judged = own == nullptr && model::shape_parameters({term}).empty();
   return {judged ? model::coefficient_doubt(term) : ""};
+}
+
+// "" where the drift in a soak is determined with the addition: better than the drift to be removed
+// and, judged by these runs alone, than the error that the model leaves without it. Terms that
+// nearly cancel on these runs describe them, and do not cancel in another programme.
+std::string undetermined_words(const model::Model& before, const Addition& after) {
+  const auto& uncertain = after.model.uncertain;
+  if (uncertain && !uncertain->at_power_on && !before.uncertain) {
+    return format(
+        "with it these runs do not determine the drift: in a soak it is known to +- %.2g "
+        "deg/h, and %.2g deg/h are to be compensated",
+        uncertain->sigma_dph, uncertain->drift_dph);
+  }
+  const auto square = [](double value) { return value * value; };
+  const double risen = square(after.soak_sigma_after_dph) - square(after.soak_sigma_before_dph);
+  if (!after.out_of_sample->within_runs || risen <= square(after.fitted_before_dph)) return "";
+  return format(
+      "with it the drift in a soak is known to +- %.2g deg/h only, and without it these runs leave "
+      "%.2g deg/h: its terms nearly cancel here, and may not in another programme; let a run that "
+      "was not fitted decide, with --holdout",
+      after.soak_sigma_after_dph, after.fitted_before_dph);
 }
 
 }  // namespace
@@ -245,6 +267,7 @@ void decide(const model::Model& before, bool has_risen, Addition& after) {
     if (doubt.sentence.empty()) doubt = doubt_of(after.model.terms[i], before);
   }
   const auto needless = std::find_if(after.parts.begin(), after.parts.end(), is_needless);
+  const std::string undetermined = undetermined_words(before, after);
   if (has_risen) {
     after.reason = format("makes the whole model worse on the holdouts: %s -> %s deg/h",
                           rounded(after.holdouts->rms_before_dph).c_str(),
@@ -252,11 +275,9 @@ void decide(const model::Model& before, bool has_risen, Addition& after) {
   } else if (!doubt.sentence.empty()) {
     after.reason = doubt.sentence;
     after.may_be_line = doubt.may_be_line;
-  } else if (after.model.uncertain && !after.model.uncertain->at_power_on && !before.uncertain) {
-    after.reason = format(
-        "with it these runs do not determine the drift: in a soak it is known to +- %.2g "
-        "deg/h, and %.2g deg/h are to be compensated",
-        after.model.uncertain->sigma_dph, after.model.uncertain->drift_dph);
+    after.wants_more = doubt.wants_more;
+  } else if (!undetermined.empty()) {
+    after.reason = undetermined;
   } else if (needless != after.parts.end()) {
     after.reason = needless->effect +
                    " brings nothing beside the others: " + out_of_sample_words(*needless->beside);

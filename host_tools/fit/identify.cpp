@@ -182,15 +182,16 @@ void add_step(model::Model& model, Identification& result, const series::SignalS
 // compensation would be as good.
 void judge_uncertainty(model::Model& model, const NoiseWeightedFit& fit,
                        const Eigen::MatrixXd& covariance, const series::Rows& rows,
-                       std::vector<std::string>& warnings) {
+                       Identification& result) {
   const double drift_dph = weighted_rms(rows.drift_dph, rows.weights);
   model.uncertain.reset();
   for (const bool at_power_on : {false, true}) {
     SoakUncertainty worst = soak_uncertainty(model, fit, covariance, rows, at_power_on);
+    if (!at_power_on) result.soak_sigma_dph = worst.sigma_dph;
     if (worst.sigma_dph <= drift_dph) continue;
     worst.sigma_dph = std::min(worst.sigma_dph, model::kMaxModelDph);  // larger ones mean the same
     model.uncertain = model::Model::Uncertain{worst.sigma_dph, drift_dph, at_power_on};
-    warnings.push_back(
+    result.warnings.push_back(
         format("%s at %.4g degC the drift is known to +- %.2g deg/h, worse than the %.2g deg/h "
                "that are to be compensated: record %s, or leave effects out",
                at_power_on ? "at power-on" : "in a soak", worst.at_degc, worst.sigma_dph, drift_dph,
@@ -208,7 +209,7 @@ void judge_model(model::Model& model, const NoiseWeightedFit& fit,
       result.warnings.push_back(doubt.sentence);
   }
   const Eigen::MatrixXd of_noise = std::pow(std::max(1.0, result.birge_ratio), 2) * fit.covariance;
-  judge_uncertainty(model, fit, of_noise, rows, result.warnings);
+  judge_uncertainty(model, fit, of_noise, rows, result);
   for (model::EffectTerm& term : model.terms) set_expression_scale(term, series);
   const Eigen::VectorXd counted = noise::counted_weights(rows, fit.row_weights);
   model.residual_rms_dph = std::sqrt(result.residual_dph.cwiseAbs2().dot(counted) / counted.sum());

@@ -25,7 +25,9 @@ struct Identification {
   std::vector<FoundStep> steps;  ///< each is also one of the model's last terms
   /// Per effect, deg/h: smallest peak that these recordings show at 5 sigma.
   std::vector<double> visible_dph;
-  std::vector<std::string> warnings;    ///< whole sentences
+  std::vector<std::string> warnings;  ///< whole sentences
+  double soak_sigma_dph =
+      0;  ///< std of the drift in the soak that is known worst (SoakUncertainty)
   std::vector<double> run_offsets_dph;  ///< of the second, third... power-on against the first
 };
 

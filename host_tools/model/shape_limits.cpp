@@ -41,8 +41,9 @@ std::vector<ShapeDoubt> shape_doubts(const EffectTerm& term) {
     const double sigma = term.parameter_sigma[shape.index];
     std::string words;
     std::string instead;
+    bool upper = false;
     if (is_at_bound(shape, value)) {
-      const bool upper = shape.to_unit(value) > 0.5;
+      upper = shape.to_unit(value) > 0.5;
       const char* const becomes = upper ? parameter.at_most : parameter.at_least;
       if (becomes != nullptr) instead = becomes;
       words = bound_words(parameter, upper, value, instead);
@@ -51,7 +52,9 @@ std::vector<ShapeDoubt> shape_doubts(const EffectTerm& term) {
               with_unit(", anywhere from %.5g", shape.min, "") +
               with_unit(" to %.5g", shape.max, parameter.unit);
     }
-    if (!words.empty()) doubts.push_back({shape.index, "`" + term.name + "`: " + words, instead});
+    if (words.empty()) continue;
+    doubts.push_back(
+        {shape.index, "`" + term.name + "`: " + words, instead, upper && instead.empty()});
   }
   return doubts;
 }

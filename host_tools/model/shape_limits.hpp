@@ -15,6 +15,7 @@ struct ShapeDoubt {
   std::size_t parameter = 0;
   std::string sentence;   ///< e.g. "`aging`: t0 is at its upper bound 2e+06 s: a line in time ..."
   std::string instead{};  ///< simpler form that would do as well, e.g. kLineInTime; "": none
+  bool wants_more = false;  ///< at its upper bound, and no simpler form would do
 };
 
 /// Identified parameters that ended at a bound of their search, beyond which the data might fit
