@@ -179,8 +179,20 @@ std::vector<std::string> limits_of(const Diagnosis& diagnosis, bool noise_is_kno
 std::string blind_spot_of(const Diagnosis& diagnosis, const series::Rows& rows,
                           bool noise_is_known) {
   if (diagnosis.verdict != Verdict::none) return "";
+  const double floor = diagnosis.noise_floor_dph;
+  const double above =
+      std::sqrt(std::max(0.0, std::pow(diagnosis.residual_rms_dph, 2) - std::pow(floor, 2)));
   if (diagnosis.walk.may_be_all()) {
-    return "slow changes of less than a fifth of a row's noise are left; " + diagnosis.walk.words();
+    return (above > std::sqrt(rules::kSmallExcess) * floor
+                ? format("slow changes of %.3g deg/h rms are left; ", above)
+                : "slow changes of less than a fifth of a row's noise are left; ") +
+           diagnosis.walk.words();
+  }
+  if (diagnosis.chance < rules::kFaintChance) {
+    return format(
+        "more than noise is left, but only %.2g deg/h of it in %.3g: too little for these runs to "
+        "judge what it is; a run of another programme, given with --holdout, may show more of it",
+        above, diagnosis.residual_rms_dph);
   }
   if (noise_is_known || at_rest(rows)) return "";
   if (!diagnosis.noise.from_quiet_parts) {

@@ -81,6 +81,13 @@ Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
           ""};
 }
 
+// One name alone, where several further ones share what is left of the probability.
+std::string which_words(const std::vector<std::string>& confusable) {
+  return confusable.size() == 1
+             ? confusable[0] + " or one that looks like it here"
+             : join_list(confusable, "or") + "; these recordings cannot tell which";
+}
+
 Headline verdict_words(const diagnosis::Diagnosis& diagnosis, bool main_part_holds = true) {
   switch (diagnosis.verdict) {
     case diagnosis::Verdict::none:
@@ -91,9 +98,7 @@ Headline verdict_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
     case diagnosis::Verdict::missing_effect:
       return missing_words(diagnosis);
     case diagnosis::Verdict::ambiguous:
-      return {"an effect is missing: " + join_list(diagnosis.confusable, "or") +
-                  "; these recordings cannot tell which",
-              ""};
+      return {"an effect is missing: " + which_words(diagnosis.confusable), ""};
     case diagnosis::Verdict::unknown:
       break;
   }

@@ -94,9 +94,10 @@ void next_after_ladder(Document& document, const diagnosis::Ladder& ladder,
     document.next("the loop may add no more; ask what is still missing",
                   go_on_command(ladder, data, files));
   } else {
-    const std::string& judge = files.holdouts.empty() ? files.runs[0] : files.holdouts[0];
-    document.next("see what the loop's model leaves",
-                  std::vector<std::string>{"fogcomp", "compare", files.output, judge});
+    std::vector<std::string> command{"fogcomp", "compare", files.output};
+    const std::vector<std::string>& judges = files.holdouts.empty() ? files.runs : files.holdouts;
+    command.insert(command.end(), judges.begin(), judges.end());
+    document.next("see what the loop's model leaves", command);
   }
 }
 

@@ -62,7 +62,9 @@ std::vector<std::string> description_words(const diagnosis::NextStep& next) {
                     (request.refines
                          ? "a part of its formula that the model leaves out"
                          : "this describes it, it does not say what it is. Beyond the trained "
-                           "temperatures it is held at its value there"));
+                           "temperatures" +
+                               std::string(request.expression.empty() ? "" : " and other inputs") +
+                               " it is held at its value there"));
   }
   if (next.experiment && !next.experiment->sentence.empty()) {
     lines.push_back("to tell: " + next.experiment->sentence);

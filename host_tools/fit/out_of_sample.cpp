@@ -30,11 +30,13 @@ Eigen::VectorXd residual_on(const model::Model& model,
 }  // namespace
 
 std::string out_of_sample_words(const OutOfSample& judged) {
-  const bool rises = judged.chi2_drop >= rules::kMinChi2Drop && !judged.helps();
+  const bool falls = judged.rms_after_dph < judged.rms_before_dph;
+  const char* but = "";
+  if (judged.chi2_drop >= rules::kMinChi2Drop && !judged.helps()) but = " without a rise";
+  if (judged.chi2_drop < 0 && falls) but = ": weighed by its noise, slow noise included, it rises";
   return format("%s -> %s deg/h %s (gain %.1f, needed %g%s)",
                 rounded(judged.rms_before_dph).c_str(), rounded(judged.rms_after_dph).c_str(),
-                judged.how.c_str(), judged.chi2_drop, rules::kMinChi2Drop,
-                rises ? " without a rise" : "");
+                judged.how.c_str(), judged.chi2_drop, rules::kMinChi2Drop, but);
 }
 
 std::string harm_words(const OutOfSample& judged) {
