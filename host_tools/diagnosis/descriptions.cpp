@@ -176,7 +176,9 @@ LikelyFormulas likely_formulas(const model::Model& model, const Diagnosis& diagn
                                const DiagnosisData& data, const DiagnosisSettings& settings) {
   std::vector<model::EffectTerm> terms;
   std::map<std::string, FormMeaning> meanings;
-  for (auto& [term, meaning] : formulas_over(data.series(), signals_of_formulas(diagnosis))) {
+  const fog::InputMask signals =
+      signals_of_formulas(diagnosis) | (data.inputs() & bit_of(fog::Input::elapsed));
+  for (auto& [term, meaning] : formulas_over(data.series(), signals)) {
     // a kink beside a kink
     term.name = term.expression->expression.name = model::free_name(model.terms, term.name);
     meanings[term.name] = meaning;

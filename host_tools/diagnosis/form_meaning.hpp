@@ -57,9 +57,9 @@ inline constexpr std::array<FormMeaningDescription, 14> kFormMeanings{{
      "interference or a 2 pi reset: a spurious path, a reset error that goes with the rate"},
     {FormMeaning::late_interference, "sin(lag(T,tau)/p+c)",
      "interference in a path away from the sensor (coupler, modulator), warmed later than it"},
-    {FormMeaning::late_scale_factor, "dTdt*W",
+    {FormMeaning::late_scale_factor, "dTdt*W, W*exp(-t/tau)",
      "scale factor of a part (source, loop) that is warmed later or earlier than the "
-     "sensor"},
+     "sensor, or that warms itself after power-on"},
     {FormMeaning::scale_factor, "W^2, abs(W), W^3",
      "scale factor: offset of the detector (even), dead band, sine of an open loop (odd)"},
     {FormMeaning::input, "x",

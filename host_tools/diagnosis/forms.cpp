@@ -185,6 +185,12 @@ void add_products(Formulas& formulas, const VaryingSignal& a, const VaryingSigna
     formulas.add(meanings.linear_in_b, name + "offset_squared_" + other, about + "^2*" + y);
     formulas.add(meanings.linear_in_a, name + "offset_" + other + "_squared",
                  about + "*" + y + "^2");
+    // Without the magnitude the catalogue has those of the rates.
+    if (b.is_extension)
+      formulas.add(meanings.linear_in_b, name + "offset_" + other, about + "*" + y);
+    if (b.has_both_signs()) {
+      formulas.add(meanings.size, name + "offset_" + other + "_size", about + "*abs(" + y + ")");
+    }
   }
   if (b.has_both_signs()) {
     formulas.add(meanings.size, name + other + "_size", x + "*abs(" + y + ")");
@@ -200,6 +206,9 @@ std::vector<Formula> formulas_over(const series::SignalSeries& series, fog::Inpu
   for (std::size_t i = 0; i < signals.size(); ++i) {
     add_own_forms(formulas, signals[i]);
     if (signals[i].symbol == "T") add_first_heat(formulas, signals[i], series.rows());
+    if (signals[i].symbol == "W" && has(inputs, fog::Input::elapsed)) {
+      formulas.add(FormMeaning::late_scale_factor, "W_warming_up", "W*exp(-t/" + kLagBounds + ")");
+    }
     for (std::size_t j = i + 1; j < signals.size(); ++j) {
       add_products(formulas, signals[i], signals[j]);
     }

@@ -208,9 +208,13 @@ bool try_forms(const Diagnosis& diagnosis, const LikelyFormulas& formulas, Addit
   return true;
 }
 
-// Whether most of what is missing may be a function of the signals.
+// Whether most of what is missing may be a function of the signals. An input rate is as fast as
+// cycles: a table that steps makes them of what depends on its rate.
 bool is_function_of_signals(const Diagnosis& diagnosis) {
-  return !is_mainly_fast(diagnosis) && !diagnosis.walk.may_be_all();
+  const bool has_rate =
+      std::any_of(diagnosis.variables.begin(), diagnosis.variables.end(),
+                  [](const NamedShare& variable) { return variable.name == "input_rate_dph"; });
+  return (!is_mainly_fast(diagnosis) || has_rate) && !diagnosis.walk.may_be_all();
 }
 
 // What may describe the residual, those that explain most first. `named`: a certain part of what is

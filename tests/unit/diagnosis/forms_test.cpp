@@ -56,9 +56,26 @@ TEST(Forms, HaveAnExtensionInputItself) {
   const auto inputs = bit_of(fog::Input::temperature) | bit_of(fog::Input::supply);
   EXPECT_TRUE(has_text(formulas_over(series, inputs), "V"));
   EXPECT_FALSE(has_text(formulas_over(series, inputs), "T"));
+  EXPECT_TRUE(has_text(formulas_over(series, inputs), "(T-c)*(V-5)"));
   // Its zero is far away: V^2 would be a straight line.
   EXPECT_TRUE(has_text(formulas_over(series, inputs), "(V-5)^2"));
   EXPECT_FALSE(has_text(formulas_over(series, inputs), "V^2"));
+}
+
+TEST(Forms, OfAnInputRateGoWithTimeSincePowerOnAndWithTheTemperature) {
+  const model::Model model = fog::test::truth();
+  recording::Recording recording = fog::test::recording_of(model, fog::test::kQuietNoise, 1);
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    recording.input_rate_dph.push_back(72000 * std::sin(static_cast<double>(i) / 50));
+  }
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(recording));
+  const auto inputs = bit_of(fog::Input::temperature) | bit_of(fog::Input::input_rate);
+  const std::vector<Formula> found = formulas_over(series, inputs | bit_of(fog::Input::elapsed));
+  EXPECT_TRUE(has_text(found, "W*exp(-t/tau)"));
+  EXPECT_TRUE(has_text(found, "(T-c)*abs(W)"));
+  EXPECT_FALSE(has_text(found, "(T-c)*W")) << "the catalogue has it";
+  EXPECT_FALSE(has_text(formulas_over(series, inputs), "W*exp(-t/tau)")) << "unknown power-on";
 }
 
 TEST(Forms, SayWhichPhysicsGivesThem) {
