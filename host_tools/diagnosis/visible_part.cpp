@@ -46,14 +46,19 @@ constexpr double kRateBend = 0.02;
 constexpr double kMaxBend = 0.1;
 constexpr Eigen::Index kBends = 2;  // orders T and T^2
 
-// Drift of the model's terms of the temperature rate.
-Eigen::VectorXd drift_of_rate_terms(const series::Rows& rows, const fit::NoiseWeightedFit& fit) {
+// Drift of the model's terms, or of those of the temperature rate. Without what the input rate
+// does, in which a sensor beside the coil has no part: a sine of the table that were a minute late
+// would be all that a scale factor is.
+Eigen::VectorXd thermal_drift(const series::Rows& rows, const fit::NoiseWeightedFit& fit,
+                              bool of_rate_only) {
   Eigen::VectorXd drift = Eigen::VectorXd::Zero(rows.size());
   const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, rows.row_s);
   for (std::size_t term = 0; term < columns.size(); ++term) {
     const model::TermInfo info = model::info_of(fit.terms[term]);
+    if (has(info.needs, fog::Input::input_rate)) continue;
     for (Eigen::Index i = 0; i < columns[term].count; ++i) {
-      if (!model::of_temperature_rate(info.coefficients[static_cast<std::size_t>(i)])) continue;
+      const auto& coefficient = info.coefficients[static_cast<std::size_t>(i)];
+      if (of_rate_only && !model::of_temperature_rate(coefficient)) continue;
       const Eigen::Index column = columns[term].first + i;
       drift += fit.columns.col(column) * fit.coefficients[column];
     }
@@ -108,8 +113,8 @@ Eigen::MatrixXd bent_terms(const series::Rows& rows, const fit::NoiseWeightedFit
 
 // Possible errors of the model's terms, each of one standard deviation.
 Eigen::MatrixXd inexact_terms(const series::Rows& rows, const fit::NoiseWeightedFit& fit) {
-  const Eigen::VectorXd drift = fit.columns * fit.coefficients;
-  const Eigen::VectorXd of_rate = drift_of_rate_terms(rows, fit);
+  const Eigen::VectorXd drift = thermal_drift(rows, fit, false);
+  const Eigen::VectorXd of_rate = thermal_drift(rows, fit, true);
   Eigen::MatrixXd timings(rows.size(), kTimings);
   timings.col(0) = kSensorDelay_s * slope(rows, drift);
   timings.col(1) = drift - series::smoothed(rows, drift, kRounding_s);

@@ -89,5 +89,25 @@ TEST_F(VisiblePartTest, OfTheMeasurementIsNoise) {
   EXPECT_NEAR(residual.squaredNorm() / static_cast<double>(series_.rows().size()), 1, 0.08);
 }
 
+// A sine of a rate table, and a model with the delay of its record: were it allowed to be late like
+// a temperature, a minute of it would be a scale factor.
+TEST(VisiblePartOnATable, OfAScaleFactorIsAllOfIt) {
+  recording::Recording recording =
+      fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    const double angle = recording.time_s[i] * 0.002;
+    recording.input_rate_dph.push_back(72000 * std::sin(angle));
+    recording.rate_dph[i] += recording.input_rate_dph.back() + 10 * std::cos(angle);
+  }
+  const model::Model model = fog::test::model_of(
+      model::parse_effects("bias,bias_temperature:order=3,temperature_rate,late_reference"));
+  series::SignalSeries series(model, series::Phase::zero);
+  series.add(series::make_blocks(recording));
+  const auto fit = fit::fit_rows(series, model.terms, Eigen::MatrixXd(series.rows().size(), 0));
+  const Residualizer remover(series.rows(), fit);
+  const auto scale_factor = series.regressors(model::parse_effects("scale_factor")[0]);
+  EXPECT_GT(remover(scale_factor).visible[0], 0.9);
+}
+
 }  // namespace
 }  // namespace fogcomp::diagnosis
