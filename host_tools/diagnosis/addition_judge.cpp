@@ -62,7 +62,7 @@ std::optional<AdditionRequest> with_more_room(AdditionRequest request) {
 // Judges a request and, if a line in time would do as well, the same with all parts; if a formula's
 // lag should be longer than it may, with longer ones.
 template <class Judge>
-TriedAddition with_bend(AdditionRequest request, const Judge& judge) {
+TriedAddition with_second_try(AdditionRequest request, const Judge& judge) {
   TriedAddition first = judge(request);
   if (!first.may_be_line && !first.wants_more) return first;
   const auto more =
@@ -183,8 +183,8 @@ void AdditionJudge::prepare() {
 }
 
 TriedAddition AdditionJudge::operator()(AdditionRequest request) {
-  return with_bend(std::move(request),
-                   [&](AdditionRequest one) { return as_it_is(std::move(one)); });
+  return with_second_try(std::move(request),
+                         [&](AdditionRequest one) { return as_it_is(std::move(one)); });
 }
 
 TriedAddition AdditionJudge::as_it_is(AdditionRequest request) {
@@ -250,8 +250,8 @@ void AdditionJudge::take_model(std::optional<fit::Addition>& addition, TriedAddi
 }
 
 TriedAddition AdditionJudge::of_description(AdditionRequest request) {
-  return with_bend(std::move(request),
-                   [&](AdditionRequest one) { return description_as_it_is(std::move(one)); });
+  return with_second_try(std::move(request),
+                         [&](AdditionRequest one) { return description_as_it_is(std::move(one)); });
 }
 
 TriedAddition AdditionJudge::description_as_it_is(AdditionRequest request) {

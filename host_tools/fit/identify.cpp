@@ -18,6 +18,7 @@
 #include "noise/outlier_rows.hpp"
 #include "series/term_columns.hpp"
 #include "support/input_error.hpp"
+#include "support/least_squares.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::fit {
@@ -185,7 +186,9 @@ void judge_uncertainty(model::Model& model, const NoiseWeightedFit& fit,
                        Identification& result) {
   const double drift_dph = weighted_rms(rows.drift_dph, rows.weights);
   model.uncertain.reset();
+  const bool needs_time = has(model::needs_of(model), fog::Input::elapsed);
   for (const bool at_power_on : {false, true}) {
+    if (at_power_on && !needs_time) return;
     SoakUncertainty worst = soak_uncertainty(model, fit, covariance, rows, at_power_on);
     if (!at_power_on) result.soak_sigma_dph = worst.sigma_dph;
     if (worst.sigma_dph <= drift_dph) continue;

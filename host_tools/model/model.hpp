@@ -121,10 +121,9 @@ struct Model {
   std::vector<HistoryEntry> history;
   /// A fit whose compensation may be worse than none.
   struct Uncertain {
-    double sigma_dph = 0;  ///< of the drift, in the soak with the largest uncertainty
-    double drift_dph = 0;  ///< rms of the drift to be removed from the training data
-    bool at_power_on =
-        false;  ///< not in a soak, but when a board begins; the recordings began late
+    double sigma_dph = 0;      ///< of the drift, in the soak with the largest uncertainty
+    double drift_dph = 0;      ///< rms of the drift to be removed from the training data
+    bool at_power_on = false;  ///< not in a soak: the recordings began later than a board does
   };
   std::optional<Uncertain> uncertain{};
 
