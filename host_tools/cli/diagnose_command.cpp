@@ -34,7 +34,8 @@ workflow::DiagnoseRequest DiagnoseCommand::request() const {
 std::vector<std::string> DiagnoseCommand::options_of_noise() const {
   std::vector<std::string> given;
   if (at_rest.given()) given = {"--static", at_rest.value()};
-  if (average.given()) given.insert(given.end(), {"--average", average.text()});
+  const bool is_one_look = max_effects.value() == 0;
+  if (average.given() && is_one_look) given.insert(given.end(), {"--average", average.text()});
   return given;
 }
 

@@ -26,7 +26,9 @@ struct DiagnoseCommand : Command {
   Text output{this, {"o", "MODEL", "the loop's model, with --max-effects"}};
   Texts holdouts{this, {"holdout", "RUN", "a run that judges additions; may be repeated"}};
   Number average{
-      this, {"average", "S", "rows, seconds (default: 10 where it can be)"}, {1e-3, 1e6}};
+      this,
+      {"average", "S", "rows of one look, seconds (a ladder chooses its own: 10 where it can be)"},
+      {1e-3, 1e6}};
   Integer<std::uint64_t> seed{
       this, {"seed", "N", "of the draws that calibrate the test", "1"}, 0, INT64_MAX};
   ReportOption report{this};
@@ -39,7 +41,8 @@ struct DiagnoseCommand : Command {
                 "fogcomp diagnose gyro.model run.csv --max-effects 4") {}
   /// The request of the options. Throws InputError for values out of range.
   workflow::DiagnoseRequest request() const;
-  /// `--static` and `--average`, as given: what decides the noise beside the recordings.
+  /// `--static` and, of one look, `--average` as given: what decides the noise beside the
+  /// recordings.
   std::vector<std::string> options_of_noise() const;
   int run() const override;
 };

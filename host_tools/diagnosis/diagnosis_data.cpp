@@ -45,6 +45,7 @@ std::optional<double> DiagnosisData::noise_floor_dph() const {
 noise::NoiseModel noise_of_static(const model::Model& model, const recording::Recording& recording,
                                   const DiagnosisData& data) {
   constexpr Eigen::Index kMinStaticRows = 128;
+  constexpr double kMaxStretch = 0.25;  // of rows, less than noise is known to
   recording::require_varying_rate(recording);
   const std::string same = data.known().file_with(recording::rows_hash(recording));
   if (!same.empty()) {
@@ -59,10 +60,12 @@ noise::NoiseModel noise_of_static(const model::Model& model, const recording::Re
   series::SignalSeries series(averaging, series::Phase::zero);
   series.add(series::make_blocks(recording));
   const series::Rows& rows = series.rows();
-  if (std::abs(rows.row_s - row_s) > 1e-6 * row_s) {
-    throw InputError(recording.file, format("has rows of %g s, the others of %g s; choose an "
-                                            "--average that suits both",
-                                            rows.row_s, row_s));
+  const double stretch = rows.row_s / row_s;  // rows are whole periods of their recording
+  if (std::abs(stretch - 1) > kMaxStretch) {
+    throw InputError(recording.file,
+                     format("has rows of %g s, the others of %g s: too unlike for --static; record "
+                            "at rest with the period of the others",
+                            rows.row_s, row_s));
   }
   if (rows.size() < kMinStaticRows) {
     throw InputError(recording.file,
@@ -70,7 +73,8 @@ noise::NoiseModel noise_of_static(const model::Model& model, const recording::Re
                             counted(static_cast<std::size_t>(rows.size()), "row").c_str(), row_s,
                             kMinStaticRows));
   }
-  return noise::fit_noise({{rows.drift_dph}}, row_s,
+  // White noise falls with the root of a row's length; what is slow differs by less than is known.
+  return noise::fit_noise({{std::sqrt(stretch) * rows.drift_dph}}, row_s,
                           std::max(rows.longest_run_s(), data.series().rows().longest_run_s()));
 }
 

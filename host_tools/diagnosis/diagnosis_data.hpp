@@ -58,8 +58,9 @@ class DiagnosisData {
   recording::KnownRows known_;
 };
 
-/// Noise of a recording at rest, for the row length of `data`. Throws InputError if the row length
-/// differs, or the recording is too short or one of `data`'s own.
+/// Noise of a recording at rest, for the row length of `data`; one of another sample period has
+/// rows that are a little longer or shorter. Throws InputError if they differ by more than a
+/// quarter, or the recording is too short or one of `data`'s own.
 noise::NoiseModel noise_of_static(const model::Model& model, const recording::Recording& recording,
                                   const DiagnosisData& data);
 

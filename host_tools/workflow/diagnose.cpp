@@ -18,16 +18,30 @@ std::vector<model::EffectTerm> offered(const DiagnoseRequest& request, const mod
   return {terms.begin() + static_cast<std::ptrdiff_t>(model.terms.size()), terms.end()};
 }
 
-// The rows differ from those of `compare`, and so do the results.
-void note_rows(const fit::RowLength& rows, const model::Model& model,
-               std::vector<std::string>& notes) {
-  if (!rows.why.empty()) {
-    notes.push_back(rows.why);
-  } else if (rows.row_s != model.average_s) {
+// The rows to look in. A ladder's end may not depend on how long they are, one look may.
+double row_length_s(const DiagnoseRequest& request, const fit::RowLength& rows) {
+  return request.max_steps > 0 ? rows.row_s : request.average_s.value_or(rows.row_s);
+}
+
+// Says where the rows differ from those of `compare`, so that the results do, or from those asked
+// for.
+void note_rows(const DiagnoseRequest& request, const fit::RowLength& rows,
+               const model::Model& model, std::vector<std::string>& notes) {
+  const double row_s = row_length_s(request, rows);
+  if (request.average_s) {
+    if (*request.average_s == row_s) return;
     notes.push_back(
-        format("looked at in rows of %g s, so that the verdict does not depend on the "
-               "%g s in which the model was fitted; --average %g takes those",
-               rows.row_s, model.average_s, model.average_s));
+        format("looked at in rows of %g s whatever --average, so that the ladder's end "
+               "does not depend on it; without --max-effects it takes %g s",
+               row_s, *request.average_s));
+  } else if (!rows.why.empty()) {
+    notes.push_back(rows.why);
+  } else if (row_s != model.average_s) {
+    const bool is_one_look = request.max_steps == 0;
+    notes.push_back(format("looked at in rows of %g s, so that the verdict does not depend on the "
+                           "%g s in which the model was fitted",
+                           row_s, model.average_s) +
+                    (is_one_look ? format("; --average %g takes those", model.average_s) : ""));
   }
 }
 
@@ -69,7 +83,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const diagnosis::Judgin
 
   const fit::RowLength rows = fit::row_length(judging.training.runs, model.average_s);
   auto in_rows = std::make_unique<model::Model>(model);
-  in_rows->average_s = request.average_s.value_or(rows.row_s);
+  in_rows->average_s = row_length_s(request, rows);
   diagnosis::DiagnosisData data(*in_rows, offered(request, model));
   DiagnoseOutcome outcome{std::move(in_rows), std::move(data), {}, {}};
   compare::BoardError as_given;  // as in `compare`
@@ -98,7 +112,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const diagnosis::Judgin
       diagnosis::stepwise_selection(model, outcome.data, judging, request.max_steps, settings);
   outcome.ladder.first.as_given = as_given;
   outcome.ladder.first.notes.insert(outcome.ladder.first.notes.end(), notes.begin(), notes.end());
-  if (!request.average_s) note_rows(rows, model, outcome.ladder.first.notes);
+  note_rows(request, rows, model, outcome.ladder.first.notes);
   return outcome;
 }
 

@@ -19,7 +19,7 @@ struct DiagnoseRequest {
   std::optional<std::string> at_rest;    ///< recording that determines the noise
   std::vector<std::string> hold_outs;    ///< runs that judge additions, as for `add`
   int max_steps = 0;                     ///< of the stepwise selection; 0: diagnose only
-  std::optional<double> average_s;       ///< rows; nothing: fit::row_length()
+  std::optional<double> average_s;       ///< rows of one look; else those of fit::row_length()
   std::uint64_t seed = 1;                ///< of the random draws of the test
 };
 

@@ -64,7 +64,7 @@ grep -q '"random_walk":{"coefficient":' said.json || fail 'a random walk is no r
 "$fogcomp" diagnose both.model day.csv soak.csv | tee said.txt | grep '^missing effect: aging ' >/dev/null ||
   fail "the soak tells: $(cat said.txt)"
 
-# A recording at rest gives the noise; rows of another length, and too few, are refused.
+# A recording at rest gives the noise; too few rows are refused.
 "$fogcomp" simulate -o rest.csv --profile static --seed 8 >/dev/null
 "$fogcomp" diagnose shupe.model paper.csv --static rest.csv --json >static.json
 [[ $(value static.json candidates 0 effect) == temperature_rate ]] || fail "--static: $(cat static.json)"
@@ -75,6 +75,14 @@ refuses() {
   [[ $status == 2 && $(wc -l <err.txt) == 1 ]] && grep -Eq "$pattern" err.txt ||
     fail "$* says: $(cat err.txt), exit $status"
 }
+# Rows of another length are refused, but not the few per cent by which other sample periods make them differ.
+"$fogcomp" simulate -o rest3.csv --profile static --rate 0.33 --seed 8 >/dev/null
+"$fogcomp" diagnose shupe.model paper.csv --static rest3.csv --max-effects 1 --json >static3.json
+white=$(value static.json noise white_dph) white3=$(value static3.json noise white_dph)
+awk -v a="$white" -v b="$white3" 'BEGIN { exit !(a > 0 && b < 1.02 * a && b > 0.98 * a) }' ||
+  fail "in rows of 9.09 s a recording at rest has a noise of $white3, in rows of 10 s of $white"
+"$fogcomp" simulate -o rest14.csv --profile static --rate 0.07 --seed 8 >/dev/null
+refuses '^rest14\.csv: has rows of 14\.2857 s, .* too unlike for --static' diagnose shupe.model paper.csv --static rest14.csv
 head -n 40 paper.csv >short.csv
 refuses '39 rows of 10 s: too few' diagnose shupe.model short.csv
 refuses 'at rest: too few for --static' diagnose shupe.model paper.csv --static short.csv

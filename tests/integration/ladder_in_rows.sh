@@ -21,6 +21,11 @@ for row_s in 10 1 30; do
     'BEGIN { exit !(usual > 0 && left < 1.01 * usual && left > 0.99 * usual) }' || fail "in rows of $row_s s it ends elsewhere"
 done
 
+# Whatever --average asks of one look, a ladder looks in rows of its own and says so.
+"$fogcomp" diagnose gyro.model "$recording" --max-effects 3 --average 1 --json >asked.json
+[[ $(value asked.json added) == "$(value ladder_30.json added)" ]] || fail "asked for rows of 1 s the ladder differs"
+grep -q 'looked at in rows of 10 s whatever --average' asked.json || fail "the ladder does not say in which rows it looks"
+
 # Typed step by step, the commands make the same model, which keeps its rows.
 mapfile -t commands < <(grep -o '"commands":\[[^]]*\]' ladder_30.json | grep -o 'fogcomp add [^"]*')
 ((${#commands[@]} > 0)) || fail "it prints no commands"
