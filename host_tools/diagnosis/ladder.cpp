@@ -4,6 +4,7 @@
 #include <atomic>
 #include <utility>
 
+#include "diagnosis/decision_rules.hpp"
 #include "diagnosis/model_fit.hpp"
 #include "support/parallel.hpp"
 
@@ -67,8 +68,8 @@ struct Look {
 
 enum class Wanted { diagnosis, refinement, next_step };
 
-Look look_at(const model::Model& model, const DiagnosisData& data, AdditionJudge& judge,
-             const DiagnosisSettings& settings, Wanted wanted) {
+Look look_once(const model::Model& model, const DiagnosisData& data, AdditionJudge& judge,
+               const DiagnosisSettings& settings, Wanted wanted) {
   Look look;
   judge.go_on_from(model);
   std::atomic<bool> is_complete{false};
@@ -87,6 +88,36 @@ Look look_at(const model::Model& model, const DiagnosisData& data, AdditionJudge
   if (look.next.name_is != Refuted::no) withdraw_name(look.diagnosis, look.next.name_is);
   look.diagnosis.line = refused_line(model, data, judge.runs(), look.next, settings.noise);
   return look;
+}
+
+// Whether what is missing has found no name that holds with one bias for all power-ons.
+bool may_need_own_biases(const Look& look, const AdditionJudge& judge) {
+  return !judge.gives_own_biases() && judge.runs().have_several_power_ons() &&
+         look.diagnosis.verdict != Verdict::none && !look.next.little_is_left &&
+         (!look.next.addition || look.next.describes);
+}
+
+// Whether what was found with a bias for each power-on holds, and nothing found with one for all is
+// nearly as good: no model can know the biases, so that the drift within the runs decides.
+bool is_better(const NextStep& own, const NextStep& common) {
+  if (!own.addition) return false;
+  return !common.addition || own.addition->rms_after_dph <
+                                 rules::kClearlyLess * common.addition->rms_after_dph;
+}
+
+// A missing effect may hide that the biases of the power-ons differ; then one bias for all refuses
+// what is missing. Where it finds no name, the same is looked at with a bias for each; if that is
+// better, `judge` goes on so.
+Look look_at(const model::Model& model, RowsOfLadder& rows, AdditionJudge& judge,
+             const DiagnosisSettings& settings, Wanted wanted) {
+  Look common = look_once(model, rows.with(judge.gives_own_biases()), judge, settings, wanted);
+  if (wanted != Wanted::next_step || !may_need_own_biases(common, judge)) return common;
+  judge.give_own_biases(true);
+  Look own = look_once(model, rows.with(true), judge, settings, wanted);
+  own.next.only_with_own_biases = is_better(own.next, common.next);
+  if (own.next.only_with_own_biases) return own;
+  judge.give_own_biases(false);
+  return common;
 }
 
 }  // namespace
@@ -116,7 +147,7 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
   ladder.model = model;
   AdditionJudge judge(model, runs, settings.run_offsets);
   RowsOfLadder rows(data);
-  Look look = look_at(model, data, judge, each, Wanted::next_step);
+  Look look = look_at(model, rows, judge, each, Wanted::next_step);
   ladder.first = std::move(look.diagnosis);
   ladder.next = std::move(look.next);
   ladder.last = ladder.first;
@@ -128,7 +159,7 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
     if (!addition.request.refines) ++added;
     ladder.model = with_network(ladder.model, addition, runs);
     ladder.is_cut_off = !is_network && added == max_steps;
-    look = look_at(ladder.model, rows.with(judge.gives_own_biases()), judge, each,
+    look = look_at(ladder.model, rows, judge, each,
                    is_network          ? Wanted::diagnosis
                    : ladder.is_cut_off ? Wanted::refinement
                                        : Wanted::next_step);

@@ -302,26 +302,6 @@ void try_what_noise_hides(const model::Model& model, const Diagnosis& diagnosis,
   describe(diagnosis, formulas.descriptions, judge, next);
 }
 
-// A missing effect may hide that the biases of the power-ons differ, which no model can know; then
-// one bias for all refuses what is missing.
-bool try_with_own_biases(const Diagnosis& diagnosis, const std::vector<std::string>& named,
-                         bool may_be_little, AdditionJudge& judge, NextStep& next) {
-  if (diagnosis.verdict != Verdict::missing_effect || !judge.runs().have_several_power_ons() ||
-      judge.gives_own_biases()) {
-    return false;
-  }
-  judge.give_own_biases(true);
-  NextStep own;
-  own.only_with_own_biases = true;
-  if (!try_named(diagnosis, named, may_be_little, judge, own)) {
-    judge.give_own_biases(false);
-    return false;
-  }
-  own.refused = std::move(next.refused);
-  next = std::move(own);
-  return true;
-}
-
 // Tries names and descriptions; false if no description holds.
 bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnosis,
                              const DiagnosisData& data, AdditionJudge& judge,
@@ -346,7 +326,6 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
     const bool may_be_little = is_one || !events.empty();
     if (try_named(diagnosis, named, may_be_little, judge, next) || is_little) return true;
     if (try_higher_orders(diagnosis, named, judge, next)) return true;
-    if (try_with_own_biases(diagnosis, named, may_be_little, judge, next)) return true;
   }
   if (!is_unknown && (try_sets(sets_of_effects(diagnosis, named), judge, next) ||
                       try_sets(certain_ones(diagnosis, named), judge, next))) {

@@ -17,7 +17,8 @@ struct NextStep {
   /// Names, if the catalogue explains the residual and only these together are accepted.
   std::vector<std::string> together;
   bool describes = false;  ///< the addition lowers the error, and says nothing of the cause
-  /// What is named was refused with one bias for all power-ons, and holds with one for each.
+  /// It holds with a bias of its own for each power-on; with one for all nothing does, or only a
+  /// description that leaves clearly more.
   bool only_with_own_biases = false;
   Refuted name_is = Refuted::no;  ///< what the diagnosis names
   std::vector<TriedAddition> refused;
@@ -49,9 +50,8 @@ NextStep find_refinement(const model::Model& model, AdditionJudge& judge);
 /// temperature and rate, unless the model has one or there is only one run. Nothing but single
 /// effects is tried if most of the residual is no function of the signals (a cycle, jumps), nothing
 /// but a refinement if it may be a random walk. If nothing is missing, but slow noise of these runs
-/// may hide it, formulas are asked beside the catalogue. A name that is refused, with several
-/// power-ons, is tried once more with a bias of its own for each; if it holds, so are all further
-/// trials of `judge`. `data` has the rows of the training runs of `judge`, which is of `model`.
+/// may hide it, formulas are asked beside the catalogue. `data` has the rows of the training runs
+/// of `judge`, which is of `model`.
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
                         const DiagnosisData& data, AdditionJudge& judge,
                         const DiagnosisSettings& settings = {});

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/ladder.hpp"
 #include "fit/effect_change.hpp"
 #include "statistics/hidden_drift.hpp"
 #include "unit/diagnosis/looped.hpp"
@@ -30,9 +31,9 @@ struct Asked {
       data.add(training.runs.back());
     }
     training.noise_floor_dph = training.runs[0].noise_floor_dph;
-    found = diagnose(model, data);
-    AdditionJudge judge(model, runs, false);
-    next = find_next_step(model, found, data, judge);
+    const Ladder one_look = stepwise_selection(model, data, runs, 0);
+    found = one_look.first;
+    next = one_look.next;
   }
   // Like the printed command.
   bool add_accepts() const { return try_to_add(model, next.addition->request, runs).accepted; }
