@@ -11,12 +11,10 @@ namespace {
 
 constexpr model::Range kEverything{-HUGE_VAL, HUGE_VAL};
 
-model::Range rate_limits(const model::Model& model) {
-  if (!model.rate_range_degc_per_min) return kEverything;
-  const model::Range& trained = *model.rate_range_degc_per_min;
-  const double margin =
-      std::max(rules::kMinRateMarginDegcPerMin, rules::kRateMargin * (trained.max - trained.min));
-  return {trained.min - margin, trained.max + margin};
+model::Range widened(const std::optional<model::Range>& trained, double min_margin) {
+  if (!trained) return kEverything;
+  const double margin = std::max(min_margin, rules::kRateMargin * (trained->max - trained->min));
+  return {trained->min - margin, trained->max + margin};
 }
 
 model::Range time_limits(const model::Model& model, double row_s) {
@@ -39,8 +37,9 @@ std::array<model::Range, fog::kExtensionInputs> input_limits(const model::Model&
 
 TrainedRange::TrainedRange(const model::Model& model, double row_s)
     : degc_{model.min_degc, model.max_degc},
-      rate_(rate_limits(model)),
+      rate_(widened(model.rate_range_degc_per_min, rules::kMinRateMarginDegcPerMin)),
       time_(time_limits(model, row_s)),
+      input_rate_(widened(model.input_rate_range_dph, 0)),
       inputs_(input_limits(model)) {}
 
 void TrainedRange::count(double time_s, const fog::BlockMeans<model::RealNumbers>& inputs,
@@ -51,6 +50,7 @@ void TrainedRange::count(double time_s, const fog::BlockMeans<model::RealNumbers
   }
   if (!degc_.holds(inputs.temperature)) ++rows_outside_.temperature;
   if (!rate_.holds(rate_degc_per_min)) ++rows_outside_.temperature_rate;
+  if (!input_rate_.holds(inputs.input_rate)) ++rows_outside_.input_rate;
   if (time_s < time_.min) ++rows_outside_.sooner;
   if (time_s > time_.max) ++rows_outside_.later;
 }
@@ -58,7 +58,8 @@ void TrainedRange::count(double time_s, const fog::BlockMeans<model::RealNumbers
 OutsideTraining TrainedRange::outside() const {
   const double rows = std::max(1.0, rows_);
   OutsideTraining outside{rows_outside_.temperature / rows, rows_outside_.temperature_rate / rows,
-                          rows_outside_.sooner / rows, rows_outside_.later / rows};
+                          rows_outside_.sooner / rows, rows_outside_.later / rows,
+                          rows_outside_.input_rate / rows};
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     outside.inputs[i] = rows_outside_.inputs[i] / rows;
   }

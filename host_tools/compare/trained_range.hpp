@@ -17,6 +17,7 @@ struct OutsideTraining {
   double sooner = 0;
   /// Later than all, for models with an effect of the time since power-on.
   double later = 0;
+  double input_rate = 0;  ///< beyond the trained ones, for models that need it
   /// Beyond the trained values of an extension input that the model needs.
   std::array<double, fog::kExtensionInputs> inputs{};
 };
@@ -37,6 +38,7 @@ class TrainedRange {
   model::Range degc_;
   model::Range rate_;
   model::Range time_;
+  model::Range input_rate_;
   std::array<model::Range, fog::kExtensionInputs> inputs_;
   double rows_ = 0;
   OutsideTraining rows_outside_;

@@ -123,7 +123,8 @@ Json outside_json(const compare::OutsideTraining& outside) {
   object.set("temperature", outside.temperature)
       .set("temperature_rate", outside.temperature_rate)
       .set("sooner", outside.sooner)
-      .set("later", outside.later);
+      .set("later", outside.later)
+      .set(description_of(fog::Input::input_rate).column, outside.input_rate);
   for (std::size_t i = 0; i < outside.inputs.size(); ++i) {
     object.set(description_of(fog::extension_input(i)).column, outside.inputs[i]);
   }

@@ -8,6 +8,7 @@
 #include "findings/figures.hpp"
 #include "noise/outlier_rows.hpp"
 #include "support/text.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp::findings {
 namespace {
@@ -128,6 +129,10 @@ std::vector<std::string> range_warnings(const compare::Comparison& comparison,
        format("come later after power-on than the trained %.0f s, and the model has an effect of "
               "that time",
               time.max));
+  const model::Range input_rate = model.input_rate_range_dph.value_or(model::Range{});
+  warn(outside.input_rate,
+       format("have an input rate beyond the trained %.4g to %.4g deg/s",
+              input_rate.min / kSecondsPerHour, input_rate.max / kSecondsPerHour));
   for (const model::EffectTerm& term : model.terms) {
     if (!term.has_first_heat()) continue;
     warnings.push_back(

@@ -74,6 +74,10 @@ void set_ranges(model::Model& model, const series::Rows& rows) {
       range_of(count, [&](std::size_t i) { return rows.signals[i].temperature_rate; });
   model.time_range_s = range_of(count, [&](std::size_t i) { return rows.time_s[i]; });
   model.input_ranges = rows.input_ranges;
+  model.input_rate_range_dph.reset();
+  if (!has(model::needs_of(model), fog::Input::input_rate)) return;
+  model.input_rate_range_dph =
+      range_of(count, [&](std::size_t i) { return rows.inputs[i].input_rate; });
 }
 
 bool is_sought(const model::EffectTerm& term) {

@@ -114,6 +114,7 @@ struct Model {
   /// Other ranges of the training data, for warnings; missing in old files.
   std::optional<Range> rate_range_degc_per_min{};  ///< cooling (negative) to heating
   std::optional<Range> time_range_s{};             ///< since power-on
+  std::optional<Range> input_rate_range_dph{};     ///< of rows, if the model needs it
   InputRanges input_ranges{};                      ///< used by the board to judge its inputs
   double noise_dph_rthz = 0;    ///< white noise density of the rate: std of a 1 s mean
   double residual_rms_dph = 0;  ///< on the training data, rows of average_s

@@ -276,6 +276,8 @@ const std::map<std::string, LineReader> kLines{
     {"range_degc_per_min",
      [](ModelReader& in, Model& m) { m.rate_range_degc_per_min = read_range(in); }},
     {"range_s", [](ModelReader& in, Model& m) { m.time_range_s = read_range(in); }},
+    {"range_input_rate_dph",
+     [](ModelReader& in, Model& m) { m.input_rate_range_dph = read_range(in); }},
     {"input_range", read_input_range},
     {"noise_dph_rthz", [](ModelReader& in, Model& m) { m.noise_dph_rthz = read_dph(in); }},
     {"residual_rms_dph", [](ModelReader& in, Model& m) { m.residual_rms_dph = read_dph(in); }},

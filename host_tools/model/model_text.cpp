@@ -91,6 +91,9 @@ std::string model_text(const Model& model) {
   if (const auto& time = model.time_range_s) {
     out.word("range_s").number(time->min).number(time->max).end_line();
   }
+  if (const auto& input_rate = model.input_rate_range_dph) {
+    out.word("range_input_rate_dph").number(input_rate->min).number(input_rate->max).end_line();
+  }
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     const auto& input = model.input_ranges[i];
     if (!input) continue;

@@ -45,6 +45,22 @@ TEST(TrainedRange, WarnsOfLaterTimesOnlyWhereTheyCount) {
   EXPECT_EQ(with.outside().later, 1);
 }
 
+// Rows of a table that stands differ by a little.
+TEST(TrainedRange, WarnsOfInputRatesBeyondTheTrainedOnes) {
+  model::Model model = trained();
+  const auto outside = [&model](double input_rate_dph) {
+    TrainedRange range(model, 10);
+    auto means = at(20);
+    means.input_rate = input_rate_dph;
+    range.count(700, means, 0);
+    return range.outside().input_rate;
+  };
+  EXPECT_EQ(outside(3e5), 0);
+  model.input_rate_range_dph = model::Range{-72000, 72000};
+  EXPECT_EQ(outside(72100), 0);
+  EXPECT_EQ(outside(180000), 1);
+}
+
 TEST(TrainedRange, WarnsOfInputsThatTheModelNeeds) {
   model::Model model = trained();
   constexpr std::size_t kPower = extension_number(fog::Input::light_power);

@@ -71,6 +71,7 @@ TEST(ModelFile, KeepsTheWholeHistory) {
   Model model = fog::test::paper_like_model();
   model.rate_range_degc_per_min = Range{-0.7, 0.9};
   model.time_range_s = Range{5, 36005};
+  model.input_rate_range_dph = Range{-72000, 72000};
   model.history.push_back({"add thermal_lag:tau=300", 0xFFFFFFFF, 0.024, 0.0205, 0.02,
                            HistoryEntry::Holdout{0.027, 0.026}, true});
   const std::string text = model_text(model);
@@ -78,6 +79,7 @@ TEST(ModelFile, KeepsTheWholeHistory) {
   EXPECT_EQ(model_text(read), text);
   EXPECT_EQ(read.rate_range_degc_per_min->max, 0.9);
   EXPECT_EQ(read.time_range_s->min, 5);
+  EXPECT_EQ(read.input_rate_range_dph->max, 72000);
   ASSERT_EQ(read.history.size(), 2U);
   EXPECT_FALSE(read.history[0].noise_floor_dph.has_value());
   EXPECT_EQ(read.history[1].action, "add thermal_lag:tau=300");
