@@ -101,8 +101,8 @@ bool may_need_own_biases(const Look& look, const AdditionJudge& judge) {
 // nearly as good: no model can know the biases, so that the drift within the runs decides.
 bool is_better(const NextStep& own, const NextStep& common) {
   if (!own.addition) return false;
-  return !common.addition || own.addition->rms_after_dph <
-                                 rules::kClearlyLess * common.addition->rms_after_dph;
+  return !common.addition ||
+         own.addition->rms_after_dph < rules::kClearlyLess * common.addition->rms_after_dph;
 }
 
 // A missing effect may hide that the biases of the power-ons differ; then one bias for all refuses

@@ -176,9 +176,9 @@ TEST(DiagnosisWords, SayThatTheBiasChangesFromOnePowerOnToTheNext) {
   diagnosis.verdict = diagnosis::Verdict::missing_effect;
   const DiagnosisWords words = words_of(diagnosis, next, kFiles);
   EXPECT_EQ(words.command, "fogcomp add x.model warm_up run.csv --run-offsets -o NEW.model");
-  EXPECT_NE(
-      join(words.limits, "\n").find("with warm_up in the model clearly less is left with a bias of its own"),
-      std::string::npos);
+  EXPECT_NE(join(words.limits, "\n")
+                .find("with warm_up in the model clearly less is left with a bias of its own"),
+            std::string::npos);
 }
 
 // Another programme would have another first heat: only a repetition tells.
