@@ -37,17 +37,6 @@ std::vector<std::string> go_on_command(const diagnosis::Ladder& ladder,
   return command;
 }
 
-// "" where the recordings determine the model.
-std::string uncertainty_words(const model::Model& model) {
-  if (!model.uncertain) return "";
-  const bool at_power_on = model.uncertain->at_power_on;
-  return format(
-      "%s the drift is known to +- %.2g deg/h, worse than the %.2g deg/h that are to be "
-      "compensated: for a board record %s, or leave effects out",
-      at_power_on ? "at power-on" : "in a soak", model.uncertain->sigma_dph,
-      model.uncertain->drift_dph, at_power_on ? "from power-on" : "more temperatures or rows");
-}
-
 }  // namespace
 
 void add_ladder(Document& document, const diagnosis::Ladder& ladder,
@@ -80,7 +69,9 @@ void add_ladder(Document& document, const diagnosis::Ladder& ladder,
   for (const model::EffectTerm& step : found_steps(ladder.model)) {
     document.sentence(bias_step_words(step, file_of(step, data, files.runs)));
   }
-  document.sentence(words(uncertainty_words(ladder.model)));
+  if (const auto& uncertain = ladder.model.uncertain) {
+    document.sentence(words(uncertain->words()));
+  }
   document.sentence("the same, step by step:");
   document.listing("  " + join(ladder_commands(ladder, files), "\n  ") + "\n");
 }

@@ -198,11 +198,7 @@ void judge_uncertainty(model::Model& model, const NoiseWeightedFit& fit,
     if (worst.sigma_dph <= drift_dph) continue;
     worst.sigma_dph = std::min(worst.sigma_dph, model::kMaxModelDph);  // larger ones mean the same
     model.uncertain = model::Model::Uncertain{worst.sigma_dph, drift_dph, at_power_on};
-    result.warnings.push_back(
-        format("%s at %.4g degC the drift is known to +- %.2g deg/h, worse than the %.2g deg/h "
-               "that are to be compensated: record %s, or leave effects out",
-               at_power_on ? "at power-on" : "in a soak", worst.at_degc, worst.sigma_dph, drift_dph,
-               at_power_on ? "from power-on" : "more temperatures or rows"));
+    result.warnings.push_back(format("at %.4g degC ", worst.at_degc) + model.uncertain->words());
     return;
   }
 }

@@ -16,6 +16,14 @@ std::optional<double> HistoryEntry::excess_removed() const {
   return (before - rms_after_dph * rms_after_dph) / excess;
 }
 
+std::string Model::Uncertain::words() const {
+  return format(
+      "%s the drift is known to +- %.2g deg/h, worse than the %.2g deg/h that are to be "
+      "compensated: for a board record %s, or leave effects out",
+      at_power_on ? "at power-on" : "in a soak", sigma_dph, drift_dph,
+      at_power_on ? "from power-on" : "more temperatures or rows");
+}
+
 const char* EffectTerm::bias_of_others() const {
   if (others_part == 0) return "before";
   return others_part == 1 ? "after" : "mean";

@@ -86,14 +86,8 @@ void require_time_since_power_on(const model::Model& model, const std::string& f
 
 void require_determined(const model::Model& model, const std::string& file) {
   if (!model.uncertain) return;
-  throw InputError(
-      file,
-      format("these recordings did not determine it: %s the drift is known to +- %.2g deg/h, worse "
-             "than the %.2g deg/h that it is to compensate; fit fewer effects or %s, or give "
-             "--allow-error",
-             model.uncertain->at_power_on ? "at power-on" : "somewhere in its trained range",
-             model.uncertain->sigma_dph, model.uncertain->drift_dph,
-             model.uncertain->at_power_on ? "a recording that begins there" : "more data"));
+  throw InputError(file, "these recordings did not determine it: " + model.uncertain->words() +
+                             "; --allow-error writes it all the same");
 }
 
 }  // namespace

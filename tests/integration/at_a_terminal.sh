@@ -5,9 +5,7 @@ set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: at_a_terminal.sh FOGCOMP}")
 command -v script >/dev/null || { echo "skipped: no script(1) here"; exit 77; }
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 "$fogcomp" simulate -o run.csv >said.txt
 echo "kept" >big.csv
 

@@ -6,9 +6,7 @@ set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: batch.sh FOGCOMP SOURCE}")
 submit=$(realpath "$2/host_tools/batch/slurm/submit.sh")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 options=(--effects bias,bias_temperature,temperature_rate --jobs 2)
 
 # batch EXIT_CODE ARGUMENTS...

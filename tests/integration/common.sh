@@ -6,6 +6,13 @@ fail() {
   exit 1
 }
 
+# enter_scratch: goes to a folder of the test's own, $scratch, which is removed at its end.
+enter_scratch() {
+  scratch=$(mktemp -d)
+  trap 'rm -rf "$scratch"' EXIT
+  cd "$scratch"
+}
+
 # value FILE KEY...: a member of a JSON file.
 value() {
   local file=$1

@@ -3,9 +3,7 @@
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: diagnose.sh FOGCOMP}")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
+enter_scratch
 
 # The reference paper explains the drift by temperature and the Shupe effect, which is zero in a
 # steady ramp; its own table shows an offset there.

@@ -4,9 +4,7 @@
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: error_ladder.sh FOGCOMP}")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 
 for seed in 1 2; do "$fogcomp" simulate -o "run$seed.csv" --seed "$seed" >/dev/null; done
 "$fogcomp" fit run1.csv -o static.model --effects bias,bias_temperature >/dev/null

@@ -5,9 +5,7 @@
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: first_heat.sh FOGCOMP}")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 
 for profile in reversed ramp_rates; do
   "$fogcomp" simulate -o "$profile.csv" --profile "$profile" --seed 71 --preset none --rate 0.1 \

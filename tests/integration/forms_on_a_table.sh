@@ -5,9 +5,7 @@
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: forms_on_a_table.sh FOGCOMP}")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 
 # gyro NAME SEED RATES TEMPERATURES SETTLING ASYMMETRY: 1 Hz; RATES: deg/s, 60 s each, again and again; TEMPERATURES:
 # degC:hours, ramps; ppm at power-on, ppm/K.

@@ -5,9 +5,7 @@
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: formula_or_step.sh FOGCOMP}")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 
 # gyro NAME PROFILE SEED PART...: a recording of a gyro with these parts, and the model of a gyro without.
 gyro() {

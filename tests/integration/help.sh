@@ -4,9 +4,7 @@
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: help.sh FOGCOMP}")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 mkdir bin
 ln -s "$fogcomp" bin/fogcomp
 PATH=$PWD/bin:$PATH

@@ -6,9 +6,7 @@ set -euo pipefail
 source "$(dirname "$0")/common.sh"
 build=$(realpath "${1:?usage: installed.sh BUILD SOURCE}") source=$(realpath "$2")
 here=$(realpath "$(dirname "$0")")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 
 cmake --install "$build" --prefix prefix >installed.txt
 PATH=$PWD/prefix/bin:$PATH

@@ -7,9 +7,7 @@ source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: ladder_in_rows.sh FOGCOMP RECORDING}") recording=$2
 [[ -f $recording ]] || { echo "skipped: no recording at $recording"; exit 77; }
 recording=$(realpath "$recording")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
+enter_scratch
 
 for row_s in 10 1 30; do
   "$fogcomp" fit "$recording" -o gyro.model --average "$row_s" --effects bias,bias_temperature:order=3 >/dev/null

@@ -12,9 +12,7 @@ for file in "$recording" ${other:+"$other"}; do
 done
 recording=$(realpath "$recording")
 [[ -z $other ]] || other=$(realpath "$other")
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
+enter_scratch
 
 if [[ -n $other ]]; then
   paste -d, "$recording" "$other" | awk -F, '/^#/ { next } /^time_s/ { print $1 "," $2 "," $3; next }

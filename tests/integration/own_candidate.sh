@@ -5,9 +5,7 @@
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: own_candidate.sh FOGCOMP}")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 
 # Strain that follows the square of the temperature rate, behind two masses: in the simulator alone.
 hidden=squared_lag:scale=3

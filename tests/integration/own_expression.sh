@@ -5,9 +5,7 @@
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "$1") source=$2 images=$3
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 
 # 0.1 deg/h of tanh((T - 5) / 8) beside what the ideal gyro has.
 "$fogcomp" simulate -o plain.csv --preset none --noise white=0.001 --rate 0.1 >/dev/null

@@ -6,9 +6,7 @@
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: rate_table_in_chamber.sh FOGCOMP}")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 
 # gyro NAME SEED RATES TEMPERATURES: 10 Hz; RATES: deg/s:seconds, again and again; TEMPERATURES: degC:hours, ramps.
 gyro() {

@@ -6,9 +6,7 @@
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: readme_example.sh FOGCOMP DOCUMENT}") document=$(realpath "$2")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 mkdir bin
 ln -s "$fogcomp" bin/fogcomp
 PATH=$PWD/bin:$PATH

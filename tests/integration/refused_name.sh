@@ -4,9 +4,7 @@
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: refused_name.sh FOGCOMP}")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 
 "$fogcomp" simulate -o run.csv --profile minor_loops --seed 56001728 --preset none \
   --noise white=0.0017,flicker=0.0025 --effect housing:housing_j_per_k=596,to_air_w_per_k=0.615,self_heating_w=2.19 \
