@@ -24,7 +24,7 @@ struct AddCommand : Command {
       this, {"holdout", "RUN", "a run to judge by instead of leaving parts out; may be repeated"}};
   Flag force{this, "force", "keep what is added even if it does not help"};
   Flag run_offsets{this, "run-offsets",
-                   "every power-on has a bias of its own; the model keeps the first's"};
+                   "every power-on has a bias of its own; the model has their mean"};
   Integer<std::uint64_t> seed{
       this, {"seed", "N", "of the network's first weights", "1"}, 0, INT64_MAX};
   ReportOption report{this};

@@ -33,8 +33,10 @@ struct FitOptions : OptionGroup {
                   join(workflow::preset_names(), ", ")},
              workflow::preset_names()};
   Number average{this, {"average", "S", "rows of the fit, seconds", "10"}, {1e-3, 1e6}};
-  Flag run_offsets{this, "run-offsets", "a bias for each power-on; the model keeps the first",
-                   kRare};
+  Flag run_offsets{
+      this, "run-offsets",
+      "a bias for each power-on even if they do not certainly differ; the model has the mean",
+      kRare};
   TrainingOptions training{this};
   Text inputs{
       this,

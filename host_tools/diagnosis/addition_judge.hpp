@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/model_on_runs.hpp"
 #include "fit/add_effect.hpp"
 #include "fit/training_runs.hpp"
 
@@ -54,6 +55,11 @@ struct JudgingRuns {
   /// With one of the training runs as the holdout.
   JudgingRuns without(std::size_t run) const;
 };
+
+/// The first bias of a power-on, holdouts included, that certainly differs from the first one's
+/// (fit::turn_on_biases()).
+std::optional<compare::TurnOnBias> certain_turn_on(const model::Model& model,
+                                                   const JudgingRuns& runs);
 
 /// Runs the command `add`, network included, and returns verdict and model. Throws InputError like
 /// fit::add_effect().

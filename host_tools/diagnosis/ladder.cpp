@@ -90,31 +90,42 @@ Look look_once(const model::Model& model, const DiagnosisData& data, AdditionJud
   return look;
 }
 
+bool may_have_own_biases(const AdditionJudge& judge) {
+  return !judge.gives_own_biases() && judge.runs().have_several_power_ons();
+}
+
 // Whether what is missing has found no name that holds with one bias for all power-ons.
-bool may_need_own_biases(const Look& look, const AdditionJudge& judge) {
-  return !judge.gives_own_biases() && judge.runs().have_several_power_ons() &&
-         look.diagnosis.verdict != Verdict::none && !look.next.little_is_left &&
+bool finds_no_name(const Look& look) {
+  return look.diagnosis.verdict != Verdict::none && !look.next.little_is_left &&
          (!look.next.addition || look.next.describes);
 }
 
-// Whether what was found with a bias for each power-on holds, and nothing found with one for all is
-// nearly as good: no model can know the biases, so that the drift within the runs decides.
+// Whether nothing found with one bias for all is nearly as good as what was found with one for each
+// power-on: no model can know the biases, so that the drift within the runs decides.
 bool is_better(const NextStep& own, const NextStep& common) {
-  if (!own.addition) return false;
   return !common.addition ||
          own.addition->rms_after_dph < rules::kClearlyLess * common.addition->rms_after_dph;
 }
 
+// Whether the biases of the power-ons certainly differ with the addition in the model: one for all
+// bends its effects.
+bool shows_own_biases(const NextStep& next, const JudgingRuns& runs) {
+  return next.addition && certain_turn_on(*next.addition->model, runs);
+}
+
 // A missing effect may hide that the biases of the power-ons differ; then one bias for all refuses
-// what is missing. Where it finds no name, the same is looked at with a bias for each; if that is
-// better, `judge` goes on so.
+// or bends what is missing. Where it finds no name, or one beside which the biases differ, the same
+// is looked at with a bias for each; if that is better, `judge` goes on so.
 Look look_at(const model::Model& model, RowsOfLadder& rows, AdditionJudge& judge,
              const DiagnosisSettings& settings, Wanted wanted) {
   Look common = look_once(model, rows.with(judge.gives_own_biases()), judge, settings, wanted);
-  if (wanted != Wanted::next_step || !may_need_own_biases(common, judge)) return common;
+  if (wanted != Wanted::next_step || !may_have_own_biases(judge)) return common;
+  const bool is_certain = shows_own_biases(common.next, judge.runs());
+  if (!is_certain && !finds_no_name(common)) return common;
   judge.give_own_biases(true);
   Look own = look_once(model, rows.with(true), judge, settings, wanted);
-  own.next.only_with_own_biases = is_better(own.next, common.next);
+  own.next.only_with_own_biases =
+      own.next.addition && (is_certain || is_better(own.next, common.next));
   if (own.next.only_with_own_biases) return own;
   judge.give_own_biases(false);
   return common;

@@ -173,9 +173,9 @@ void add_notes(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
   for (const std::string& note : diagnosis.notes) words.limits.push_back("note: " + note);
   if (next.only_with_own_biases) {
     words.limits.push_back(
-        "note: with " + join_list(next.addition->request.names(), "and") +
-        " in the model clearly less is left with a bias of its own for each power-on "
-        "(--run-offsets) than with anything that one bias for all accepts");
+        "note: " + join_list(next.addition->request.names(), "and") +
+        " with a bias of its own for each power-on (--run-offsets) holds better than anything with "
+        "one bias for all");
   }
 }
 

@@ -66,10 +66,12 @@ void add_turn_on(Document& document, const FitOutcome& fit) {
   const std::vector<Text> sentences = turn_on_sentences(fit.turn_on);
   for (const Text& sentence : sentences) document.sentence(sentence);
   if (sentences.empty()) return;
-  document.sentence(fit.result.identified.run_offsets_dph.empty()
-                        ? "one bias is fitted to all recordings; --run-offsets gives each power-on "
-                          "its own, of which a board has the first"
-                        : "each power-on has a bias of its own here; a board has the first");
+  document.sentence(
+      fit.result.identified.run_offsets_dph.empty()
+          ? "one bias is fitted to all recordings; --run-offsets gives each power-on "
+            "its own, of which a board has the mean"
+          : "each power-on has a bias of its own here, so that the effects do not make "
+            "up for it; a board has their mean");
 }
 
 void add_model(Document& document, const FitOutcome& fit) {

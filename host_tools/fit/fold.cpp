@@ -73,7 +73,6 @@ Fold fit_to(const RemainingRows& remaining, const KnownRegressors& known,
   Fold fold;
   fold.terms = problem.terms();
   fold.determined = fit.rank == fit.coefficients.size();
-  if (fold.determined) fold.sigma_dph = fit.covariance.diagonal().cwiseSqrt();
   fold.residual_dph = rows.drift_dph;
   Eigen::Index column = 0;
   for (const model::EffectTerm& term : fold.terms) {
@@ -81,6 +80,7 @@ Fold fit_to(const RemainingRows& remaining, const KnownRegressors& known,
     fold.residual_dph -= *regressors * fit.coefficients.segment(column, regressors->cols());
     column += regressors->cols();
   }
+  if (fold.determined) fold.sigma_dph = fit.covariance.diagonal().head(column).cwiseSqrt();
   fold.residual_dph -= offsets * fit.coefficients.tail(offsets.cols());
   if (with.run_offsets) take_out_unknown_offsets(rows, remaining.weights, with.row_weights, fold);
   return fold;

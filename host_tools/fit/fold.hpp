@@ -25,7 +25,8 @@ struct Fold {
   std::vector<model::EffectTerm> terms;  ///< with the shapes of this fit
   Eigen::VectorXd residual_dph;          ///< in all rows
   bool determined = false;               ///< the rows that are left determine every coefficient
-  Eigen::VectorXd sigma_dph;             ///< of the coefficients, if determined
+  /// Of the terms' coefficients, if determined; biases of power-ons differ from fold to fold.
+  Eigen::VectorXd sigma_dph;
 };
 
 /// Solves for all coefficients of `terms` and, if anything is left out, for those of their shapes
@@ -39,7 +40,7 @@ Fold fit_to(const RemainingRows& remaining, const KnownRegressors& known,
 Eigen::VectorXd prediction_sigma_dph(const KnownRegressors& known, const Fold& fold,
                                      const RemainingRows& remaining);
 
-/// Whether the rows of `fold` determine every coefficient not far worse than all rows do
+/// Whether the rows of `fold` determine every term's coefficient not far worse than all rows do
 /// (rules::kFarWorse times their sigma).
 bool determines_all(const Fold& fold, const Fold& all);
 

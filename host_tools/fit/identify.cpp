@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -129,6 +130,16 @@ Identification noise_and_residual(const FitWithSteps& found) {
   return result;
 }
 
+// The bias of a power-on is any of them by chance: a board has their mean, not that of the first.
+void add_mean_offset(const std::vector<double>& offsets_dph,
+                     std::vector<model::EffectTerm>& terms) {
+  const double sum_dph = std::accumulate(offsets_dph.begin(), offsets_dph.end(), 0.0);
+  for (model::EffectTerm& term : terms) {
+    if (term.name != "bias") continue;
+    term.coefficients_dph[0] += sum_dph / static_cast<double>(offsets_dph.size() + 1);
+  }
+}
+
 // Copies a term's coefficients and their uncertainties from a fit. Returns the peak, deg/h, that
 // the effect needs to be certainly visible.
 double set_coefficients(model::EffectTerm& term, const series::ColumnRange& columns,
@@ -251,6 +262,7 @@ Identification identify(model::Model& model, const KnownRegressors& known,
   const Eigen::Index behind = columns.back().first + columns.back().count;
   const auto offset_values = fit.coefficients.segment(behind, offsets.cols());
   result.run_offsets_dph.assign(offset_values.begin(), offset_values.end());
+  add_mean_offset(result.run_offsets_dph, model.terms);
   for (std::size_t i = 0; i < found.steps.size(); ++i) {
     const Eigen::Index column = behind + offsets.cols() + static_cast<Eigen::Index>(i);
     add_step(model, result, series, found.steps[i], *sought.step, fit.coefficients[column],

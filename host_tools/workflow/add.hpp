@@ -18,7 +18,7 @@ struct AddRequest {
   std::vector<std::string> runs;          ///< recordings to be fitted
   std::vector<std::string> hold_outs;     ///< runs that judge, instead of cross-validation
   recording::ReadOptions reading;         ///< model_scale_factor is replaced by the model's
-  bool run_offsets = false;               ///< separate bias for every recording
+  bool run_offsets = false;               ///< a bias for each power-on; the model has their mean
   std::uint64_t seed = 1;                 ///< of the network's initial weights
 };
 

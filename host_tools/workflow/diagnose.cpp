@@ -1,7 +1,8 @@
 #include "workflow/diagnose.hpp"
 
+#include <cmath>
+
 #include "fit/row_length.hpp"
-#include "fit/turn_on_bias.hpp"
 #include "model/effect_list.hpp"
 #include "model/model_file.hpp"
 #include "support/text.hpp"
@@ -45,22 +46,17 @@ void note_rows(const DiagnoseRequest& request, const fit::RowLength& rows,
   }
 }
 
-// Whether the biases of power-ons, of runs and holdouts, certainly differ, which no model can know;
-// `notes` then says so.
+// Whether the biases of power-ons certainly differ; `notes` then says so.
 bool have_own_biases(const model::Model& model, const diagnosis::JudgingRuns& judging,
                      std::vector<std::string>& notes) {
-  std::vector<compare::RunInBlocks> runs = judging.training.runs;
-  runs.insert(runs.end(), judging.holdouts.begin(), judging.holdouts.end());
-  for (const compare::TurnOnBias& turn_on : fit::turn_on_biases(model, runs)) {
-    if (!turn_on.certain) continue;
-    notes.push_back(
-        format("the bias of %s%s is %.2g +- %.1g deg/h above that of %s: additions are "
-               "judged with a bias of its own for each power-on (--run-offsets)",
-               turn_on.run.c_str(), turn_on.from_words().c_str(), turn_on.above_dph,
-               turn_on.sigma_dph, turn_on.reference.c_str()));
-    return true;
-  }
-  return false;
+  const auto turn_on = diagnosis::certain_turn_on(model, judging);
+  if (!turn_on) return false;
+  notes.push_back(format(
+      "the bias of %s%s is %.2g +- %.1g deg/h %s that of %s: effects are judged and added "
+      "with a bias of its own for each power-on (--run-offsets)",
+      turn_on->run.c_str(), turn_on->from_words().c_str(), std::abs(turn_on->above_dph),
+      turn_on->sigma_dph, turn_on->above_dph > 0 ? "above" : "below", turn_on->reference.c_str()));
+  return true;
 }
 
 }  // namespace

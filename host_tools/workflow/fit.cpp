@@ -1,5 +1,6 @@
 #include "workflow/fit.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "compare/board_delay.hpp"
@@ -93,6 +94,23 @@ void write_history(FitOutcome& outcome, const FitRequest& request, const WantedM
        training.data_hash, effects_rms_dph, model.residual_rms_dph, training.noise_floor_dph});
 }
 
+// Whether the biases of the power-ons certainly differ: one for all would bend the effects, which
+// then had to make up for it.
+bool power_ons_differ(model::Model model, fit::FitSettings settings,
+                      const fit::TrainingRuns& training) {
+  if (!compare::have_several_power_ons(training.runs)) return false;
+  model.network = {};
+  settings.network.hidden = 0;
+  {
+    series::SignalSeries series(model);
+    for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
+    fit::fit_model(model, series, settings);
+  }
+  const std::vector<compare::TurnOnBias> biases = fit::turn_on_biases(model, training.runs);
+  return std::any_of(biases.begin(), biases.end(),
+                     [](const compare::TurnOnBias& bias) { return bias.certain; });
+}
+
 }  // namespace
 
 std::size_t FitOutcome::refused_rows() const {
@@ -149,6 +167,8 @@ FitOutcome fit(const FitRequest& request, fit::TrainingRuns training, const Obse
     if (wanted.order_by_validation) choose_order(model.terms, series.rows());
     observer.tell(kFittingEffects, 0);
     listen(settings, observer);
+    auto& run_offsets = settings.identify.run_offsets;
+    run_offsets = run_offsets || power_ons_differ(model, settings, training);
     outcome.result = fit::fit_model(model, series, settings);
   }
   observer.should_continue("judging",

@@ -26,7 +26,7 @@ struct FitRequest {
   std::vector<std::string> expressions;  ///< `NAME = EXPRESSION`
   double average_s = 10;                 ///< rows of the fit, > 0
   double derivative_tau_s = 30;          ///< of each of the two lags of dT/dt, > 0
-  bool run_offsets = false;  ///< separate bias for each recording; the model keeps the first
+  bool run_offsets = false;  ///< a bias for each power-on, even if they do not certainly differ
   model::DenoiseSettings board_denoiser;
 
   std::optional<int> hidden;           ///< neurons, 0 to kMaxTrainedHidden; nothing: the preset's

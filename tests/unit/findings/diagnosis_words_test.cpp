@@ -177,7 +177,7 @@ TEST(DiagnosisWords, SayThatTheBiasChangesFromOnePowerOnToTheNext) {
   const DiagnosisWords words = words_of(diagnosis, next, kFiles);
   EXPECT_EQ(words.command, "fogcomp add x.model warm_up run.csv --run-offsets -o NEW.model");
   EXPECT_NE(join(words.limits, "\n")
-                .find("with warm_up in the model clearly less is left with a bias of its own"),
+                .find("warm_up with a bias of its own for each power-on (--run-offsets) holds"),
             std::string::npos);
 }
 
