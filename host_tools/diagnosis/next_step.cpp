@@ -84,6 +84,21 @@ bool try_higher_orders(const Diagnosis& diagnosis, const std::vector<std::string
   return false;
 }
 
+// The first of several that cannot be told apart was refused: another may hold. On several runs
+// each judges as the first was, because other programmes would show it wrong; on one it must hold
+// as a description.
+bool try_rivals(const Diagnosis& diagnosis, const std::vector<std::string>& named,
+                AdditionJudge& judge, NextStep& next) {
+  if (diagnosis.verdict != Verdict::ambiguous || judge.runs().training.runs.size() < 2) {
+    return false;
+  }
+  for (const std::string& rival : diagnosis.confusable) {
+    if (named == std::vector<std::string>{rival}) continue;
+    if (keep(judge(*request_of(diagnosis, {rival})), next)) return true;
+  }
+  return false;
+}
+
 // The catalogue explains the residual, but not by what is named: tries the first few sets in its
 // place, as uncertain as descriptions, until one is accepted.
 bool try_sets(std::vector<Description> sets, AdditionJudge& judge, NextStep& next) {
@@ -326,6 +341,7 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
     const bool may_be_little = is_one || !events.empty();
     if (try_named(diagnosis, named, may_be_little, judge, next) || is_little) return true;
     if (try_higher_orders(diagnosis, named, judge, next)) return true;
+    if (try_rivals(diagnosis, named, judge, next)) return true;
   }
   if (!is_unknown && (try_sets(sets_of_effects(diagnosis, named), judge, next) ||
                       try_sets(certain_ones(diagnosis, named), judge, next))) {

@@ -154,6 +154,15 @@ Json next_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep&
   return command.empty() ? Json() : Json(command);
 }
 
+Json refused_json(const diagnosis::NextStep& next) {
+  return json_array(next.refused, [](const diagnosis::TriedAddition& trial) {
+    return Json::object()
+        .set("effects", trial.request.effects)
+        .set("expression", expression_json(trial.request))
+        .set("reason", trial.reason);
+  });
+}
+
 }  // namespace
 
 Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
@@ -163,6 +172,7 @@ Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::Next
   result.set("description", description_json(next));
   result.set("forms", forms_json(next.forms));
   result.set("next", next_json(diagnosis, next, files));
+  result.set("refused", refused_json(next));
   result.set("fast", fast_json(diagnosis));
   result.set("where", Json::object()
                           .set("variable", diagnosis.variable)

@@ -98,7 +98,7 @@ std::string nothing_holds_words(const diagnosis::NextStep& next) {
   }
   const std::size_t unsaid = next.refused.size() - 1 - others.size();
   if (unsaid > 0) others.push_back(format("%zu more", unsaid));
-  return others.empty() ? text : text + "; so were: " + join(others, "; ");
+  return others.empty() ? text : text + "; so were: " + join(others, "; ") + " (--json says why)";
 }
 
 std::string line_words(const std::optional<diagnosis::LineInTime>& line) {

@@ -76,6 +76,26 @@ TEST(NextStep, IsWhatIsNamedWithABiasOfItsOwnForEachRunWhereOneForAllRefusesIt) 
   EXPECT_TRUE(asked.add_accepts());
 }
 
+// A faint kink looks like two effects: the first ends at a bound, the other is judged as a name by
+// the other runs.
+TEST(NextStep, IsARivalOfTheNameThatIsRefusedWhereOtherRunsJudge) {
+  model::EffectTerm kink = written_term("x = max(T-20,0)");
+  kink.coefficients_dph = {
+      std::ldexp(0.08 * fog::test::kQuietNoise.white_dph, kink.expression->scale_log2)};
+  std::vector<recording::Recording> recordings;
+  for (const std::uint64_t seed : {1U, 2U, 3U}) recordings.push_back(recording_with({kink}, seed));
+  const Asked asked("bias,bias_temperature:order=3,temperature_rate", recordings);
+  ASSERT_EQ(asked.found.verdict, Verdict::ambiguous);
+  ASSERT_FALSE(asked.next.refused.empty());
+  ASSERT_TRUE(asked.next.addition);
+  EXPECT_FALSE(asked.next.describes);
+  const auto& rivals = asked.found.confusable;
+  for (const TriedAddition* one : {&asked.next.refused.front(), &*asked.next.addition}) {
+    EXPECT_EQ(std::count(rivals.begin(), rivals.end(), one->request.names()[0]), 1);
+  }
+  EXPECT_TRUE(asked.add_accepts());
+}
+
 // Effects outside the catalogue, of 1.5 times the noise.
 TEST(NextStep, IsTheFormOfWhatTheCatalogueLacks) {
   const struct {

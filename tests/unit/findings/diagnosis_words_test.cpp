@@ -224,7 +224,12 @@ TEST(DiagnosisWords, SayWhyNothingCanBeAdded) {
   EXPECT_EQ(words.command, "");
   EXPECT_EQ(words.next,
             "nothing to add: aging was tried and refused, gain 3.1, needed 10; so were: shupe and "
-            "warm_up; warm_up");
+            "warm_up; warm_up (--json says why)");
+  EXPECT_NE(
+      diagnosis_json(only_together(), next, kFiles)
+          .text()
+          .find("{\"effects\":[\"shupe\",\"warm_up\"],\"expression\":null,\"reason\":\"gain 3.1, "),
+      std::string::npos);
 }
 
 TEST(DiagnosisWords, SayHowLargeADriftIsThatNoEffectMayTake) {
