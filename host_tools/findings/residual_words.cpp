@@ -32,6 +32,10 @@ std::string as_given_words(const diagnosis::Diagnosis& diagnosis) {
   const compare::BoardError& given = *diagnosis.as_given;
   const double apart = std::abs(given.rms_dph - diagnosis.residual_rms_dph);
   if (apart <= kTellsApart * given.rms_dph) return "";
+  if (!given.delay_matters()) {
+    return "these figures are of the model refitted to these runs; as it is, it leaves " +
+           rounded(given.rms_dph) + " deg/h rms";
+  }
   return "these figures are of the model refitted without the board's delay; " +
          compare::delay_words(given);
 }
