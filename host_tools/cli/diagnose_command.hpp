@@ -26,9 +26,7 @@ struct DiagnoseCommand : Command {
   Text output{this, {"o", "MODEL", "the loop's model, with --max-effects"}};
   Texts holdouts{this, {"holdout", "RUN", "a run that judges additions; may be repeated"}};
   Number average{
-      this,
-      {"average", "S", "rows of one look, seconds (a ladder chooses its own: 10 where it can be)"},
-      {1e-3, 1e6}};
+      this, {"average", "S", "rows of one look, seconds (a ladder chooses its own)"}, {1e-3, 1e6}};
   Integer<std::uint64_t> seed{
       this, {"seed", "N", "of the draws that calibrate the test", "1"}, 0, INT64_MAX};
   ReportOption report{this};
