@@ -4,7 +4,6 @@
 #include <atomic>
 #include <utility>
 
-#include "diagnosis/decision_rules.hpp"
 #include "diagnosis/model_fit.hpp"
 #include "support/parallel.hpp"
 
@@ -100,13 +99,6 @@ bool finds_no_name(const Look& look) {
          (!look.next.addition || look.next.describes);
 }
 
-// Whether nothing found with one bias for all is nearly as good as what was found with one for each
-// power-on: no model can know the biases, so that the drift within the runs decides.
-bool is_better(const NextStep& own, const NextStep& common) {
-  return !common.addition ||
-         own.addition->rms_after_dph < rules::kClearlyLess * common.addition->rms_after_dph;
-}
-
 // Whether the biases of the power-ons certainly differ with the addition in the model: one for all
 // bends its effects.
 bool shows_own_biases(const NextStep& next, const JudgingRuns& runs) {
@@ -115,7 +107,9 @@ bool shows_own_biases(const NextStep& next, const JudgingRuns& runs) {
 
 // A missing effect may hide that the biases of the power-ons differ; then one bias for all refuses
 // or bends what is missing. Where it finds no name, or one beside which the biases differ, the same
-// is looked at with a bias for each; if that is better, `judge` goes on so.
+// is looked at with a bias for each, and `judge` goes on so if the biases certainly differ or only
+// that finds something. Errors out of sample do not decide: those about a bias of each power-on are
+// smaller in any case.
 Look look_at(const model::Model& model, RowsOfLadder& rows, AdditionJudge& judge,
              const DiagnosisSettings& settings, Wanted wanted) {
   Look common = look_once(model, rows.with(judge.gives_own_biases()), judge, settings, wanted);
@@ -124,8 +118,8 @@ Look look_at(const model::Model& model, RowsOfLadder& rows, AdditionJudge& judge
   if (!is_certain && !finds_no_name(common)) return common;
   judge.give_own_biases(true);
   Look own = look_once(model, rows.with(true), judge, settings, wanted);
-  own.next.only_with_own_biases =
-      own.next.addition && (is_certain || is_better(own.next, common.next));
+  own.next.only_with_own_biases = own.next.addition && (is_certain || !common.next.addition ||
+                                                        shows_own_biases(own.next, judge.runs()));
   if (own.next.only_with_own_biases) return own;
   judge.give_own_biases(false);
   return common;

@@ -17,8 +17,8 @@ struct NextStep {
   /// Names, if the catalogue explains the residual and only these together are accepted.
   std::vector<std::string> together;
   bool describes = false;  ///< the addition lowers the error, and says nothing of the cause
-  /// It holds with a bias of its own for each power-on; with one for all nothing does, or only a
-  /// description that leaves clearly more.
+  /// It holds with a bias of its own for each power-on: with one for all nothing does, or the
+  /// biases certainly differ beside it.
   bool only_with_own_biases = false;
   Refuted name_is = Refuted::no;  ///< what the diagnosis names
   std::vector<TriedAddition> refused;

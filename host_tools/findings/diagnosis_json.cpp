@@ -219,7 +219,9 @@ Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files) {
   result.set("bias_steps", bias_steps_json(ladder.model));
   result.set("commands", ladder_commands(ladder, files));
   result.set("model", files.output.empty() ? Json() : Json(files.output));
-  result.set("last", diagnosis_json(ladder.last, {}, files));
+  diagnosis::NextStep nothing_holds;
+  nothing_holds.refused = ladder.last_next.refused;
+  result.set("last", diagnosis_json(ladder.last, nothing_holds, files));
   return result;
 }
 
