@@ -10,7 +10,6 @@
 #include "fit/decision_rules.hpp"
 #include "fit/effect_change.hpp"
 #include "fit/possible_gain.hpp"
-#include "fit/turn_on_bias.hpp"
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "support/input_error.hpp"
@@ -133,22 +132,18 @@ bool JudgingRuns::have_several_power_ons() const {
          (!holdouts.empty() && !training.runs.empty());
 }
 
+std::vector<compare::RunInBlocks> JudgingRuns::all() const {
+  std::vector<compare::RunInBlocks> all = training.runs;
+  all.insert(all.end(), holdouts.begin(), holdouts.end());
+  return all;
+}
+
 JudgingRuns JudgingRuns::without(std::size_t run) const {
   JudgingRuns others = *this;
   const auto left_out = others.training.runs.begin() + static_cast<std::ptrdiff_t>(run);
   others.holdouts = {std::move(*left_out)};
   others.training.runs.erase(left_out);
   return others;
-}
-
-std::optional<compare::TurnOnBias> certain_turn_on(const model::Model& model,
-                                                   const JudgingRuns& runs) {
-  std::vector<compare::RunInBlocks> all = runs.training.runs;
-  all.insert(all.end(), runs.holdouts.begin(), runs.holdouts.end());
-  const std::vector<compare::TurnOnBias> biases = fit::turn_on_biases(model, all);
-  const auto found = std::find_if(biases.begin(), biases.end(),
-                                  [](const compare::TurnOnBias& bias) { return bias.certain; });
-  return found == biases.end() ? std::nullopt : std::optional(*found);
 }
 
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,

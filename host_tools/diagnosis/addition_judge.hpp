@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "compare/model_on_runs.hpp"
 #include "fit/add_effect.hpp"
 #include "fit/training_runs.hpp"
 
@@ -52,14 +51,11 @@ struct JudgingRuns {
 
   /// Whether the gyro was switched on more than once.
   bool have_several_power_ons() const;
+  /// Runs to be fitted, then holdouts.
+  std::vector<compare::RunInBlocks> all() const;
   /// With one of the training runs as the holdout.
   JudgingRuns without(std::size_t run) const;
 };
-
-/// The first bias of a power-on, holdouts included, that certainly differs from the first one's
-/// (fit::turn_on_biases()).
-std::optional<compare::TurnOnBias> certain_turn_on(const model::Model& model,
-                                                   const JudgingRuns& runs);
 
 /// Runs the command `add`, network included, and returns verdict and model. Throws InputError like
 /// fit::add_effect().

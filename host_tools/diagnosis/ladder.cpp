@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "diagnosis/model_fit.hpp"
+#include "fit/turn_on_bias.hpp"
 #include "support/parallel.hpp"
 
 namespace fogcomp::diagnosis {
@@ -102,7 +103,7 @@ bool finds_no_name(const Look& look) {
 // Whether the biases of the power-ons certainly differ with the addition in the model: one for all
 // bends its effects.
 bool shows_own_biases(const NextStep& next, const JudgingRuns& runs) {
-  return next.addition && certain_turn_on(*next.addition->model, runs);
+  return next.addition && fit::certain_turn_on(*next.addition->model, runs.all());
 }
 
 // A missing effect may hide that the biases of the power-ons differ; then one bias for all refuses

@@ -79,4 +79,12 @@ std::vector<compare::TurnOnBias> turn_on_biases(const model::Model& model,
   return found;
 }
 
+std::optional<compare::TurnOnBias> certain_turn_on(const model::Model& model,
+                                                   const std::vector<compare::RunInBlocks>& runs) {
+  for (const compare::TurnOnBias& bias : turn_on_biases(model, runs)) {
+    if (bias.certain) return bias;
+  }
+  return std::nullopt;
+}
+
 }  // namespace fogcomp::fit

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "compare/model_on_runs.hpp"
@@ -17,5 +18,9 @@ namespace fogcomp::fit {
 /// do not separate a constant from the terms (a run at one temperature each).
 std::vector<compare::TurnOnBias> turn_on_biases(const model::Model& model,
                                                 const std::vector<compare::RunInBlocks>& runs);
+
+/// The first of them that is certain; nothing if none is.
+std::optional<compare::TurnOnBias> certain_turn_on(const model::Model& model,
+                                                   const std::vector<compare::RunInBlocks>& runs);
 
 }  // namespace fogcomp::fit

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fit/row_length.hpp"
+#include "fit/turn_on_bias.hpp"
 #include "model/effect_list.hpp"
 #include "model/model_file.hpp"
 #include "support/text.hpp"
@@ -49,7 +50,7 @@ void note_rows(const DiagnoseRequest& request, const fit::RowLength& rows,
 // Whether the biases of power-ons certainly differ; `notes` then says so.
 bool have_own_biases(const model::Model& model, const diagnosis::JudgingRuns& judging,
                      std::vector<std::string>& notes) {
-  const auto turn_on = diagnosis::certain_turn_on(model, judging);
+  const auto turn_on = fit::certain_turn_on(model, judging.all());
   if (!turn_on) return false;
   notes.push_back(format(
       "the bias of %s%s is %.2g +- %.1g deg/h %s that of %s: effects are judged and added "

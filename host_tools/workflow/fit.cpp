@@ -1,6 +1,5 @@
 #include "workflow/fit.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "compare/board_delay.hpp"
@@ -96,19 +95,13 @@ void write_history(FitOutcome& outcome, const FitRequest& request, const WantedM
 
 // Whether the biases of the power-ons certainly differ: one for all would bend the effects, which
 // then had to make up for it.
-bool power_ons_differ(model::Model model, fit::FitSettings settings,
-                      const fit::TrainingRuns& training) {
+bool power_ons_differ(model::Model model, const fit::KnownRegressors& known,
+                      fit::FitSettings settings, const fit::TrainingRuns& training) {
   if (!compare::have_several_power_ons(training.runs)) return false;
   model.network = {};
   settings.network.hidden = 0;
-  {
-    series::SignalSeries series(model);
-    for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
-    fit::fit_model(model, series, settings);
-  }
-  const std::vector<compare::TurnOnBias> biases = fit::turn_on_biases(model, training.runs);
-  return std::any_of(biases.begin(), biases.end(),
-                     [](const compare::TurnOnBias& bias) { return bias.certain; });
+  fit::fit_model(model, known, settings);
+  return fit::certain_turn_on(model, training.runs).has_value();
 }
 
 }  // namespace
@@ -166,10 +159,11 @@ FitOutcome fit(const FitRequest& request, fit::TrainingRuns training, const Obse
     outcome.row_s = series.rows().row_s;
     if (wanted.order_by_validation) choose_order(model.terms, series.rows());
     observer.tell(kFittingEffects, 0);
-    listen(settings, observer);
+    const fit::KnownRegressors known(series);
     auto& run_offsets = settings.identify.run_offsets;
-    run_offsets = run_offsets || power_ons_differ(model, settings, training);
-    outcome.result = fit::fit_model(model, series, settings);
+    run_offsets = run_offsets || power_ons_differ(model, known, settings, training);
+    listen(settings, observer);
+    outcome.result = fit::fit_model(model, known, settings);
   }
   observer.should_continue("judging",
                            0);  // the result is kept even if the user has ended the training
