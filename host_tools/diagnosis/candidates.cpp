@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <utility>
 
 #include "diagnosis/shape_grid.hpp"
@@ -238,19 +237,18 @@ CandidateList find_candidates(const series::SignalSeries& series,
   fit::set_expression_ranges(expressions, series);
 
   std::vector<Searched> searched(catalogue.size() + expressions.size());
-  std::mutex telling;  // guards done
-  double done = 0;
-  for_each_index(searched.size(), [&](std::size_t i) {
-    if (i < catalogue.size()) {
-      searched[i] = search_effect(catalogue[i], series, terms, inputs, project_out_model);
-    } else {
-      const model::EffectTerm& expression = expressions[i - catalogue.size()];
-      searched[i] = {{expression.name, all_shapes({series, project_out_model, 0}, expression)},
-                     "to differ from what the model's terms can do"};
-    }
-    const std::lock_guard<std::mutex> lock(telling);
-    progress(++done / static_cast<double>(searched.size()));
-  });
+  for_each_index(
+      searched.size(),
+      [&](std::size_t i) {
+        if (i < catalogue.size()) {
+          searched[i] = search_effect(catalogue[i], series, terms, inputs, project_out_model);
+          return;
+        }
+        const model::EffectTerm& expression = expressions[i - catalogue.size()];
+        searched[i] = {{expression.name, all_shapes({series, project_out_model, 0}, expression)},
+                       "to differ from what the model's terms can do"};
+      },
+      progress);
 
   CandidateList list;
   for (Searched& one : searched) {

@@ -42,18 +42,23 @@ model::RealNetwork as_model(const TrainedNetwork& trained, std::vector<model::Re
 
 }  // namespace
 
-FitResult fit_model(model::Model& model, const KnownRegressors& known,
-                    const FitSettings& settings) {
-  const series::SignalSeries& series = known.series();
-  const series::Rows& rows = series.rows();
+FitResult fit_effects(model::Model& model, const KnownRegressors& known,
+                      const IdentifySettings& settings) {
+  const series::Rows& rows = known.series().rows();
   FitResult result;
   model.network = model::RealNetwork();
-  result.identified = identify(model, known, settings.identify);
+  result.identified = identify(model, known, settings);
   result.raw_std_dph =
       weighted_std(rows.drift_dph, noise::counted_weights(rows, result.identified.row_weights));
   result.effects_rms_dph = model.residual_rms_dph;
-  if (settings.network.hidden == 0) return result;
+  return result;
+}
 
+void fit_network(model::Model& model, const KnownRegressors& known, const FitSettings& settings,
+                 FitResult& result) {
+  if (settings.network.hidden == 0) return;
+  const series::SignalSeries& series = known.series();
+  const series::Rows& rows = series.rows();
   Eigen::VectorXd target = result.identified.residual_dph;
   if (settings.row_denoising) denoise_rows(rows, *settings.row_denoising, target);
   const ResidualNetwork network =
@@ -61,9 +66,15 @@ FitResult fit_model(model::Model& model, const KnownRegressors& known,
                         result.identified, settings.network, !settings.force_network);
   result.training = network.trained.result;
   result.network_judged = network.judged;
-  if (!network.worth_keeping()) return result;
+  if (!network.worth_keeping()) return;
   model.network = as_model(network.trained, settings.network_inputs);
   model.residual_rms_dph = network.trained.rms_after_dph;
+}
+
+FitResult fit_model(model::Model& model, const KnownRegressors& known,
+                    const FitSettings& settings) {
+  FitResult result = fit_effects(model, known, settings.identify);
+  fit_network(model, known, settings, result);
   return result;
 }
 

@@ -30,10 +30,18 @@ struct FitResult {
   std::optional<OutOfSample> network_judged;  ///< nothing without a network, or if it is forced
 };
 
-/// Fits in two stages on all rows of `series`: the effects of model.terms together, then a new
-/// network on their residual, which is kept if it helps out of sample (residual_network.hpp).
-/// Replaces the model's network, trained range and residual; the caller updates its history. Throws
-/// InputError like identify().
+/// Fits the effects of model.terms together on all rows of the series. Replaces the model's trained
+/// range and residual and removes its network; the caller updates its history. Throws InputError
+/// like identify().
+FitResult fit_effects(model::Model& model, const KnownRegressors& known,
+                      const IdentifySettings& settings);
+
+/// Trains a new network, if one is wanted, on what the effects leave: `result` is fit_effects() of
+/// the same model and rows. It is kept if it helps out of sample (residual_network.hpp).
+void fit_network(model::Model& model, const KnownRegressors& known, const FitSettings& settings,
+                 FitResult& result);
+
+/// Both.
 FitResult fit_model(model::Model& model, const KnownRegressors& known, const FitSettings& settings);
 
 }  // namespace fogcomp::fit

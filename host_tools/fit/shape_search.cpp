@@ -31,14 +31,14 @@ struct Grid {
   std::vector<double> costs;
 };
 Grid grid_of(const WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
-             std::size_t which) {
+             std::size_t which, const std::function<void(double)>& progress = {}) {
   const model::ShapeParameter& parameter = parameters[which];
   std::vector<model::ShapeParameter> others = parameters;
   others.erase(others.begin() + static_cast<std::ptrdiff_t>(which));
   const int points = grid_points(parameter);
   Grid grid;
   for (int i = 0; i < points; ++i) grid.values.push_back(parameter.from_unit((i + 0.5) / points));
-  grid.costs = problem.costs(parameter, grid.values, others);
+  grid.costs = problem.costs(parameter, grid.values, others, progress);
   return grid;
 }
 
@@ -46,9 +46,9 @@ Grid grid_of(const WhitenedProblem& problem, const std::vector<model::ShapeParam
 // grid, except the present one.
 std::vector<double> starts_of(const WhitenedProblem& problem,
                               const std::vector<model::ShapeParameter>& parameters,
-                              std::size_t which) {
+                              std::size_t which, const std::function<void(double)>& progress) {
   const model::ShapeParameter& parameter = parameters[which];
-  const Grid grid = grid_of(problem, parameters, which);
+  const Grid grid = grid_of(problem, parameters, which, progress);
   const std::vector<double>& costs = grid.costs;
   const auto points = static_cast<double>(costs.size());
   const double here = parameter.to_unit(problem.value(parameter)) * points - 0.5;
@@ -70,15 +70,18 @@ std::vector<double> starts_of(const WhitenedProblem& problem,
 // value, side by side, so that what stays behind is abandoned early. Returns whether it moved to
 // another local minimum.
 bool search_range(WhitenedProblem& problem, const std::vector<model::ShapeParameter>& parameters,
-                  std::size_t which) {
+                  std::size_t which, const std::function<void(double)>& progress) {
   std::vector<Descent> descents = {
       Descent(problem, parameters, kRoughly)};  // from here, then from elsewhere
-  for (const double value : starts_of(problem, parameters, which)) {
+  const auto grid_progress = [&](double done) { progress(done / 2); };
+  for (const double value : starts_of(problem, parameters, which, grid_progress)) {
     problem.set({parameters[which]}, {value});
     descents.emplace_back(problem, parameters, kRoughly);
   }
   double best = 0;
+  int rounds = 0;  // how many there will be, nobody knows
   for (bool going = true; going;) {
+    progress(1 - 0.5 / ++rounds);
     for_each_index(descents.size(), [&](std::size_t i) {
       if (!descents[i].ended()) descents[i].step();
     });
@@ -127,8 +130,12 @@ std::vector<bool> search_shapes(WhitenedProblem& problem,
   std::vector<bool> elsewhere(parameters.size(), false);
   if (parameters.empty()) return elsewhere;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (ranges[i]) elsewhere[i] = search_range(problem, parameters, i);
-    if (progress) progress(static_cast<double>(i + 1) / static_cast<double>(parameters.size()));
+    const auto part_done = [&](double part) {
+      if (progress)
+        progress((static_cast<double>(i) + part) / static_cast<double>(parameters.size()));
+    };
+    if (ranges[i]) elsewhere[i] = search_range(problem, parameters, i, part_done);
+    part_done(1);
   }
   Descent last(problem, parameters, exact ? kConverged : kRoughly);
   last.finish();

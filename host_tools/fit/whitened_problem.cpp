@@ -180,7 +180,8 @@ WhitenedProblem::Split WhitenedProblem::split_by(const model::ShapeParameter& pa
 
 std::vector<double> WhitenedProblem::costs(const model::ShapeParameter& parameter,
                                            const std::vector<double>& values,
-                                           const std::vector<model::ShapeParameter>& others) const {
+                                           const std::vector<model::ShapeParameter>& others,
+                                           const std::function<void(double)>& progress) const {
   const Split split = split_by(parameter, values);
   std::vector<Eigen::MatrixXd> beside = left_;
   beside[parameter.term] = left_[parameter.term](Eigen::all, split.still).eval();
@@ -192,7 +193,7 @@ std::vector<double> WhitenedProblem::costs(const model::ShapeParameter& paramete
       side_by_side({fixed_, orthonormal(side_by_side(beside, rows), kDependent)}, rows);
   const Eigen::VectorXd left = without(basis, measured_left_);
   std::vector<double> costs(values.size());
-  for_each_index((values.size() + kTogether - 1) / kTogether, [&](std::size_t group) {
+  const auto cost_of_group = [&](std::size_t group) {
     const std::size_t first = group * kTogether;
     model::EffectTerm moved = terms_[parameter.term];
     std::vector<Eigen::MatrixXd> tried;
@@ -209,7 +210,8 @@ std::vector<double> WhitenedProblem::costs(const model::ShapeParameter& paramete
           rough_cost_of(columns.middleCols(at, count), within.middleCols(at, count), left);
       at += count;
     }
-  });
+  };
+  for_each_index((values.size() + kTogether - 1) / kTogether, cost_of_group, progress);
   return costs;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 #include "fit/known_regressors.hpp"
@@ -49,10 +50,11 @@ class WhitenedProblem {
   Solution solution() const;
   /// The cost for several values of one parameter, to compare them: with the best coefficients, the
   /// other parameters following to first order. So a period that is slightly wrong elsewhere is not
-  /// taken for a second one here.
+  /// taken for a second one here. `progress` is called as by for_each_index().
   std::vector<double> costs(const model::ShapeParameter& parameter,
                             const std::vector<double>& values,
-                            const std::vector<model::ShapeParameter>& others) const;
+                            const std::vector<model::ShapeParameter>& others,
+                            const std::function<void(double)>& progress = {}) const;
   /// A Gauss-Newton step: change of each parameter's position to the minimum to first order, and
   /// the cost there. Not finite if an expression overflows.
   struct Step {

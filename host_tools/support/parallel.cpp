@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <mutex>
 #include <vector>
 #ifndef __EMSCRIPTEN__
 #include <condition_variable>
-#include <mutex>
 #include <thread>
 #endif
 
@@ -146,6 +146,18 @@ void run(std::size_t count, const Body& body) {
 void for_each_index(std::size_t count, const Body& body) {
   if (count > 1) return run(count, body);
   if (count == 1) body(0);  // its own loops may have more
+}
+
+void for_each_index(std::size_t count, const Body& body,
+                    const std::function<void(double)>& progress) {
+  if (!progress) return for_each_index(count, body);
+  std::mutex telling;  // guards done
+  std::size_t done = 0;
+  for_each_index(count, [&](std::size_t i) {
+    body(i);
+    const std::lock_guard<std::mutex> lock(telling);
+    progress(static_cast<double>(++done) / static_cast<double>(count));
+  });
 }
 
 void set_max_threads(std::size_t threads) {

@@ -15,6 +15,7 @@ namespace fogcomp::workflow {
 namespace {
 
 const std::string kFittingEffects = "fitting effects";
+const std::string kFittingBiases = "fitting effects, each power-on with its own bias";
 
 // Nothing if the rows are not to be denoised.
 std::optional<denoise::DenoiseMethod> row_denoising(const FitRequest& request) {
@@ -69,14 +70,6 @@ Plan plan_of(const FitRequest& request) {
   return plan;
 }
 
-void listen(fit::FitSettings& settings, const Observer& observer) {
-  settings.identify.progress = observer.of_stage(kFittingEffects);
-  if (!observer.progress) return;
-  settings.network.training.go_on = [&](double done) {
-    return observer.should_continue(kTraining, done);
-  };
-}
-
 // Appends the actions and their results: the effects, then the network.
 void write_history(FitOutcome& outcome, const FitRequest& request, const WantedModel& wanted,
                    const fit::TrainingRuns& training) {
@@ -93,15 +86,22 @@ void write_history(FitOutcome& outcome, const FitRequest& request, const WantedM
        training.data_hash, effects_rms_dph, model.residual_rms_dph, training.noise_floor_dph});
 }
 
-// Whether the biases of the power-ons certainly differ: one for all would bend the effects, which
-// then had to make up for it.
-bool power_ons_differ(model::Model model, const fit::KnownRegressors& known,
-                      fit::FitSettings settings, const fit::TrainingRuns& training) {
-  if (!compare::have_several_power_ons(training.runs)) return false;
-  model.network = {};
-  settings.network.hidden = 0;
-  fit::fit_model(model, known, settings);
-  return fit::certain_turn_on(model, training.runs).has_value();
+// Each power-on has its own bias if that is asked for, or if they certainly differ: one for all
+// would bend the effects, which then had to make up for it. Sets `settings.run_offsets`.
+fit::FitResult fit_effects(model::Model& model, const fit::KnownRegressors& known,
+                           fit::IdentifySettings& settings, const fit::TrainingRuns& training,
+                           const Observer& observer) {
+  const model::Model unfitted = model;
+  settings.progress = observer.of_stage(kFittingEffects);
+  fit::FitResult result = fit::fit_effects(model, known, settings);
+  if (settings.run_offsets || !compare::have_several_power_ons(training.runs) ||
+      !fit::certain_turn_on(model, training.runs)) {
+    return result;
+  }
+  model = unfitted;
+  settings.run_offsets = true;
+  settings.progress = observer.of_stage(kFittingBiases);
+  return fit::fit_effects(model, known, settings);
 }
 
 }  // namespace
@@ -160,10 +160,13 @@ FitOutcome fit(const FitRequest& request, fit::TrainingRuns training, const Obse
     if (wanted.order_by_validation) choose_order(model.terms, series.rows());
     observer.tell(kFittingEffects, 0);
     const fit::KnownRegressors known(series);
-    auto& run_offsets = settings.identify.run_offsets;
-    run_offsets = run_offsets || power_ons_differ(model, known, settings, training);
-    listen(settings, observer);
-    outcome.result = fit::fit_model(model, known, settings);
+    outcome.result = fit_effects(model, known, settings.identify, training, observer);
+    if (observer.progress) {
+      settings.network.training.go_on = [&](double done) {
+        return observer.should_continue(kTraining, done);
+      };
+    }
+    fit::fit_network(model, known, settings, outcome.result);
   }
   observer.should_continue("judging",
                            0);  // the result is kept even if the user has ended the training

@@ -15,8 +15,8 @@ class Cancelled : public std::runtime_error {
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// Callbacks about work in progress. Each may be empty; all are called in the caller's thread,
-/// except from paper(), whose threads take turns.
+/// Callbacks about work in progress. Each may be empty. One is called at a time: `progress` by
+/// whichever thread does the work, the others by the caller's (in paper() by any).
 struct Observer {
   /// A sentence about the data that limits the result.
   std::function<void(const std::string&)> note{};

@@ -122,12 +122,17 @@ class Tab {
     await this.settle();
   }
 
-  async open(url) {
+  // What a page without scripts allows.
+  async load(url) {
     const loaded = new Promise((resolve) => {
       this.#loaded = resolve;
     });
     await this.send("Page.navigate", { url });
     await loaded;
+  }
+
+  async open(url) {
+    await this.load(url);
     await this.settle();
   }
 

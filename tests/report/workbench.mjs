@@ -614,9 +614,7 @@ const report = async (browser) => {
   bench.silent();
   const plain = await browser.tab();
   await plain.send("Emulation.setScriptExecutionDisabled", { value: true });
-  const loaded = new Promise((done) => setTimeout(done, 1500));
-  await plain.send("Page.navigate", { url: pathToFileURL(resolve("report.html")).href });
-  await loaded;
+  await plain.load(pathToFileURL(resolve("report.html")).href);
   const { nodes } = await (await plain.send("Accessibility.enable"), plain.send("Accessibility.getFullAXTree"));
   const words = nodes
     .filter((node) => !node.ignored)

@@ -161,6 +161,19 @@ TEST_F(ShapeSearch, CostToFirstOrderIsThatOfTheBestPlaceWhereItIsNearOrInAGrid) 
             solve_linear(best.matrix(), best.measured()).residual.squaredNorm());
 }
 
+// Before the first parameter is found too: with many rows that alone is longer than one likes to
+// wait for a sign of life.
+TEST_F(ShapeSearch, TellsOftenHowFarItIsAndNeverGoesBack) {
+  WhitenedProblem searched = problem(10000);
+  std::vector<double> told;
+  search_shapes(searched, shapes(searched), {true}, true,
+                [&](double done) { told.push_back(done); });
+  EXPECT_GE(told.size(), 5U);
+  EXPECT_GT(told.front(), 0);
+  EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+  EXPECT_EQ(told.back(), 1);
+}
+
 TEST_F(ShapeSearch, StaysInItsDipWhereNoRangeIsAsked) {
   WhitenedProblem near = problem(800);
   EXPECT_FALSE(search_shapes(near, shapes(near), {false})[0]);

@@ -21,6 +21,18 @@ TEST(Parallel, EachIndexOnce) {
   }
 }
 
+TEST(Parallel, TellsTheFractionDoneOneCallAtATime) {
+  std::vector<double> told;
+  for_each_index(
+      4, [](std::size_t) {}, [&](double done) { told.push_back(done); });
+  EXPECT_EQ(told, (std::vector<double>{0.25, 0.5, 0.75, 1}));
+  for_each_index(
+      0, [](std::size_t) {}, [](double) { ADD_FAILURE() << "nothing was done"; });
+  EXPECT_THROW(for_each_index(
+                   4, [](std::size_t) {}, [](double) { throw std::runtime_error("enough"); }),
+               std::runtime_error);
+}
+
 TEST(Parallel, ACallWithinABodyIsServedToo) {
   std::atomic<int> sum{0};
   for_each_index(5, [&](std::size_t i) {
