@@ -33,10 +33,9 @@ struct FitOptions : OptionGroup {
                   join(workflow::preset_names(), ", ")},
              workflow::preset_names()};
   Number average{this, {"average", "S", "rows of the fit, seconds", "10"}, {1e-3, 1e6}};
-  Flag run_offsets{
-      this, "run-offsets",
-      "a bias for each power-on even if they do not certainly differ; the model has the mean",
-      kRare};
+  Flag run_offsets{this, "run-offsets",
+                   "a bias for each power-on even if they do not differ; the model has the mean",
+                   kRare};
   TrainingOptions training{this};
   Text inputs{
       this,

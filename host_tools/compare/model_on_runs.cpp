@@ -1,5 +1,6 @@
 #include "compare/model_on_runs.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "noise/noise_floor.hpp"
@@ -22,6 +23,24 @@ bool is_below_floor(const Comparison& comparison) {
 
 std::string TurnOnBias::from_words() const {
   return from_s == 0 ? "" : format(" from %.6g s on", from_s);
+}
+
+const TurnOnBias* TurnOn::first_certain() const {
+  const auto bias =
+      std::find_if(biases.begin(), biases.end(), [](const TurnOnBias& one) { return one.certain; });
+  return bias == biases.end() ? nullptr : &*bias;
+}
+
+std::string TurnOn::differs_words() const {
+  return format(
+      "from power-on to power-on the bias differs by %.2g deg/h (one sigma) beside this model",
+      repeatability_dph);
+}
+
+std::string TurnOn::doubt_words() const {
+  return differs_words() +
+         ": turn-on biases, noise slower than a recording, or a drift that it lacks; each "
+         "temperature in two of the recordings, or one recording over all of them, would tell";
 }
 
 }  // namespace fogcomp::compare

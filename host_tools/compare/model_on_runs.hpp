@@ -32,13 +32,30 @@ struct TurnOnBias {
   std::string from_words() const;
 };
 
+/// What the recordings of a gyro show of its bias from one power-on to the next.
+struct TurnOn {
+  std::vector<TurnOnBias> biases;  ///< of the second power-on, the third...; where they tell it
+  double repeatability_dph = 0;    ///< standard deviation, of all together
+  /// Noise as within the recordings does not explain a bias or the spread; slower noise and what
+  /// the model lacks may, unless a bias is certain.
+  bool differs = false;
+
+  /// Whether each power-on can have a bias of its own: they differ, and the recordings tell these
+  /// from the model's effects.
+  bool can_be_own() const { return differs && !biases.empty(); }
+  /// nullptr if none is.
+  const TurnOnBias* first_certain() const;
+  std::string differs_words() const;
+  /// The same without a certain bias: what it may be, and what would tell.
+  std::string doubt_words() const;
+};
+
 /// One model on every run, in the order of the command line.
 struct ModelOnRuns {
   std::string file;
   model::Model model;
   std::vector<ModelOnRun> runs;
-  /// Of the second power-on, the third, ...; where the runs tell it.
-  std::vector<TurnOnBias> turn_on{};
+  TurnOn turn_on{};
 };
 
 /// Whether the noise floor lies above the residual by more than its own uncertainty.

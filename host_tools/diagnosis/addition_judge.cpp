@@ -10,6 +10,7 @@
 #include "fit/decision_rules.hpp"
 #include "fit/effect_change.hpp"
 #include "fit/possible_gain.hpp"
+#include "fit/turn_on_repeatability.hpp"
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "support/input_error.hpp"
@@ -159,12 +160,12 @@ bool is_worth_adding(const model::Model& model, double before_dph, double after_
 }
 
 AdditionJudge::AdditionJudge(const model::Model& model, const JudgingRuns& runs, bool run_offsets)
-    : runs_(runs), run_offsets_(run_offsets) {
+    : runs_(runs), bias_of_(run_offsets ? series::BiasOf::power_on : series::BiasOf::recording) {
   go_on_from(model);
 }
 
-void AdditionJudge::give_own_biases(bool given) {
-  run_offsets_ = given;
+void AdditionJudge::share_bias(series::BiasOf of) {
+  bias_of_ = of;
   refitted_.reset();
   failure_.clear();
 }
@@ -180,7 +181,7 @@ void AdditionJudge::prepare() {
   if (refitted_ || !failure_.empty()) return;
   try {
     fit::AddSettings settings;
-    settings.run_offsets = run_offsets_;
+    settings.run_offsets = has_own_biases();
     refitted_ = fit::refitted(model_, runs_.training, settings, series_);
     series_ = refitted_->series;
   } catch (const InputError& error) {
@@ -204,9 +205,9 @@ bool AdditionJudge::may_help(const AdditionRequest& request) {
   prepare();
   if (!refitted_) return false;
   const std::vector<model::EffectTerm>& before = refitted_->model.terms;
-  const double gain = fit::possible_gain(series_->known(), before,
-                                         fit::change_effects(before, request.effects).terms,
-                                         {refitted_->noise, refitted_->row_weights, run_offsets_});
+  const double gain = fit::possible_gain(
+      series_->known(), before, fit::change_effects(before, request.effects).terms,
+      {refitted_->noise, refitted_->row_weights, has_own_biases()});
   return gain >= fit::rules::kVisible * fit::rules::kVisible;
 }
 
@@ -215,7 +216,7 @@ TriedAddition AdditionJudge::tried(AdditionRequest request,
   prepare();
   TriedAddition trial;
   trial.request = std::move(request);
-  trial.request.run_offsets = run_offsets_;
+  trial.request.run_offsets = has_own_biases();
   trial.reason = failure_;
   if (!refitted_) return trial;
   try {
@@ -232,6 +233,9 @@ TriedAddition AdditionJudge::tried(AdditionRequest request,
     trial.fitted_after_dph = addition->fitted_after_dph;
     trial.holdouts = addition->holdouts;
     trial.reason = objection.empty() ? addition->reason : objection;
+    if (bias_of_ == series::BiasOf::all && trial.accepted) {
+      object(objection_of_biases(*addition), trial);
+    }
     if (addition->out_of_sample) {
       trial.rms_before_dph = addition->out_of_sample->rms_before_dph;
       trial.rms_after_dph = addition->out_of_sample->rms_after_dph;
@@ -240,6 +244,21 @@ TriedAddition AdditionJudge::tried(AdditionRequest request,
     trial.reason = error.what();
   }
   return trial;
+}
+
+// Reason why what differs between recordings may as well be their biases; "" if it may not.
+std::string AdditionJudge::objection_of_biases(const fit::Addition& addition) const {
+  if (!addition.out_of_sample || addition.out_of_sample->within_runs) {
+    return "what differs between recordings alone needs another to judge it";
+  }
+  const double chance =
+      fit::chance_of_biases(series_->known(), refitted_->model.terms, addition.model.terms,
+                            {refitted_->noise, refitted_->row_weights, false});
+  if (chance < fit::rules::kFalseTurnOn) return "";
+  return format(
+      "biases that differ from power-on to power-on would look like it with a chance of "
+      "%.2g",
+      chance);
 }
 
 // The model's own rows may not show what those of the verdict do.
@@ -283,7 +302,7 @@ TriedAddition AdditionJudge::description_as_it_is(AdditionRequest request) {
 std::string AdditionJudge::objection_of_far_rows(const fit::Addition& addition) const {
   if (!runs_.holdouts.empty() || !addition.out_of_sample || addition.changed.empty()) return "";
   const fit::Identification& fit = addition.fit.identified;
-  const fit::JudgedWith with{fit.noise, fit.row_weights, run_offsets_};
+  const fit::JudgedWith with{fit.noise, fit.row_weights, has_own_biases()};
   const fit::CrossValidation validation(series_->known(), refitted_->model.terms,
                                         addition.model.terms, addition.changed, with);
   const auto directions = validation.on_far_rows(fit::FarRows::directions);
@@ -325,7 +344,7 @@ bool AdditionJudge::others_show(const fit::Addition& on_all, std::size_t run) co
   if (of_own_input.empty()) return true;
   const fit::Identification& fit = on_all.fit.identified;
   return fit::others_determine(series_->known(), on_all.model.terms, of_own_input, run,
-                               {fit.noise, fit.row_weights, run_offsets_});
+                               {fit.noise, fit.row_weights, has_own_biases()});
 }
 
 }  // namespace fogcomp::diagnosis

@@ -77,9 +77,10 @@ class AdditionJudge {
   AdditionJudge(const model::Model& model, const JudgingRuns& runs, bool run_offsets);
 
   const JudgingRuns& runs() const { return runs_; }
-  bool gives_own_biases() const { return run_offsets_; }
-  /// Whether the next trials have a bias of its own for each power-on.
-  void give_own_biases(bool given);
+  series::BiasOf bias_of() const { return bias_of_; }
+  /// What has one bias in the next trials: each power-on, or all recordings. With `all`, other
+  /// recordings than those fitted must judge: rows left out of one say nothing of the others.
+  void share_bias(series::BiasOf of);
 
   /// The next trials start from this model, which has the same rows and derivative.
   void go_on_from(const model::Model& model);
@@ -106,9 +107,11 @@ class AdditionJudge {
  private:
   TriedAddition as_it_is(AdditionRequest request);
   TriedAddition description_as_it_is(AdditionRequest request);
+  bool has_own_biases() const { return bias_of_ == series::BiasOf::power_on; }
   // The verdict, without a model. `addition`: nothing if it could not be fitted.
   TriedAddition tried(AdditionRequest request, std::optional<fit::Addition>& addition);
   void take_model(std::optional<fit::Addition>& addition, TriedAddition& trial) const;
+  std::string objection_of_biases(const fit::Addition& addition) const;
   std::string objection_of_far_rows(const fit::Addition& addition) const;
   std::string objection_of_run(const AdditionRequest& request, std::size_t run,
                                const fit::Addition& on_all) const;
@@ -116,7 +119,7 @@ class AdditionJudge {
 
   model::Model model_;
   const JudgingRuns& runs_;
-  bool run_offsets_;
+  series::BiasOf bias_of_;
   std::shared_ptr<const fit::TrainingSeries> series_;  // of runs_, once it is needed
   std::optional<fit::RefittedModel> refitted_;
   std::string failure_;  // why there is none

@@ -25,7 +25,7 @@ class DiagnosisData {
       : average_s_(model.average_s),
         series_(model, series::Phase::zero),
         offered_(std::move(offered)) {
-    keep_bias(true);
+    share_bias(series::BiasOf::recording);
   }
 
   /// Throws InputError if a recording lacks an input of the model or of an offered expression.
@@ -36,8 +36,8 @@ class DiagnosisData {
   }
   /// The same recordings with further expressions, whose inputs the recordings must have.
   DiagnosisData with_offered(const std::vector<model::EffectTerm>& more) const;
-  /// series::SignalSeries::keep_bias(); true unless the biases of power-ons certainly differ.
-  void keep_bias(bool kept) { series_.keep_bias(kept); }
+  /// What has one bias: at first each recording.
+  void share_bias(series::BiasOf of) { series_.share_bias(of); }
   const recording::KnownRows& known() const { return known_; }
 
   const series::SignalSeries& series() const { return series_; }

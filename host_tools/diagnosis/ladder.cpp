@@ -43,21 +43,23 @@ std::optional<LineInTime> refused_line(const model::Model& model, const Diagnosi
   return line && line->is_significant() ? line : std::nullopt;
 }
 
-// Each power-on has a bias of its own here once additions are judged so.
+// The rows of the data given, by what has one bias in them.
 class RowsOfLadder {
  public:
   explicit RowsOfLadder(const DiagnosisData& given) : given_(given) {}
 
-  const DiagnosisData& with(bool own_biases) {
+  const DiagnosisData& with(series::BiasOf bias_of) {
     const series::Rows& rows = given_.series().rows();
-    if (!own_biases || !rows.keeps_bias || rows.restart_rows.empty()) return given_;
-    if (!own_) own_.emplace(given_).keep_bias(false);
-    return *own_;
+    const bool same = bias_of == series::BiasOf::power_on && rows.restart_rows.empty();
+    if (same || bias_of == rows.bias_of) return given_;
+    if (!other_ || other_->series().rows().bias_of != bias_of)
+      other_.emplace(given_).share_bias(bias_of);
+    return *other_;
   }
 
  private:
   const DiagnosisData& given_;
-  std::optional<DiagnosisData> own_;
+  std::optional<DiagnosisData> other_;
 };
 
 // A diagnosis of a model and, if that is wanted, what to do next.
@@ -68,8 +70,10 @@ struct Look {
 
 enum class Wanted { diagnosis, refinement, next_step };
 
-Look look_once(const model::Model& model, const DiagnosisData& data, AdditionJudge& judge,
+// In the rows whose biases are as the judge has them.
+Look look_once(const model::Model& model, RowsOfLadder& rows, AdditionJudge& judge,
                const DiagnosisSettings& settings, Wanted wanted) {
+  const DiagnosisData& data = rows.with(judge.bias_of());
   Look look;
   judge.go_on_from(model);
   std::atomic<bool> is_complete{false};
@@ -90,40 +94,65 @@ Look look_once(const model::Model& model, const DiagnosisData& data, AdditionJud
   return look;
 }
 
-bool may_have_own_biases(const AdditionJudge& judge) {
-  return !judge.gives_own_biases() && judge.runs().have_several_power_ons();
-}
-
 // Whether what is missing has found no name that holds with one bias for all power-ons.
 bool finds_no_name(const Look& look) {
   return look.diagnosis.verdict != Verdict::none && !look.next.little_is_left &&
          (!look.next.addition || look.next.describes);
 }
 
-// Whether the biases of the power-ons certainly differ with the addition in the model: one for all
-// bends its effects.
-bool shows_own_biases(const NextStep& next, const JudgingRuns& runs) {
-  return next.addition && fit::certain_turn_on(*next.addition->model, runs.all());
+bool biases_differ(const model::Model& model, const JudgingRuns& runs) {
+  return fit::turn_on_biases(model, runs.all()).differs;
 }
 
 // A missing effect may hide that the biases of the power-ons differ; then one bias for all refuses
 // or bends what is missing. Where it finds no name, or one beside which the biases differ, the same
-// is looked at with a bias for each, and `judge` goes on so if the biases certainly differ or only
-// that finds something. Errors out of sample do not decide: those about a bias of each power-on are
-// smaller in any case.
+// is looked at with a bias for each, and `judge` goes on so if the biases differ or only that finds
+// something. Errors out of sample do not decide: those about a bias of each power-on are smaller in
+// any case.
+std::optional<Look> with_own_biases(const Look& common, const model::Model& model,
+                                    RowsOfLadder& rows, AdditionJudge& judge,
+                                    const DiagnosisSettings& settings) {
+  const bool differ =
+      common.next.addition && biases_differ(*common.next.addition->model, judge.runs());
+  if (!differ && !finds_no_name(common)) return std::nullopt;
+  judge.share_bias(series::BiasOf::power_on);
+  Look own = look_once(model, rows, judge, settings, Wanted::next_step);
+  own.next.only_with_own_biases =
+      own.next.addition &&
+      (differ || !common.next.addition || biases_differ(*own.next.addition->model, judge.runs()));
+  if (own.next.only_with_own_biases) return own;
+  judge.share_bias(series::BiasOf::recording);
+  return std::nullopt;
+}
+
+// A bias for each recording hides what differs between recordings alone: what the gyro does with a
+// temperature of which each has one. With one bias for all it shows; biases of power-ons do too,
+// but they do not follow an effect from one recording to another that it was not fitted to.
+std::optional<Look> between_recordings(const model::Model& model, RowsOfLadder& rows,
+                                       AdditionJudge& judge, const DiagnosisSettings& settings) {
+  const series::BiasOf before = judge.bias_of();
+  judge.share_bias(series::BiasOf::all);
+  Look look = look_once(model, rows, judge, settings, Wanted::next_step);
+  look.next.only_between_recordings = look.next.addition.has_value();
+  judge.share_bias(look.next.addition ? series::BiasOf::recording : before);
+  if (look.next.addition) return look;
+  return std::nullopt;
+}
+
 Look look_at(const model::Model& model, RowsOfLadder& rows, AdditionJudge& judge,
              const DiagnosisSettings& settings, Wanted wanted) {
-  Look common = look_once(model, rows.with(judge.gives_own_biases()), judge, settings, wanted);
-  if (wanted != Wanted::next_step || !may_have_own_biases(judge)) return common;
-  const bool is_certain = shows_own_biases(common.next, judge.runs());
-  if (!is_certain && !finds_no_name(common)) return common;
-  judge.give_own_biases(true);
-  Look own = look_once(model, rows.with(true), judge, settings, wanted);
-  own.next.only_with_own_biases = own.next.addition && (is_certain || !common.next.addition ||
-                                                        shows_own_biases(own.next, judge.runs()));
-  if (own.next.only_with_own_biases) return own;
-  judge.give_own_biases(false);
-  return common;
+  Look look = look_once(model, rows, judge, settings, wanted);
+  if (wanted != Wanted::next_step || !judge.runs().have_several_power_ons()) return look;
+  if (judge.bias_of() != series::BiasOf::power_on) {
+    if (auto own = with_own_biases(look, model, rows, judge, settings)) return std::move(*own);
+  }
+  if (look.next.addition) return look;
+  const compare::TurnOn turn_on = fit::turn_on_biases(model, judge.runs().all());
+  if (!turn_on.differs) return look;
+  if (auto between = between_recordings(model, rows, judge, settings)) return std::move(*between);
+  std::string& blind_spot = look.diagnosis.blind_spot;
+  if (blind_spot.empty() && turn_on.first_certain() == nullptr) blind_spot = turn_on.doubt_words();
+  return look;
 }
 
 }  // namespace

@@ -18,8 +18,10 @@ struct NextStep {
   std::vector<std::string> together;
   bool describes = false;  ///< the addition lowers the error, and says nothing of the cause
   /// It holds with a bias of its own for each power-on: with one for all nothing does, or the
-  /// biases certainly differ beside it.
+  /// biases differ beside it.
   bool only_with_own_biases = false;
+  /// It shows with one bias for all recordings; within them nothing is missing.
+  bool only_between_recordings = false;
   Refuted name_is = Refuted::no;  ///< what the diagnosis names
   std::vector<TriedAddition> refused;
   /// Everything left may be inexactness of the present terms, compared with what was removed:

@@ -175,14 +175,14 @@ Json model_json(const compare::ModelOnRuns& model, Json object) {
     rows += run_rows;
   }
   object.set("runs", std::move(runs)).set("extrapolated_fraction", rows > 0 ? outside / rows : 0);
-  object.set("turn_on_bias", turn_on_json(model.turn_on));
+  set_turn_on(model.turn_on, object);
   return object;
 }
 
 }  // namespace
 
-Json turn_on_json(const std::vector<compare::TurnOnBias>& turn_on) {
-  return json_array(turn_on, [](const compare::TurnOnBias& run) {
+void set_turn_on(const compare::TurnOn& turn_on, Json& object) {
+  Json biases = json_array(turn_on.biases, [](const compare::TurnOnBias& run) {
     return Json::object()
         .set("file", run.run)
         .set("from_s", run.from_s)
@@ -191,6 +191,10 @@ Json turn_on_json(const std::vector<compare::TurnOnBias>& turn_on) {
         .set("sigma_dph", run.sigma_dph)
         .set("certain", run.certain);
   });
+  object.set("turn_on_bias", std::move(biases));
+  object.set(
+      "turn_on_repeatability",
+      Json::object().set("sigma_dph", turn_on.repeatability_dph).set("differs", turn_on.differs));
 }
 
 Json compare_json(const std::vector<compare::ModelOnRuns>& models) {

@@ -150,9 +150,9 @@ std::vector<std::string> range_warnings(const compare::Comparison& comparison,
   return warnings;
 }
 
-std::vector<Text> turn_on_sentences(const std::vector<compare::TurnOnBias>& turn_on) {
+std::vector<Text> turn_on_sentences(const compare::TurnOn& turn_on) {
   std::vector<Text> sentences;
-  for (const compare::TurnOnBias& run : turn_on) {
+  for (const compare::TurnOnBias& run : turn_on.biases) {
     if (!run.certain) continue;
     const std::vector<std::string> names = short_names({run.run, run.reference});
     sentences.push_back("turn-on bias: " + verbatim(names[0]) +
@@ -161,6 +161,7 @@ std::vector<Text> turn_on_sentences(const std::vector<compare::TurnOnBias>& turn
                               (run.above_dph > 0 ? "above " : "below ")) +
                         verbatim(names[1]));
   }
+  if (sentences.empty() && turn_on.differs) sentences.push_back(words(turn_on.doubt_words()));
   return sentences;
 }
 

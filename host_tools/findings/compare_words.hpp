@@ -21,7 +21,7 @@ std::vector<std::string> remarks(const compare::ModelOnRun& run);
 
 /// One sentence for each run whose bias certainly differs from the first one's: "turn-on bias:
 /// b.csv is 0.120 +- 0.012 deg/h above a.csv".
-std::vector<Text> turn_on_sentences(const std::vector<compare::TurnOnBias>& turn_on);
+std::vector<Text> turn_on_sentences(const compare::TurnOn& turn_on);
 
 /// One sentence for each kind of rows outside the trained ranges.
 std::vector<std::string> range_warnings(const compare::Comparison& comparison,

@@ -177,6 +177,11 @@ void add_notes(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
         " with a bias of its own for each power-on (--run-offsets) holds better than anything with "
         "one bias for all");
   }
+  if (next.only_between_recordings) {
+    words.limits.push_back("note: " + join_list(next.addition->request.names(), "and") +
+                           " shows between the recordings, with one bias for all of them; within "
+                           "them nothing is missing");
+  }
 }
 
 }  // namespace

@@ -18,8 +18,10 @@ namespace {
 using workflow::FitOutcome;
 
 Text found(const FitOutcome& fit) {
-  Text text = "the model leaves " + number(fit.model.residual_rms_dph) +
-              " deg/h rms, a constant alone " + number(fit.result.raw_std_dph);
+  const bool has_own_biases = !fit.result.identified.run_offsets_dph.empty();
+  Text text = "the model leaves " + number(fit.model.residual_rms_dph) + " deg/h rms" +
+              (has_own_biases ? " beside a bias for each power-on" : "") + ", a constant alone " +
+              number(fit.result.raw_std_dph);
   if (const auto floor = fit.model.history.back().noise_floor_dph) {
     text += "; noise alone would leave " + number(*floor);
   }
@@ -66,12 +68,16 @@ void add_turn_on(Document& document, const FitOutcome& fit) {
   const std::vector<Text> sentences = turn_on_sentences(fit.turn_on);
   for (const Text& sentence : sentences) document.sentence(sentence);
   if (sentences.empty()) return;
+  if (fit.result.identified.run_offsets_dph.empty()) {
+    document.sentence(
+        "one bias is fitted to all recordings; --run-offsets gives each power-on "
+        "its own, of which a board has the mean");
+    return;
+  }
   document.sentence(
-      fit.result.identified.run_offsets_dph.empty()
-          ? "one bias is fitted to all recordings; --run-offsets gives each power-on "
-            "its own, of which a board has the mean"
-          : "each power-on has a bias of its own here, so that the effects do not make "
-            "up for it; a board has their mean");
+      words(format("each power-on has a bias of its own here (one sigma %.2g deg/h), so that the "
+                   "effects do not make up for it; a board has their mean",
+                   fit.result.identified.turn_on_repeatability_dph)));
 }
 
 void add_model(Document& document, const FitOutcome& fit) {

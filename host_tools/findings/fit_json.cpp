@@ -33,7 +33,7 @@ Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
   result.set("noise_white_dph", identified.noise.white_dph());
   result.set("noise_slow_dph", identified.noise.wander_dph());
   result.set("run_offsets_dph", identified.run_offsets_dph).set("notes", std::move(notes));
-  result.set("turn_on_bias", turn_on_json(fit.turn_on));
+  set_turn_on(fit.turn_on, result);
   result.set("delay_rms_dph", fit.delay_rms_dph);
   result.set("physical_lags", json_array(fit.physical_lags, [](const fit::PhysicalLag& lag) {
                return Json::object()

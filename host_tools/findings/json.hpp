@@ -35,8 +35,9 @@ Json add_json(const fit::Addition& addition, const std::string& written);
 
 Json paper_json(const std::vector<research::Study>& studies);
 
-/// The second run, the third, ... relative to the first, certain or not.
-Json turn_on_json(const std::vector<compare::TurnOnBias>& turn_on);
+/// Sets "turn_on_bias", of the second run, the third, ... relative to the first, certain or not,
+/// and "turn_on_repeatability".
+void set_turn_on(const compare::TurnOn& turn_on, Json& object);
 
 /// `output`: folder of the results. `calibrated`, `already_done`: numbers of gyros, now and before.
 Json batch_json(const batch::Summary& summary, const std::string& output, std::size_t calibrated,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "fit/noise_weighted_fit.hpp"
 #include "fit/reference_values.hpp"
 #include "fit/soak_uncertainty.hpp"
+#include "fit/turn_on_repeatability.hpp"
 #include "fit/undetermined.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
@@ -119,25 +119,36 @@ FitWithSteps fit_all(const KnownRegressors& known, const std::vector<model::Effe
   return found;
 }
 
-Identification noise_and_residual(const FitWithSteps& found) {
-  Identification result;
+void set_noise_and_residual(const FitWithSteps& found, Identification& result) {
   result.residual_dph = found.fit.residual_dph;
   result.noise = found.fit.noise;
   result.birge_ratio = found.fit.birge_ratio();
   result.masked = found.masked;
   result.row_weights = found.fit.row_weights;
   result.outliers = found.fit.outliers;
-  return result;
 }
 
-// The bias of a power-on is any of them by chance: a board has their mean, not that of the first.
-void add_mean_offset(const std::vector<double>& offsets_dph,
-                     std::vector<model::EffectTerm>& terms) {
-  const double sum_dph = std::accumulate(offsets_dph.begin(), offsets_dph.end(), 0.0);
-  for (model::EffectTerm& term : terms) {
-    if (term.name != "bias") continue;
-    term.coefficients_dph[0] += sum_dph / static_cast<double>(offsets_dph.size() + 1);
+// Column of the model's bias; nothing if it has none.
+std::optional<Eigen::Index> bias_column(const std::vector<model::EffectTerm>& terms,
+                                        const std::vector<series::ColumnRange>& columns) {
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (terms[i].name == "bias") return columns[i].first;
   }
+  return std::nullopt;
+}
+
+// A fit whose power-ons each have a bias of their own, and its covariance, for biases that spread
+// as these do. The model has their mean: the bias of a power-on is any of them by chance.
+void set_offsets(const BiasColumns& columns, NoiseWeightedFit& fit, Eigen::MatrixXd& covariance,
+                 Identification& result) {
+  const auto [first, count] = columns.offsets;
+  if (count == 0) return;
+  result.turn_on_repeatability_dph = turn_on_repeatability(fit, columns.offsets, covariance).dph;
+  expect_repeatability(result.turn_on_repeatability_dph, columns, fit, covariance);
+  const auto offsets = fit.coefficients.segment(first, count);
+  result.run_offsets_dph.assign(offsets.begin(), offsets.end());
+  if (columns.bias)
+    fit.coefficients[*columns.bias] += offsets.sum() / static_cast<double>(count + 1);
 }
 
 // Copies a term's coefficients and their uncertainties from a fit. Returns the peak, deg/h, that
@@ -244,25 +255,25 @@ Identification identify(model::Model& model, const KnownRegressors& known,
   set_references(model.terms, series);
   set_expression_ranges(model.terms, series);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
-  const FitWithSteps found = fit_all(known, model.terms, sought.max, offsets, settings);
-  const NoiseWeightedFit& fit = found.fit;
+  FitWithSteps found = fit_all(known, model.terms, sought.max, offsets, settings);
+  NoiseWeightedFit& fit = found.fit;
   model.terms = fit.terms;
 
-  Identification result = noise_and_residual(found);
-  const Eigen::MatrixXd covariance = coefficient_covariance(rows, fit);
-  const Eigen::VectorXd sigma = covariance.diagonal().cwiseSqrt();
+  // order: coefficients, offsets of all power-ons but the first, steps
   const std::vector<series::ColumnRange> columns = series::columns_of(model.terms, rows.row_s);
+  const Eigen::Index behind = columns.back().first + columns.back().count;
+  Identification result;
+  Eigen::MatrixXd covariance = coefficient_covariance(rows, fit);
+  set_offsets({bias_column(model.terms, columns), {behind, offsets.cols()}}, fit, covariance,
+              result);
+  set_noise_and_residual(found, result);
+  const Eigen::VectorXd sigma = covariance.diagonal().cwiseSqrt();
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
     result.visible_dph.push_back(set_coefficients(model.terms[i], columns[i], fit, covariance));
   }
   set_shape_sigmas(model.terms, fit, sigma);
   result.warnings = confusions(model.terms, columns, fit.covariance);
 
-  // order: coefficients, offsets of all power-ons but the first, steps
-  const Eigen::Index behind = columns.back().first + columns.back().count;
-  const auto offset_values = fit.coefficients.segment(behind, offsets.cols());
-  result.run_offsets_dph.assign(offset_values.begin(), offset_values.end());
-  add_mean_offset(result.run_offsets_dph, model.terms);
   for (std::size_t i = 0; i < found.steps.size(); ++i) {
     const Eigen::Index column = behind + offsets.cols() + static_cast<Eigen::Index>(i);
     add_step(model, result, series, found.steps[i], *sought.step, fit.coefficients[column],

@@ -28,14 +28,16 @@ struct Identification {
   std::vector<std::string> warnings;  ///< whole sentences
   double soak_sigma_dph =
       0;  ///< std of the drift in the soak that is known worst (SoakUncertainty)
-  std::vector<double> run_offsets_dph;  ///< of the second, third... power-on against the first
+  std::vector<double> run_offsets_dph;   ///< of the second, third... power-on against the first
+  double turn_on_repeatability_dph = 0;  ///< std of the power-ons' biases, if each has its own
 };
 
 /// Whether identify() searches for bias steps: if an event without a time is among the terms.
 bool searches_steps(const std::vector<model::EffectTerm>& terms);
 
 struct IdentifySettings {
-  /// Every power-on has its own bias (turn-on repeatability); the model keeps that of the first.
+  /// Every power-on has its own bias (turn-on repeatability), whose spread is found with it
+  /// (turn_on_repeatability.hpp); the model keeps the mean.
   bool run_offsets = false;
   /// Largest number of new steps. Steps found by earlier fits are searched for again, in their
   /// number.

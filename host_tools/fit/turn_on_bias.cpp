@@ -1,15 +1,17 @@
 #include "fit/turn_on_bias.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "fit/coefficient_covariance.hpp"
 #include "fit/decision_rules.hpp"
 #include "fit/noise_weighted_fit.hpp"
+#include "fit/turn_on_repeatability.hpp"
 #include "fit/undetermined.hpp"
 #include "model/drift_model.hpp"
 #include "model/shape_parameter.hpp"
 #include "series/block_walk.hpp"
+#include "support/least_squares.hpp"
 
 namespace fogcomp::fit {
 namespace {
@@ -36,19 +38,44 @@ double drift_square(const series::Rows& rows, const NoiseWeightedFit& fit) {
   return square / static_cast<double>(rows.size());
 }
 
-// Whether a difference is larger than the one that so many equal runs show with probability
-// rules::kFalseTurnOn.
-bool is_certain(double standard_deviations, std::size_t differences) {
-  const double chance = std::erfc(std::abs(standard_deviations) / std::sqrt(2.0));
-  return chance * static_cast<double>(differences) < rules::kFalseTurnOn;
+// Bias of a power-on less that of the first.
+struct Offset {
+  double above_dph = 0;
+  double sigma_dph = 0;
+};
+
+// Bias of the second, third... power-on less that of the first, the last columns of a fit.
+struct Offsets {
+  std::vector<Offset> each;
+  Eigen::MatrixXd covariance;  // of all coefficients of the fit
+};
+
+// Nothing if the fit does not determine them. What formulas are off by is another bias for each.
+Offsets offsets_of(const series::Rows& rows, const NoiseWeightedFit& fit, Eigen::Index count) {
+  if (rows.size() <= fit.linear() || !is_determined(fit)) return {};
+  Offsets offsets{{}, coefficient_covariance(rows, fit)};
+  offsets.covariance.bottomRightCorner(count, count) +=
+      rules::kModelFormTolerance * drift_square(rows, fit) / 2 * covariance_of_offsets(count);
+  for (Eigen::Index i = fit.linear() - count; i < fit.linear(); ++i) {
+    offsets.each.push_back({fit.coefficients[i], std::sqrt(offsets.covariance(i, i))});
+  }
+  return offsets;
 }
 
-}  // namespace
+// Which of them are larger than the one that so many equal runs show with probability
+// rules::kFalseTurnOn.
+std::vector<bool> certain_ones(const std::vector<Offset>& offsets) {
+  std::vector<bool> certain;
+  for (const Offset& offset : offsets) {
+    const double standard_deviations = std::abs(offset.above_dph) / offset.sigma_dph;
+    const double chance = std::erfc(standard_deviations / std::sqrt(2.0));
+    certain.push_back(chance * static_cast<double>(offsets.size()) < rules::kFalseTurnOn);
+  }
+  return certain;
+}
 
-std::vector<compare::TurnOnBias> turn_on_biases(const model::Model& model,
-                                                const std::vector<compare::RunInBlocks>& runs) {
-  std::vector<compare::TurnOnBias> found;
-  if (!compare::have_several_power_ons(runs)) return found;
+series::SignalSeries series_of(const model::Model& model,
+                               const std::vector<compare::RunInBlocks>& runs) {
   series::SignalSeries series(model);
   for (const compare::RunInBlocks& run : runs) {
     if (model.network.present()) {
@@ -57,34 +84,70 @@ std::vector<compare::TurnOnBias> turn_on_biases(const model::Model& model,
       series.add(run.blocks);
     }
   }
+  return series;
+}
+
+// A smooth drift with temperature that these effects cannot make, whatever the model has of it:
+// recordings at other temperatures are no proof that biases differ.
+Eigen::MatrixXd smooth_drift(const series::Rows& rows, const Eigen::MatrixXd& effects) {
+  constexpr Eigen::Index kOrder = 5;   // of a polynomial
+  constexpr double kOwnLength = 1e-3;  // of a column's length: else the effects make it
+  const std::vector<double> degc = rows.temperatures_degc();
+  const auto [min, max] = std::minmax_element(degc.begin(), degc.end());
+  const double range_degc = std::max(*max - *min, 1e-6);
+  Eigen::MatrixXd chebyshev(rows.size(), kOrder);
+  for (Eigen::Index row = 0; row < rows.size(); ++row) {
+    const double x = 2 * (degc[static_cast<std::size_t>(row)] - *min) / range_degc - 1;
+    const double angle = std::acos(std::clamp(x, -1.0, 1.0));
+    for (Eigen::Index k = 0; k < kOrder; ++k)
+      chebyshev(row, k) = std::cos(static_cast<double>(k + 1) * angle);
+  }
+  const Eigen::MatrixXd left = projected_out(orthonormal(effects), chebyshev);
+  std::vector<Eigen::Index> own;
+  for (Eigen::Index k = 0; k < kOrder; ++k) {
+    if (left.col(k).norm() > kOwnLength * chebyshev.col(k).norm()) own.push_back(k);
+  }
+  return orthonormal(left(Eigen::all, own));
+}
+
+}  // namespace
+
+compare::TurnOn turn_on_biases(const model::Model& model,
+                               const std::vector<compare::RunInBlocks>& runs) {
+  compare::TurnOn found;
+  if (!compare::have_several_power_ons(runs)) return found;
+  const series::SignalSeries series = series_of(model, runs);
   const series::Rows& rows = series.rows();
   const std::vector<recording::RowRange> power_ons = rows.power_ons();
   if (power_ons.size() < 2) return found;
-  const Eigen::MatrixXd offsets = run_offset_columns(rows);
-  const NoiseWeightedFit fit =
-      fit_rows(series, model::with_fixed_shapes(series.acting(model.terms)), offsets);
-  if (rows.size() <= fit.linear() || !is_determined(fit)) return found;
-  const Eigen::MatrixXd covariance = coefficient_covariance(rows, fit);
-  const double of_form = rules::kModelFormTolerance * drift_square(rows, fit);
-  const Eigen::Index first = fit.linear() - offsets.cols();
-  for (std::size_t i = 1; i < power_ons.size(); ++i) {
-    const Eigen::Index column = first + static_cast<Eigen::Index>(i) - 1;
-    const double above_dph = fit.coefficients[column];
-    const double sigma_dph = std::sqrt(covariance(column, column) + of_form);
-    const std::size_t row = power_ons[i].first;
-    found.push_back({runs[rows.run_at(row)].file, rows.starts_run(row) ? 0 : rows.time_s[row],
-                     runs[0].file, above_dph, sigma_dph,
-                     is_certain(above_dph / sigma_dph, power_ons.size() - 1)});
+  const std::vector<model::EffectTerm> terms = model::with_fixed_shapes(series.acting(model.terms));
+  const Eigen::MatrixXd columns = run_offset_columns(rows);
+  const NoiseWeightedFit fit = fit_rows(series, terms, columns);
+  const Offsets offsets = offsets_of(rows, fit, columns.cols());
+  const Eigen::Index effects = fit.linear() - columns.cols();
+  const TurnOnRepeatability repeatability =
+      turn_on_repeatability(fit, {effects, columns.cols()}, offsets.covariance);
+  found.repeatability_dph = repeatability.dph;
+
+  std::vector<bool> certain = certain_ones(offsets.each);
+  const bool any = std::find(certain.begin(), certain.end(), true) != certain.end();
+  found.differs = any || repeatability.chance < rules::kFalseTurnOn;
+  if (any) {
+    const Eigen::MatrixXd smooth = smooth_drift(rows, fit.columns.leftCols(effects));
+    const std::vector<bool> too = certain_ones(
+        offsets_of(rows, fit_rows(series, terms, side_by_side({smooth, columns}, rows.size())),
+                   columns.cols())
+            .each);
+    for (std::size_t i = 0; i < certain.size(); ++i)
+      certain[i] = certain[i] && !too.empty() && too[i];
+  }
+  for (std::size_t i = 0; i < offsets.each.size(); ++i) {
+    const std::size_t row = power_ons[i + 1].first;
+    found.biases.push_back({runs[rows.run_at(row)].file,
+                            rows.starts_run(row) ? 0 : rows.time_s[row], runs[0].file,
+                            offsets.each[i].above_dph, offsets.each[i].sigma_dph, certain[i]});
   }
   return found;
-}
-
-std::optional<compare::TurnOnBias> certain_turn_on(const model::Model& model,
-                                                   const std::vector<compare::RunInBlocks>& runs) {
-  for (const compare::TurnOnBias& bias : turn_on_biases(model, runs)) {
-    if (bias.certain) return bias;
-  }
-  return std::nullopt;
 }
 
 }  // namespace fogcomp::fit

@@ -49,7 +49,8 @@ std::vector<recording::RowRange> Rows::runs() const {
 }
 
 std::vector<recording::RowRange> Rows::power_ons() const {
-  if (keeps_bias) return runs();
+  if (bias_of == BiasOf::recording) return runs();
+  if (bias_of == BiasOf::all) return {{0, static_cast<std::size_t>(size())}};
   std::vector<std::size_t> starts;
   std::merge(run_starts.begin(), run_starts.end(), restart_rows.begin(), restart_rows.end(),
              std::back_inserter(starts));

@@ -12,6 +12,10 @@
 
 namespace fogcomp::series {
 
+/// What has one bias: the rows of a power-on, of a recording although the power was off in it, or
+/// of all recordings.
+enum class BiasOf { power_on, recording, all };
+
 /// The rows that are fitted, compared and diagnosed: means over `average_s` of the blocks of one or
 /// more recordings, or single blocks if these are longer.
 struct Rows {
@@ -27,13 +31,13 @@ struct Rows {
   std::vector<std::size_t> run_starts;  ///< first row of each recording
   /// First row after each further power-on within a recording, in order.
   std::vector<std::size_t> restart_rows;
-  bool keeps_bias = false;            ///< of a recording, whether the power was off or not
+  BiasOf bias_of = BiasOf::power_on;
   model::InputRanges input_ranges{};  ///< of all recordings together
 
   Eigen::Index size() const { return drift_dph.size(); }
   /// The rows of each recording.
   std::vector<recording::RowRange> runs() const;
-  /// The rows that have one bias: of each power-on; of each recording if that `keeps_bias`.
+  /// The rows that have one bias, by `bias_of`.
   std::vector<recording::RowRange> power_ons() const;
   /// Recording of a row, and whether the row is its first.
   std::size_t run_at(std::size_t row) const;

@@ -37,8 +37,8 @@ class SignalSeries {
   void add(const BlockSeries& series);
 
   const Rows& rows() const { return rows_; }
-  /// Whether each recording keeps one bias although the power was off (Rows::power_ons()).
-  void keep_bias(bool kept) { rows_.keeps_bias = kept; }
+  /// What has one bias in Rows::power_ons(); at first each power-on.
+  void share_bias(BiasOf of) { rows_.bias_of = of; }
   /// Those of the terms that act on one of the runs: not the events of other recordings.
   std::vector<model::EffectTerm> acting(std::vector<model::EffectTerm> terms) const;
   /// The first of BlockSeries::recordings of a row's run; nothing if there is none.

@@ -127,7 +127,7 @@ CalibrationOutcome calibrate(const CalibrationRequest& request, const Calibratio
   add_hold_out_figures(outcome.figures, outcome.hold_outs);
   runs.insert(runs.begin(), outcome.fit.runs.begin(), outcome.fit.runs.end());
   outcome.turn_on = fit::turn_on_biases(model, runs);
-  add_turn_on_figures(outcome.figures, outcome.turn_on);
+  add_turn_on_figures(outcome.figures, outcome.turn_on.biases);
   add_board_figures(outcome.figures, outcome.board);
   add_coefficients(outcome.figures, model);
   return outcome;

@@ -31,7 +31,7 @@ struct CalibrationOutcome {
   /// Values to be monitored from gyro to gyro, by name.
   std::vector<std::pair<std::string, double>> figures;
   /// Of every run but the first: fitted runs, then hold-outs.
-  std::vector<compare::TurnOnBias> turn_on;
+  compare::TurnOn turn_on;
 };
 
 /// Throws InputError like fit(), read_holdouts() and export_header().

@@ -27,8 +27,8 @@ std::vector<compare::ModelOnRuns> load_models(const CompareRequest& request) {
 }
 
 // In the rows of the comparison.
-std::vector<compare::TurnOnBias> turn_on_biases(model::Model model, double row_s,
-                                                const std::vector<compare::RunInBlocks>& runs) {
+compare::TurnOn turn_on_biases(model::Model model, double row_s,
+                               const std::vector<compare::RunInBlocks>& runs) {
   model.average_s = row_s;
   return fit::turn_on_biases(model, runs);
 }

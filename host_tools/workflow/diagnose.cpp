@@ -47,16 +47,20 @@ void note_rows(const DiagnoseRequest& request, const fit::RowLength& rows,
   }
 }
 
-// Whether the biases of power-ons certainly differ; `notes` then says so.
+// Whether power-ons have biases of their own; `notes` then says why.
 bool have_own_biases(const model::Model& model, const diagnosis::JudgingRuns& judging,
                      std::vector<std::string>& notes) {
-  const auto turn_on = fit::certain_turn_on(model, judging.all());
-  if (!turn_on) return false;
-  notes.push_back(format(
-      "the bias of %s%s is %.2g +- %.1g deg/h %s that of %s: effects are judged and added "
-      "with a bias of its own for each power-on (--run-offsets)",
-      turn_on->run.c_str(), turn_on->from_words().c_str(), std::abs(turn_on->above_dph),
-      turn_on->sigma_dph, turn_on->above_dph > 0 ? "above" : "below", turn_on->reference.c_str()));
+  const compare::TurnOn turn_on = fit::turn_on_biases(model, judging.all());
+  if (!turn_on.can_be_own()) return false;
+  std::string why = turn_on.differs_words();
+  if (const compare::TurnOnBias* bias = turn_on.first_certain()) {
+    why = format("the bias of %s%s is %.2g +- %.1g deg/h %s that of %s", bias->run.c_str(),
+                 bias->from_words().c_str(), std::abs(bias->above_dph), bias->sigma_dph,
+                 bias->above_dph > 0 ? "above" : "below", bias->reference.c_str());
+  }
+  notes.push_back(why +
+                  ": effects are judged and added with a bias of its own for each power-on "
+                  "(--run-offsets)");
   return true;
 }
 
@@ -104,7 +108,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const diagnosis::Judgin
   }
   std::vector<std::string> notes;
   settings.run_offsets = have_own_biases(*outcome.model, judging, notes);
-  outcome.data.keep_bias(!settings.run_offsets);
+  if (settings.run_offsets) outcome.data.share_bias(series::BiasOf::power_on);
   outcome.ladder =
       diagnosis::stepwise_selection(model, outcome.data, judging, request.max_steps, settings);
   outcome.ladder.first.as_given = as_given;

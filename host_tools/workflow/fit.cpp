@@ -86,8 +86,8 @@ void write_history(FitOutcome& outcome, const FitRequest& request, const WantedM
        training.data_hash, effects_rms_dph, model.residual_rms_dph, training.noise_floor_dph});
 }
 
-// Each power-on has its own bias if that is asked for, or if they certainly differ: one for all
-// would bend the effects, which then had to make up for it. Sets `settings.run_offsets`.
+// Each power-on has its own bias if that is asked for, or if they differ: one for all would bend
+// the effects, which then had to make up for it. Sets `settings.run_offsets`.
 fit::FitResult fit_effects(model::Model& model, const fit::KnownRegressors& known,
                            fit::IdentifySettings& settings, const fit::TrainingRuns& training,
                            const Observer& observer) {
@@ -95,7 +95,7 @@ fit::FitResult fit_effects(model::Model& model, const fit::KnownRegressors& know
   settings.progress = observer.of_stage(kFittingEffects);
   fit::FitResult result = fit::fit_effects(model, known, settings);
   if (settings.run_offsets || !compare::have_several_power_ons(training.runs) ||
-      !fit::certain_turn_on(model, training.runs)) {
+      !fit::turn_on_biases(model, training.runs).can_be_own()) {
     return result;
   }
   model = unfitted;

@@ -51,7 +51,7 @@ struct FitOutcome {
   std::vector<std::string> step_places;  ///< of each found step: recording and segment
   bool searched_steps = false;
   std::vector<fit::PhysicalLag> physical_lags;
-  std::vector<compare::TurnOnBias> turn_on;  ///< of the second run, the third, ...
+  compare::TurnOn turn_on;
 
   std::size_t refused_rows() const;  ///< of all recordings
   /// From the trainer lm only; nothing without a network.

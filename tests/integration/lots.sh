@@ -71,7 +71,7 @@ runs=(gyros/G05/run.csv gyros/G05/holdout.csv)
 says '^  turn-on bias: holdout.csv is 0\.1[12][0-9]+ \+- 0\.00[0-9]+ deg/h above run\.csv$'
 "$fogcomp" fit "${runs[@]}" -o both.model "${options[@]:0:2}" >said.txt
 says '^  turn-on bias: holdout.csv is 0\.1[12][0-9]+ '
-says 'each power-on has a bias of its own here, so that .*; a board has their mean$'
+says 'each power-on has a bias of its own here \(one sigma 0\.0[0-9]+ deg/h\), so that .*; a board has their mean$'
 "$fogcomp" fit "${runs[@]}" -o each.model "${options[@]:0:2}" --run-offsets --json >fit.json
 python3 -c 'import json
 (run,) = json.load(open("fit.json"))["turn_on_bias"]

@@ -116,6 +116,31 @@ TEST(Identify, LetsEveryRecordingHaveABiasOfItsOwn) {
               5 * model.terms[2].sigma_dph[0]);
 }
 
+// Power-ons at one temperature each, every temperature twice: within one of them next to nothing
+// shows what the bias does with temperature, and between them it is as uncertain as biases vary.
+TEST(Identify, FindsADriftWithTemperatureBetweenPowerOnsOfOneTemperatureEach) {
+  const std::vector<double> biases_dph{0.1, -0.2, 0.15, -0.05, -0.12, 0.08, 0.2, -0.15};
+  Model model = fog::test::model_of(model::parse_effects("bias,bias_temperature:order=1"));
+  series::SignalSeries series(model);
+  for (std::size_t i = 0; i < biases_dph.size(); ++i) {
+    const double soak_degc = -30 + 20 * static_cast<double>(i % 4);
+    recording::Recording run =
+        fog::test::recording_of(fog::test::model_of({}), {0.024, 0, 300}, i + 1);
+    for (std::size_t row = 0; row < run.rows(); ++row) {
+      run.temperature_degc[row] = soak_degc + 0.001 * (run.temperature_degc[row] - 20);
+      run.rate_dph[row] += 5 + biases_dph[i] + 0.02 * (run.temperature_degc[row] - 20);
+    }
+    series.add(series::make_blocks(run));
+  }
+  const auto result = identify(model, series, {true});
+  EXPECT_NEAR(result.turn_on_repeatability_dph, 0.15, 0.06);
+  const model::EffectTerm& slope = model.terms[1];
+  constexpr double kUnitDegc = 64;  // of a coefficient
+  EXPECT_LT(slope.sigma_dph[0], 0.005 * kUnitDegc);
+  EXPECT_NEAR(slope.coefficients_dph[0], 0.02 * kUnitDegc, 4 * slope.sigma_dph[0]);
+  EXPECT_NEAR(model.terms[0].coefficients_dph[0], 5, 4 * model.terms[0].sigma_dph[0]);
+}
+
 TEST(Identify, SaysInWordsWhichEffectsCannotBeToldApart) {
   Model model = unknown();
   // At one temperature bias and slope are the same: it gets almost no other data.

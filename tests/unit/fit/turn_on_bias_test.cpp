@@ -32,7 +32,7 @@ model::Model in_minutes(model::Model model) {
 }
 
 TEST(TurnOnBias, OfTwoRunsIsSaidWithItsUncertainty) {
-  const auto found = turn_on_biases(in_minutes(fog::test::truth()), two_runs(1, 0.12));
+  const auto found = turn_on_biases(in_minutes(fog::test::truth()), two_runs(1, 0.12)).biases;
   ASSERT_EQ(found.size(), 1U);
   EXPECT_TRUE(found[0].certain);
   EXPECT_EQ(found[0].run, "second.csv");
@@ -44,9 +44,37 @@ TEST(TurnOnBias, OfTwoRunsIsSaidWithItsUncertainty) {
 TEST(TurnOnBias, IsHardlyEverSaidOfRunsThatDifferByNoise) {
   int said = 0;
   for (std::uint64_t seed = 1; seed <= 80; seed += 2) {
-    said += turn_on_biases(in_minutes(fog::test::truth()), two_runs(seed, 0))[0].certain ? 1 : 0;
+    said +=
+        turn_on_biases(in_minutes(fog::test::truth()), two_runs(seed, 0)).biases[0].certain ? 1 : 0;
   }
   EXPECT_LE(said, 3);  // of 40, at 1 %
+}
+
+// Runs at one temperature each, with biases of their own: their drift with temperature cannot be
+// told from the biases, and that is said.
+TEST(TurnOnBias, OfRunsAtOneTemperatureEachIsSaidOfAllTogether) {
+  for (const double repeatability_dph : {0.0, 0.3}) {
+    std::vector<compare::RunInBlocks> runs;
+    for (std::uint64_t i = 0; i < 6; ++i) {
+      recording::Recording run = fog::test::thinned(
+          fog::test::recording_of(fog::test::model_of({}), fog::test::kQuietNoise, 1 + i), 6);
+      const double above_dph = repeatability_dph * (i % 2 == 0 ? 1 : -1);
+      for (std::size_t row = 0; row < run.rows(); ++row) {
+        run.temperature_degc[row] =
+            20.0 * static_cast<double>(i) - 40 + 0.0005 * (run.temperature_degc[row] - 20);
+        run.rate_dph[row] += above_dph + 0.01 * run.temperature_degc[row];
+      }
+      run.file = std::to_string(i) + ".csv";
+      runs.push_back(compare::run_in_blocks(run, 60));
+    }
+    const compare::TurnOn found = turn_on_biases(
+        in_minutes(fog::test::model_of(model::parse_effects("bias,bias_temperature:order=1"))),
+        runs);
+    ASSERT_EQ(found.biases.size(), 5U);
+    EXPECT_EQ(found.first_certain(), nullptr);
+    EXPECT_EQ(found.differs, repeatability_dph > 0);
+    EXPECT_NEAR(found.repeatability_dph, repeatability_dph, 0.15);
+  }
 }
 
 TEST(TurnOnBias, IsNotSaidOfADriftThatTheModelLacks) {
@@ -57,10 +85,30 @@ TEST(TurnOnBias, IsNotSaidOfADriftThatTheModelLacks) {
   const auto ramp = runs[1].blocks.blocks.begin() + 60;
   runs[1].blocks.blocks.erase(ramp + 80, runs[1].blocks.blocks.end());
   runs[1].blocks.blocks.erase(runs[1].blocks.blocks.begin(), ramp);
-  const auto found = turn_on_biases(lacking, runs);
+  const auto found = turn_on_biases(lacking, runs).biases;
   ASSERT_EQ(found.size(), 1U);
   EXPECT_FALSE(found[0].certain) << found[0].above_dph << " +- " << found[0].sigma_dph;
   EXPECT_GT(std::abs(found[0].above_dph), 0.02);  // which noise alone would not make
+}
+
+// A model of a bias alone, and what the drift does with temperature lies between the runs.
+TEST(TurnOnBias, IsNotSaidOfADriftWithTemperatureThatTheModelLacks) {
+  std::vector<compare::RunInBlocks> runs;
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    recording::Recording run = fog::test::thinned(
+        fog::test::recording_of(fog::test::model_of({}), fog::test::kQuietNoise, 1 + i), 6);
+    for (std::size_t row = 0; row < run.rows(); ++row) {
+      run.temperature_degc[row] =
+          20.0 * static_cast<double>(i) - 40 + 0.0005 * (run.temperature_degc[row] - 20);
+      run.rate_dph[row] += 0.01 * run.temperature_degc[row];
+    }
+    run.file = std::to_string(i) + ".csv";
+    runs.push_back(compare::run_in_blocks(run, 60));
+  }
+  const compare::TurnOn found =
+      turn_on_biases(in_minutes(fog::test::model_of(model::parse_effects("bias"))), runs);
+  EXPECT_EQ(found.first_certain(), nullptr);
+  EXPECT_TRUE(found.differs);
 }
 
 // The power is off at the end of the first half.
@@ -76,7 +124,8 @@ TEST(TurnOnBias, WithinARunIsSaidWithItsTime) {
   }
   recording::find_stretches(recording);
   const auto found =
-      turn_on_biases(in_minutes(fog::test::truth()), {compare::run_in_blocks(recording, 60)});
+      turn_on_biases(in_minutes(fog::test::truth()), {compare::run_in_blocks(recording, 60)})
+          .biases;
   ASSERT_EQ(found.size(), 1U);
   EXPECT_TRUE(found[0].certain);
   EXPECT_NEAR(found[0].from_s, recording.time_s[restart], 60);
@@ -86,7 +135,7 @@ TEST(TurnOnBias, WithinARunIsSaidWithItsTime) {
 TEST(TurnOnBias, OfOneRunIsNotAsked) {
   std::vector<compare::RunInBlocks> runs = two_runs(1, 0.12);
   runs.pop_back();
-  EXPECT_TRUE(turn_on_biases(in_minutes(fog::test::truth()), runs).empty());
+  EXPECT_TRUE(turn_on_biases(in_minutes(fog::test::truth()), runs).biases.empty());
 }
 
 }  // namespace

@@ -83,7 +83,7 @@ TEST(SignalSeries, KnowsThePowerOnsOfARecording) {
     EXPECT_EQ(power_ons[1].first, 60U);
     EXPECT_GE(series.rows().time_s[power_ons[1].first], 4200);
     EXPECT_EQ(power_ons[2].first, series.rows().run_starts[1]);
-    series.keep_bias(true);
+    series.share_bias(BiasOf::recording);
     EXPECT_EQ(series.rows().power_ons().size(), 2U);
   }
 }
