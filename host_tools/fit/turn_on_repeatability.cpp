@@ -82,6 +82,13 @@ double chance_of_ratio(double ratio, double above, double below) {
   return x < (a + 1) / (a + b + 2) ? part(x, a, b) : 1 - part(1 - x, b, a);
 }
 
+// A^-1 B for a symmetric A that may be singular up to rounding: a shape may be known exactly.
+Eigen::MatrixXd divided(const Eigen::MatrixXd& b, const Eigen::MatrixXd& a) {
+  Eigen::MatrixXd result(b.rows(), b.cols());
+  for (Eigen::Index i = 0; i < b.cols(); ++i) result.col(i) = solve_semidefinite(a, b.col(i));
+  return result;
+}
+
 // What the linear unknowns do with a change of the offsets, shapes held: linear x offsets.
 Eigen::MatrixXd gain(double repeatability_dph, const series::ColumnRange& offsets,
                      Eigen::Index linear, const Eigen::MatrixXd& covariance) {
@@ -89,14 +96,14 @@ Eigen::MatrixXd gain(double repeatability_dph, const series::ColumnRange& offset
   Eigen::MatrixXd held = covariance.topLeftCorner(linear, linear);
   if (shapes > 0) {
     const Eigen::MatrixXd with_shapes = covariance.topRightCorner(linear, shapes);
-    held -= with_shapes * inverse_of_definite(covariance.bottomRightCorner(shapes, shapes)) *
-            with_shapes.transpose();
+    held -= with_shapes *
+            divided(with_shapes.transpose(), covariance.bottomRightCorner(shapes, shapes));
   }
   const Eigen::MatrixXd with_offsets = held.middleCols(offsets.first, offsets.count);
   const Eigen::MatrixXd expected =
       with_offsets.middleRows(offsets.first, offsets.count) +
       repeatability_dph * repeatability_dph * covariance_of_offsets(offsets.count);
-  return with_offsets * inverse_of_definite(expected);
+  return divided(with_offsets.transpose(), expected).transpose();
 }
 
 // For any gain: Joseph's form.
@@ -165,7 +172,7 @@ TurnOnRepeatability turn_on_repeatability(const NoiseWeightedFit& fit,
 
 double chance_of_biases(const KnownRegressors& known, const std::vector<model::EffectTerm>& before,
                         const std::vector<model::EffectTerm>& after, const JudgedWith& with) {
-  constexpr double kTries = 24;  // of a shape: what shape_search tries
+  constexpr double kTries = 24;  // of a shape: what shape_search tries of most
   const Differences without = left_by(known, before, with);
   const Differences left = left_by(known, after, with);
   const auto taken = static_cast<double>(without.squares.size() - left.squares.size());

@@ -28,5 +28,26 @@ TEST(StructureWords, NameTheInputsOnWhichNothingDependsAndWhatGoesWithTheInputRa
   EXPECT_EQ(structure_words(run), "at the noise floor, yet it depends on input rate");
 }
 
+TEST(TurnOnSentences, NameABiasThatIsCertainAndElseWhatWouldTell) {
+  compare::TurnOn turn_on;
+  turn_on.biases.push_back({"second.csv", 0, "first.csv", -0.12, 0.01, true});
+  turn_on.biases.push_back({"third.csv", 0, "first.csv", 0.02, 0.01, false});
+  turn_on.repeatability_dph = 0.08;
+  turn_on.differs = true;
+  std::vector<Text> said = turn_on_sentences(turn_on);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said[0].plain().find("turn-on bias: second.csv is 0.12"), 0U) << said[0].plain();
+  EXPECT_NE(said[0].plain().find("deg/h below first.csv"), std::string::npos) << said[0].plain();
+
+  turn_on.biases[0].certain = false;
+  said = turn_on_sentences(turn_on);
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_NE(said[0].plain().find("differs by 0.08 deg/h (one sigma)"), std::string::npos);
+  EXPECT_NE(said[0].plain().find("would tell"), std::string::npos);
+
+  turn_on.differs = false;
+  EXPECT_TRUE(turn_on_sentences(turn_on).empty());
+}
+
 }  // namespace
 }  // namespace fogcomp::findings

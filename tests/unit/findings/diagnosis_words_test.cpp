@@ -181,6 +181,18 @@ TEST(DiagnosisWords, SayThatTheBiasChangesFromOnePowerOnToTheNext) {
             std::string::npos);
 }
 
+TEST(DiagnosisWords, SayThatAnEffectShowsBetweenRecordingsOnly) {
+  diagnosis::NextStep next;
+  next.addition = tried({"bias_temperature"});
+  next.only_between_recordings = true;
+  diagnosis::Diagnosis diagnosis = only_together();
+  diagnosis.verdict = diagnosis::Verdict::missing_effect;
+  const DiagnosisWords words = words_of(diagnosis, next, kFiles);
+  EXPECT_EQ(words.command, "fogcomp add x.model bias_temperature run.csv -o NEW.model");
+  EXPECT_NE(join(words.limits, "\n").find("bias_temperature shows between the recordings"),
+            std::string::npos);
+}
+
 // Another programme would have another first heat: only a repetition tells.
 TEST(DiagnosisWords, AskForTheSameProgrammeAgainAfterAFirstHeat) {
   diagnosis::Diagnosis diagnosis = only_together();
