@@ -106,7 +106,11 @@ Eigen::MatrixXd gain(double repeatability_dph, const series::ColumnRange& offset
   return divided(with_offsets.transpose(), expected).transpose();
 }
 
-// For any gain: Joseph's form.
+double power_ons_of(const series::ColumnRange& offsets) {
+  return static_cast<double>(offsets.count + 1);
+}
+
+// For any gain: Joseph's form. The bias becomes the mean of these power-ons.
 Eigen::MatrixXd covariance_after(const Eigen::MatrixXd& before, const Eigen::MatrixXd& gain,
                                  double spread_square, const BiasColumns& columns) {
   const auto& [bias, offsets] = columns;
@@ -115,15 +119,14 @@ Eigen::MatrixXd covariance_after(const Eigen::MatrixXd& before, const Eigen::Mat
   Eigen::MatrixXd of_spread = Eigen::MatrixXd::Zero(before.rows(), offsets.count);
   of_spread.topRows(gain.rows()) = gain;
   Eigen::MatrixXd mean = Eigen::MatrixXd::Identity(before.rows(), before.cols());
-  const auto power_ons = static_cast<double>(offsets.count + 1);
-  if (bias) mean.row(*bias).segment(offsets.first, offsets.count).setConstant(1 / power_ons);
-  Eigen::MatrixXd after =
-      mean *
-      (change * before * change.transpose() +
-       spread_square * of_spread * covariance_of_offsets(offsets.count) * of_spread.transpose()) *
-      mean.transpose();
-  if (bias) after(*bias, *bias) += spread_square / power_ons;
-  return after;
+  if (bias) {
+    mean.row(*bias).segment(offsets.first, offsets.count).setConstant(1.0 / power_ons_of(offsets));
+  }
+  return mean *
+         (change * before * change.transpose() + spread_square * of_spread *
+                                                     covariance_of_offsets(offsets.count) *
+                                                     of_spread.transpose()) *
+         mean.transpose();
 }
 
 }  // namespace
@@ -197,6 +200,9 @@ void expect_repeatability(double repeatability_dph, const BiasColumns& columns,
   fit.whitened_residual += fit.whitened.leftCols(fit.linear()) * change;
   const double spread_square = repeatability_dph * repeatability_dph;
   covariance = covariance_after(covariance, gains, spread_square, columns);
+  if (columns.bias) {
+    covariance(*columns.bias, *columns.bias) += spread_square / power_ons_of(offsets);
+  }
   // This one is for noise as expected: what differs from it is in the misfit.
   const double unit = std::pow(std::max(1.0, fit.birge_ratio()), 2);
   fit.covariance = covariance_after(fit.covariance, gains, spread_square / unit, columns);

@@ -165,7 +165,8 @@ TEST(TurnOnRepeatability, MakesOfFreeOffsetsWhatGeneralisedLeastSquaresFinds) {
         EXPECT_NEAR(found[i], expected[i], 1e-6 * sigma) << i << ", " << within << ", " << spread;
         EXPECT_NEAR(std::sqrt(of_coefficients(i, i)), sigma, 1e-6 * sigma)
             << i << ", " << within << ", " << spread;
-        EXPECT_NEAR(std::sqrt(fit.covariance(i, i)), sigma, 1e-6 * sigma);
+        const double of_biases = i == 0 ? spread * spread / kPowerOns : 0;
+        EXPECT_NEAR(fit.covariance(i, i) + of_biases, sigma * sigma, 1e-6 * sigma * sigma);
       }
       EXPECT_NEAR((measured - fit.columns * fit.coefficients - fit.residual_dph).norm(), 0, 1e-9);
     }
