@@ -9,6 +9,7 @@
 #include "noise/whitening.hpp"
 #include "support/decompositions.hpp"
 #include "support/least_squares.hpp"
+#include "support/variance_ratio.hpp"
 
 namespace fogcomp::fit {
 namespace {
@@ -56,30 +57,6 @@ Differences left_by(const KnownRegressors& known, const std::vector<model::Effec
   return differences(problem.jacobian(model::shape_parameters(terms)),
                      whitening.apply(run_offset_columns(rows)), problem.measured(),
                      count_of(with.row_weights));
-}
-
-// Probability that a ratio of two variances with so many degrees of freedom is larger: the
-// regularised incomplete beta function by its continued fraction (Abramowitz & Stegun 26.5.8).
-double chance_of_ratio(double ratio, double above, double below) {
-  constexpr int kTerms = 400;
-  const double x = below / (below + above * ratio);
-  const double a = below / 2;
-  const double b = above / 2;
-  const auto part = [&](double y, double p, double q) {  // converges for y < (p + 1) / (p + q + 2)
-    double fraction = 1;
-    for (int i = kTerms; i > 0; --i) {
-      const double m = i / 2;
-      const double term = i % 2 == 0 ? m * (q - m) * y / ((p + 2 * m - 1) * (p + 2 * m))
-                                     : -(p + m) * (p + q + m) * y / ((p + 2 * m) * (p + 2 * m + 1));
-      fraction = 1 + term / fraction;
-    }
-    const double log = p * std::log(y) + q * std::log1p(-y) + std::lgamma(p + q) - std::lgamma(p) -
-                       std::lgamma(q) - std::log(p);
-    return std::exp(log) / fraction;
-  };
-  if (x <= 0) return 0;
-  if (x >= 1) return 1;
-  return x < (a + 1) / (a + b + 2) ? part(x, a, b) : 1 - part(1 - x, b, a);
 }
 
 // A^-1 B for a symmetric A that may be singular up to rounding: a shape may be known exactly.
@@ -187,7 +164,7 @@ double chance_of_biases(const KnownRegressors& known, const std::vector<model::E
   const auto shapes = static_cast<double>(model::shape_parameters(after).size()) -
                       static_cast<double>(model::shape_parameters(before).size());
   return std::min(1.0, std::pow(kTries, std::max(0.0, shapes)) *
-                           chance_of_ratio(std::max(0.0, ratio), taken, remaining));
+                           chance_of_variance_ratio(std::max(0.0, ratio), taken, remaining));
 }
 
 void expect_repeatability(double repeatability_dph, const BiasColumns& columns,

@@ -45,9 +45,9 @@ Eigen::MatrixXd covariance_of_offsets(Eigen::Index offsets);
 /// `repeatability_dph` (random effects; best linear unbiased prediction, Henderson 1975). So
 /// effects are found within the recordings as far as these show them, and between them as well as
 /// biases that vary allow: recordings at one temperature each tell a drift with temperature. Shapes
-/// are those found. Changes coefficients, residuals and covariance of the fit, in which the bias is
-/// the mean of these power-ons, and `covariance`, which is that of coefficient_covariance(), in
-/// which it is the mean of all to come.
+/// are those found. Changes coefficients, residuals and covariance of the fit, and `covariance`,
+/// which is that of coefficient_covariance(). In the fit's covariance the bias is the mean of these
+/// power-ons, in the other that of all to come; the coefficient stays the first power-on's.
 void expect_repeatability(double repeatability_dph, const BiasColumns& columns,
                           NoiseWeightedFit& fit, Eigen::MatrixXd& covariance);
 

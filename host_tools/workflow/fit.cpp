@@ -1,5 +1,6 @@
 #include "workflow/fit.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "compare/board_delay.hpp"
@@ -87,17 +88,18 @@ void write_history(FitOutcome& outcome, const FitRequest& request, const WantedM
 }
 
 // Each power-on has its own bias if that is asked for, or if they differ: one for all would bend
-// the effects, which then had to make up for it. Sets `settings.run_offsets`.
+// the effects, which then had to make up for it. Sets `settings.run_offsets`, and `turn_on` if it
+// was asked of the model that stays.
 fit::FitResult fit_effects(model::Model& model, const fit::KnownRegressors& known,
                            fit::IdentifySettings& settings, const fit::TrainingRuns& training,
-                           const Observer& observer) {
+                           const Observer& observer, std::optional<compare::TurnOn>& turn_on) {
   const model::Model unfitted = model;
   settings.progress = observer.of_stage(kFittingEffects);
   fit::FitResult result = fit::fit_effects(model, known, settings);
-  if (settings.run_offsets || !compare::have_several_power_ons(training.runs) ||
-      !fit::turn_on_biases(model, training.runs).can_be_own()) {
-    return result;
-  }
+  if (settings.run_offsets) return result;
+  turn_on = fit::turn_on_biases(model, training.runs);
+  if (!turn_on->can_be_own()) return result;
+  turn_on.reset();
   model = unfitted;
   settings.run_offsets = true;
   settings.progress = observer.of_stage(kFittingBiases);
@@ -151,6 +153,7 @@ FitOutcome fit(const FitRequest& request, fit::TrainingRuns training, const Obse
   observer.say(training.notes);
   observer.say(training.doubts);
   model.noise_dph_rthz = training.noise_dph_rthz;
+  std::optional<compare::TurnOn> turn_on;
   {
     // destroyed before the comparison below builds its own: it is large
     series::SignalSeries series(model);
@@ -160,7 +163,7 @@ FitOutcome fit(const FitRequest& request, fit::TrainingRuns training, const Obse
     if (wanted.order_by_validation) choose_order(model.terms, series.rows());
     observer.tell(kFittingEffects, 0);
     const fit::KnownRegressors known(series);
-    outcome.result = fit_effects(model, known, settings.identify, training, observer);
+    outcome.result = fit_effects(model, known, settings.identify, training, observer, turn_on);
     if (observer.progress) {
       settings.network.training.go_on = [&](double done) {
         return observer.should_continue(kTraining, done);
@@ -172,7 +175,8 @@ FitOutcome fit(const FitRequest& request, fit::TrainingRuns training, const Obse
                            0);  // the result is kept even if the user has ended the training
   outcome.delay_rms_dph = compare::delay_error_dph(model, training.runs);
   outcome.physical_lags = fit::physical_lags(model, training.runs, settings.identify.run_offsets);
-  outcome.turn_on = fit::turn_on_biases(model, training.runs);
+  const bool is_known = turn_on && !model.network.present();
+  outcome.turn_on = is_known ? std::move(*turn_on) : fit::turn_on_biases(model, training.runs);
   for (const fit::FoundStep& step : outcome.result.identified.steps) {
     const compare::RunInBlocks& run = training.runs[step.run];
     outcome.step_places.push_back(run.file + ", " + segment_at(run, step.time_s));

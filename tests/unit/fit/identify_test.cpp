@@ -123,11 +123,9 @@ TEST(Identify, FindsADriftWithTemperatureBetweenPowerOnsOfOneTemperatureEach) {
   Model model = fog::test::model_of(model::parse_effects("bias,bias_temperature:order=1"));
   series::SignalSeries series(model);
   for (std::size_t i = 0; i < biases_dph.size(); ++i) {
-    const double soak_degc = -30 + 20 * static_cast<double>(i % 4);
-    recording::Recording run =
-        fog::test::recording_of(fog::test::model_of({}), {0.024, 0, 300}, i + 1);
+    recording::Recording run = fog::test::static_recording(-30 + 20 * static_cast<double>(i % 4),
+                                                           0.001, {0.024, 0, 300}, i + 1);
     for (std::size_t row = 0; row < run.rows(); ++row) {
-      run.temperature_degc[row] = soak_degc + 0.001 * (run.temperature_degc[row] - 20);
       run.rate_dph[row] += 5 + biases_dph[i] + 0.02 * (run.temperature_degc[row] - 20);
     }
     series.add(series::make_blocks(run));

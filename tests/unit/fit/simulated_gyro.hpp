@@ -81,6 +81,14 @@ inline fogcomp::recording::Recording recording_of(const fogcomp::model::Model& t
   return recording;
 }
 
+/// Noise alone, at one temperature but for so much `within` of what recording_of() has.
+inline fogcomp::recording::Recording static_recording(double soak_degc, double within,
+                                                      const RowNoise& noise, std::uint64_t seed) {
+  fogcomp::recording::Recording recording = recording_of(model_of({}), noise, seed);
+  for (double& degc : recording.temperature_degc) degc = soak_degc + within * (degc - 20);
+  return recording;
+}
+
 /// Every `step`-th row: a recording as long, in longer rows, for less work.
 inline fogcomp::recording::Recording thinned(fogcomp::recording::Recording recording,
                                              std::size_t step) {

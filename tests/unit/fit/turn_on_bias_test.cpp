@@ -50,26 +50,30 @@ TEST(TurnOnBias, IsHardlyEverSaidOfRunsThatDifferByNoise) {
   EXPECT_LE(said, 3);  // of 40, at 1 %
 }
 
+// Runs at one temperature each, in rows of a minute, with a slope in temperature and biases of
+// +-`above_dph` in turn.
+std::vector<compare::RunInBlocks> static_runs(double above_dph) {
+  std::vector<compare::RunInBlocks> runs;
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    recording::Recording run =
+        fog::test::thinned(fog::test::static_recording(20.0 * static_cast<double>(i) - 40, 0.0005,
+                                                       fog::test::kQuietNoise, 1 + i),
+                           6);
+    for (std::size_t row = 0; row < run.rows(); ++row)
+      run.rate_dph[row] += above_dph * (i % 2 == 0 ? 1 : -1) + 0.01 * run.temperature_degc[row];
+    run.file = std::to_string(i) + ".csv";
+    runs.push_back(compare::run_in_blocks(run, 60));
+  }
+  return runs;
+}
+
 // Runs at one temperature each, with biases of their own: their drift with temperature cannot be
 // told from the biases, and that is said.
 TEST(TurnOnBias, OfRunsAtOneTemperatureEachIsSaidOfAllTogether) {
   for (const double repeatability_dph : {0.0, 0.3}) {
-    std::vector<compare::RunInBlocks> runs;
-    for (std::uint64_t i = 0; i < 6; ++i) {
-      recording::Recording run = fog::test::thinned(
-          fog::test::recording_of(fog::test::model_of({}), fog::test::kQuietNoise, 1 + i), 6);
-      const double above_dph = repeatability_dph * (i % 2 == 0 ? 1 : -1);
-      for (std::size_t row = 0; row < run.rows(); ++row) {
-        run.temperature_degc[row] =
-            20.0 * static_cast<double>(i) - 40 + 0.0005 * (run.temperature_degc[row] - 20);
-        run.rate_dph[row] += above_dph + 0.01 * run.temperature_degc[row];
-      }
-      run.file = std::to_string(i) + ".csv";
-      runs.push_back(compare::run_in_blocks(run, 60));
-    }
     const compare::TurnOn found = turn_on_biases(
         in_minutes(fog::test::model_of(model::parse_effects("bias,bias_temperature:order=1"))),
-        runs);
+        static_runs(repeatability_dph));
     ASSERT_EQ(found.biases.size(), 5U);
     EXPECT_EQ(found.first_certain(), nullptr);
     EXPECT_EQ(found.differs, repeatability_dph > 0);
@@ -93,20 +97,8 @@ TEST(TurnOnBias, IsNotSaidOfADriftThatTheModelLacks) {
 
 // A model of a bias alone, and what the drift does with temperature lies between the runs.
 TEST(TurnOnBias, IsNotSaidOfADriftWithTemperatureThatTheModelLacks) {
-  std::vector<compare::RunInBlocks> runs;
-  for (std::uint64_t i = 0; i < 6; ++i) {
-    recording::Recording run = fog::test::thinned(
-        fog::test::recording_of(fog::test::model_of({}), fog::test::kQuietNoise, 1 + i), 6);
-    for (std::size_t row = 0; row < run.rows(); ++row) {
-      run.temperature_degc[row] =
-          20.0 * static_cast<double>(i) - 40 + 0.0005 * (run.temperature_degc[row] - 20);
-      run.rate_dph[row] += 0.01 * run.temperature_degc[row];
-    }
-    run.file = std::to_string(i) + ".csv";
-    runs.push_back(compare::run_in_blocks(run, 60));
-  }
   const compare::TurnOn found =
-      turn_on_biases(in_minutes(fog::test::model_of(model::parse_effects("bias"))), runs);
+      turn_on_biases(in_minutes(fog::test::model_of(model::parse_effects("bias"))), static_runs(0));
   EXPECT_EQ(found.first_certain(), nullptr);
   EXPECT_TRUE(found.differs);
 }

@@ -84,17 +84,16 @@ TEST(TurnOnRepeatability, IsThatOfThePowerOnsAndNoneOfEqualOnes) {
 }
 
 // Static runs in rows of a minute at 20 degC apart, with these biases.
-std::vector<recording::Recording> static_runs(const std::vector<double>& biases_dph,
-                                              double dph_per_degc, double within) {
+std::vector<recording::Recording> runs_apart(const std::vector<double>& biases_dph,
+                                             double dph_per_degc, double within) {
   std::vector<recording::Recording> runs;
   for (std::size_t i = 0; i < biases_dph.size(); ++i) {
-    recording::Recording run = fog::test::thinned(
-        fog::test::recording_of(fog::test::model_of({}), fog::test::kQuietNoise, i + 1), 6);
-    for (std::size_t row = 0; row < run.rows(); ++row) {
-      run.temperature_degc[row] =
-          20.0 * static_cast<double>(i) - 40 + within * (run.temperature_degc[row] - 20);
+    recording::Recording run =
+        fog::test::thinned(fog::test::static_recording(20.0 * static_cast<double>(i) - 40, within,
+                                                       fog::test::kQuietNoise, i + 1),
+                           6);
+    for (std::size_t row = 0; row < run.rows(); ++row)
       run.rate_dph[row] += biases_dph[i] + dph_per_degc * run.temperature_degc[row];
-    }
     runs.push_back(std::move(run));
   }
   return runs;
@@ -125,16 +124,16 @@ TEST(TurnOnRepeatability, IsSeldomTakenForADriftBetweenRecordings) {
   for (int draw = 0; draw < kDraws; ++draw) {
     std::vector<double> biases_dph;
     for (int i = 0; i < 5; ++i) biases_dph.push_back(0.3 * normal(random));
-    below_a_tenth += chance_of_slope(static_runs(biases_dph, 0, 1e-4)) < 0.1 ? 1 : 0;
+    below_a_tenth += chance_of_slope(runs_apart(biases_dph, 0, 1e-4)) < 0.1 ? 1 : 0;
   }
   EXPECT_GE(below_a_tenth, 3);
   EXPECT_LE(below_a_tenth, 19);
   const std::vector<double> biases_dph{0.1, -0.1, 0.1, 0, -0.1};
-  EXPECT_LT(chance_of_slope(static_runs(biases_dph, 0.02, 1e-4)), 0.01);
+  EXPECT_LT(chance_of_slope(runs_apart(biases_dph, 0.02, 1e-4)), 0.01);
   // Each sees the slope, and a bias is no drift within a recording.
-  EXPECT_EQ(chance_of_slope(static_runs(biases_dph, 0.02, 1)), 0);
+  EXPECT_EQ(chance_of_slope(runs_apart(biases_dph, 0.02, 1)), 0);
   // Two recordings leave none to judge it.
-  EXPECT_EQ(chance_of_slope(static_runs({0.1, -0.1}, 0.02, 1e-4)), 1);
+  EXPECT_EQ(chance_of_slope(runs_apart({0.1, -0.1}, 0.02, 1e-4)), 1);
 }
 
 // Against generalised least squares with the covariance I + spread^2 Z Z' of the rows.

@@ -1,0 +1,35 @@
+#include "support/variance_ratio.hpp"
+
+#include <cmath>
+
+namespace fogcomp {
+namespace {
+
+// Regularised incomplete beta function by its continued fraction (Abramowitz & Stegun 26.5.8),
+// which converges for x < (a + 1) / (a + b + 2).
+double incomplete_beta(double x, double a, double b) {
+  constexpr int kTerms = 400;
+  double fraction = 1;
+  for (int i = kTerms; i > 0; --i) {
+    const double m = i / 2;
+    const double term = i % 2 == 0 ? m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m))
+                                   : -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1));
+    fraction = 1 + term / fraction;
+  }
+  const double log = a * std::log(x) + b * std::log1p(-x) + std::lgamma(a + b) - std::lgamma(a) -
+                     std::lgamma(b) - std::log(a);
+  return std::exp(log) / fraction;
+}
+
+}  // namespace
+
+double chance_of_variance_ratio(double ratio, double above, double below) {
+  const double x = below / (below + above * ratio);
+  const double a = below / 2;
+  const double b = above / 2;
+  if (x <= 0) return 0;
+  if (x >= 1) return 1;
+  return x < (a + 1) / (a + b + 2) ? incomplete_beta(x, a, b) : 1 - incomplete_beta(1 - x, b, a);
+}
+
+}  // namespace fogcomp
