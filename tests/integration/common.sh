@@ -21,3 +21,12 @@ value() {
     "$file" "$*" >value.cmake
   cmake -P value.cmake 2>&1
 }
+
+# awk with normal(), a draw of a standard normal distribution, beside what the program defines.
+awk_normal() {
+  local arguments=("$@")
+  local program=$((${#arguments[@]} - 1))
+  arguments[program]="function normal() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307 * rand()) }
+${arguments[program]}"
+  awk "${arguments[@]}"
+}

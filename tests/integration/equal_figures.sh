@@ -93,7 +93,7 @@ done
 
 # A rate table at 10 Hz with a new rate every 20 s. The board knows the rate of the second before: what it makes of that
 # is most of its error. Rows of 1 s, of which one in twenty is late.
-awk 'function normal(u, v) { u = 1 - rand(); v = rand(); return sqrt(-2 * log(u)) * cos(6.283185307 * v) }
+awk_normal '
   BEGIN {
     srand(7)
     print "time_s,temperature_degc,rate_dph,input_rate_dph"

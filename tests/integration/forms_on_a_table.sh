@@ -10,8 +10,7 @@ enter_scratch
 # gyro NAME SEED RATES TEMPERATURES SETTLING ASYMMETRY: 1 Hz; RATES: deg/s, 60 s each, again and again; TEMPERATURES:
 # degC:hours, ramps; ppm at power-on, ppm/K.
 gyro() {
-  awk -v seed="$2" -v rates="$3" -v temperatures="$4" -v settling="$5" -v asymmetry="$6" '
-    function noise() { return sqrt(-2 * log(1 - rand())) * cos(6.2831853 * rand()) }
+  awk_normal -v seed="$2" -v rates="$3" -v temperatures="$4" -v settling="$5" -v asymmetry="$6" '
     BEGIN {
       srand(seed)
       print "time_s,temperature_degc,rate_dph,input_rate_dph"
@@ -26,7 +25,7 @@ gyro() {
           w = 3600 * rate[1 + int(n / 60) % holds]
           drift = 0.5 + 0.003 * (coil - 20) + 1e-6 * (settling * exp(-n / 2500) * w + \
             asymmetry * (coil - 20) * (w < 0 ? -w : w))
-          printf "%d,%.4f,%.4f,%.4f\n", n, coil + 0.02 * noise(), w + drift + 0.6 * noise(), w
+          printf "%d,%.4f,%.4f,%.4f\n", n, coil + 0.02 * normal(), w + drift + 0.6 * normal(), w
           ++n
         }
       }

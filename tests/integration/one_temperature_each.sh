@@ -9,8 +9,7 @@ enter_scratch
 # record FILE DEGC BIAS: half an hour at 1 Hz, of 5 deg/h, that bias, and a parabola of the temperature.
 seed=1
 record() {
-  awk -v soak="$2" -v bias="$3" -v seed="$((seed++))" '
-    function normal() { return sqrt(-2 * log(1 - rand())) * cos(6.283185307 * rand()) }
+  awk_normal -v soak="$2" -v bias="$3" -v seed="$((seed++))" '
     BEGIN {
       srand(seed)
       print "time_s,temperature_degc,rate_dph"

@@ -10,8 +10,7 @@ enter_scratch
 
 # gyro NAME SEED RATES TEMPERATURES: 10 Hz; RATES: deg/s:seconds, again and again; TEMPERATURES: degC:hours, ramps.
 gyro() {
-  awk -v seed="$2" -v rates="$3" -v temperatures="$4" '
-    function noise() { return sqrt(-2 * log(1 - rand())) * cos(6.2831853 * rand()) }
+  awk_normal -v seed="$2" -v rates="$3" -v temperatures="$4" '
     BEGIN {
       srand(seed)
       print "time_s,temperature_degc,rate_dph,input_rate_dph"
@@ -36,8 +35,8 @@ gyro() {
           }
           k = source - 20
           drift = 0.5 + 0.004 * (coil - 20) + moved * 3600e-6 * (80 + 15 * k + 0.3 * k * k)
-          printf "%.1f,%.4f,%.4f,%.4f\n", ++row / 10, 0.0625 * int((coil + 0.02 * noise()) / 0.0625 + 100.5) - 6.25,
-            3600 * moved + drift + 0.95 * noise(), 3600 * recorded
+          printf "%.1f,%.4f,%.4f,%.4f\n", ++row / 10, 0.0625 * int((coil + 0.02 * normal()) / 0.0625 + 100.5) - 6.25,
+            3600 * moved + drift + 0.95 * normal(), 3600 * recorded
         }
       }
     }' >"$1.csv"
