@@ -46,7 +46,7 @@ Ripple best_period(const Eigen::VectorXd& temperature, const Eigen::VectorXd& le
   std::vector<std::complex<double>> sums(kFrequencies);
   for (Eigen::Index row = 0; row < left.size(); ++row) {
     const double angle = 2 * M_PI * temperature[row];
-    std::complex<double> phasor = std::polar(left[row], angle * kMinFrequency);
+    std::complex<double> phasor = left[row] * std::polar(1.0, angle * kMinFrequency);
     const std::complex<double> turn = std::polar(1.0, angle * kFrequencyStep);
     for (std::complex<double>& sum : sums) {
       sum += phasor;
