@@ -170,7 +170,7 @@ TEST(Fixed, WidensTheRangeOfASaturatedProduct) {
 }
 
 TEST(CheckedFixed, CountsAnOverflowAndKnowsItsPlace) {
-  if (!fog::test::kChecked) GTEST_SKIP() << "not a checked build (preset host_sanitized)";
+  if (!fog::test::kChecked) GTEST_SKIP() << "not a checked build (preset tests)";
   const std::uint32_t before = fog::test::overflows();
   const auto sum = Q16::highest() + Q16::from_raw(1);
   EXPECT_EQ(sum, Q16::lowest());  // wraps, as on the board
