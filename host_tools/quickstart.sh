@@ -4,10 +4,19 @@
 # recording through that image in QEMU and through the same code on this computer.
 # Run again, it does only what has changed since.
 #
-# quickstart.sh [RATE [BUILD]]: samples per second of the recording (200), folder of what is built (build).
+# quickstart.sh [--page] [RATE [BUILD]]: samples per second of the recording (200), folder of what is built (build).
+# --page builds the engine of `fogcomp workbench` as well: emscripten, 0.8 GB of packages and some 5 min more.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source cmake/bootstrap/packages.sh
+
+workbench=()
+if [[ ${1:-} == --page ]]; then
+  build_packages+=(emscripten)
+  workbench=(-DFOG_WORKBENCH=ON)
+  shift
+fi
+[[ ${1:-} =~ ^[0-9.]*$ ]] || { sed -n '7,8s/^# //p' "$0" >&2; exit 2; }
 
 rate=${1:-200}
 build=${2:-build}
@@ -44,7 +53,8 @@ echo "all there"
 mkdir -p "$here"
 
 step "host tool"
-[[ -f $build/host/build.ninja ]] || quietly "$here/configure.log" cmake --preset host -B "$build/host" -DFOG_TESTS=OFF
+[[ -f $build/host/build.ninja && ${#workbench[@]} == 0 ]] ||
+  quietly "$here/configure.log" cmake --preset host -B "$build/host" "${workbench[@]}"
 quietly "$here/build.log" cmake --build "$build/host" --target fogcomp
 echo "$fogcomp"
 

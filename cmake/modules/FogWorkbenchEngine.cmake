@@ -1,14 +1,13 @@
-# fog_workbench_engine(TARGET): builds the engine of the workbench (host_tools/workbench/engine) with emscripten and
-# embeds it in TARGET, packed. Without emscripten TARGET is built all the same, and `fogcomp workbench` says what is
-# missing.
-option(FOG_WORKBENCH "Build the engine of `fogcomp workbench`, where emscripten is installed" ON)
+# fog_workbench_engine(): the engine of `fogcomp workbench` (host_tools/workbench/engine), built with emscripten:
+# `workbench_engine`, not part of `all`, makes it; `fogcomp_engine` are the objects that embed it in a program which
+# links them. FOG_WORKBENCH=ON embeds it in fogcomp. A fogcomp without it says what is missing.
+option(FOG_WORKBENCH "Embed the engine of `fogcomp workbench` in fogcomp (needs emscripten)" OFF)
 find_program(FOG_EMSCRIPTEN em++)
-function(fog_workbench_engine target)
-  if(NOT FOG_WORKBENCH OR FOG_SANITIZE)
-    return()
-  endif()
-  if(NOT FOG_EMSCRIPTEN)
-    message(STATUS "emscripten is missing: there will be no `fogcomp workbench`")
+function(fog_workbench_engine)
+  if(FOG_SANITIZE OR NOT FOG_EMSCRIPTEN)
+    if(FOG_WORKBENCH)
+      message(FATAL_ERROR "FOG_WORKBENCH needs emscripten (em++) and a build without sanitizers")
+    endif()
     return()
   endif()
   set(source "${CMAKE_CURRENT_SOURCE_DIR}/workbench/engine")
@@ -25,8 +24,9 @@ function(fog_workbench_engine target)
        "${CMAKE_CURRENT_SOURCE_DIR}/report/page/*" "${PROJECT_SOURCE_DIR}/firmware/core/*.[ch]pp")
   # Debian's emscripten looks for its acorn where Debian's Node has its modules.
   set(run "${CMAKE_COMMAND}" -E env NODE_PATH=/usr/share/nodejs "${CMAKE_COMMAND}")
+  set(files "${FOG_ENGINE_FOLDER}/engine.js" "${FOG_ENGINE_FOLDER}/engine.wasm.gz.base64")
   add_custom_command(
-    OUTPUT "${FOG_ENGINE_FOLDER}/engine.js" "${FOG_ENGINE_FOLDER}/engine.wasm.gz.base64"
+    OUTPUT ${files}
     COMMAND ${run} -S "${source}" -B "${FOG_ENGINE_FOLDER}" -G Ninja -DFOGCOMP_VERSION=${PROJECT_VERSION}
             -DCMAKE_TOOLCHAIN_FILE=${FOG_EMSCRIPTEN_TOOLCHAIN}
             -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
@@ -39,12 +39,13 @@ function(fog_workbench_engine target)
     COMMENT "Building the workbench's engine"
     VERBATIM)
   file(MAKE_DIRECTORY "${FOG_ENGINE_FOLDER}")
+  add_custom_target(workbench_engine DEPENDS ${files})
+
   set(assembly "${CMAKE_CURRENT_BINARY_DIR}/embedded_engine.S")
   configure_file(report/embedded_engine.S.in "${assembly}" @ONLY)
-  set_source_files_properties(
-    "${assembly}" PROPERTIES OBJECT_DEPENDS
-                             "${FOG_ENGINE_FOLDER}/engine.js;${FOG_ENGINE_FOLDER}/engine.wasm.gz.base64")
-  target_sources(${target} PRIVATE "${assembly}")
-  set_source_files_properties(report/embedded_engine.cpp PROPERTIES COMPILE_DEFINITIONS FOGCOMP_ENGINE
-                                                                     SKIP_UNITY_BUILD_INCLUSION ON)
+  set_source_files_properties("${assembly}" PROPERTIES OBJECT_DEPENDS "${files}")
+  add_library(fogcomp_engine OBJECT EXCLUDE_FROM_ALL "${assembly}" report/embedded_engine.cpp)
+  target_include_directories(fogcomp_engine PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+  target_compile_definitions(fogcomp_engine PRIVATE FOGCOMP_ENGINE)
+  add_dependencies(fogcomp_engine workbench_engine)
 endfunction()

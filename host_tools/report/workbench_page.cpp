@@ -10,8 +10,8 @@ namespace fogcomp::report {
 
 std::string why_no_workbench() {
   if (embedded_engine().module.empty()) {
-    return "this fogcomp was built without its engine for pages: install emscripten and build it "
-           "again";
+    return "this fogcomp was built without its engine for pages: host_tools/quickstart.sh --page "
+           "builds it";
   }
   if (plot_library_files().empty()) {
     return "this fogcomp was built without its plot library: install npm and build it again";

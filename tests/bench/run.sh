@@ -7,7 +7,7 @@ cd "$(dirname "$0")/../.."
 source cmake/bootstrap/packages.sh
 require_packages "${build_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}" || exit 2
 
-cmake --preset host -DFOG_BENCH=ON >/dev/null
+cmake --preset host -DFOG_TESTS=ON -DFOG_BENCH=ON -DFOG_WORKBENCH=ON >/dev/null
 cmake --build build/host --target wavelet_speed streaming_worth training_speed solver_speed fit_sweep fogcomp >/dev/null
 cmake --preset stm32f405 >/dev/null
 cmake --build build/stm32f405 --target denoiser_speed >/dev/null
@@ -31,16 +31,12 @@ echo "== streaming at 200 Hz"
 build/host/tests/bench/streaming_worth docs/examples/mems_chamber.csv
 echo
 echo "== a tick of the workbench's page, 5955 rows, in Node"
-if [[ -f build/host/host_tools/engine/engine.js ]]; then
-  build/host/fogcomp simulate -o build/host/workbench_speed.csv >/dev/null
-  node tests/bench/workbench_speed.mjs build/host/host_tools/engine/engine.js build/host/workbench_speed.csv
-  echo
-  echo "== the same in Chromium, from the click to the painted frame, ms"
-  build/host/fogcomp fit build/host/workbench_speed.csv -o build/host/workbench_speed.model \
-    --effects bias,bias_temperature:order=2,temperature_rate,temperature_rate_product >/dev/null
-  build/host/fogcomp workbench build/host/workbench_speed.model build/host/workbench_speed.csv \
-    -o build/host/workbench_speed.html >/dev/null
-  node tests/bench/workbench_ticks.mjs chromium build/host/workbench_speed.html
-else
-  echo "skipped: built without emscripten"
-fi
+build/host/fogcomp simulate -o build/host/workbench_speed.csv >/dev/null
+node tests/bench/workbench_speed.mjs build/host/host_tools/engine/engine.js build/host/workbench_speed.csv
+echo
+echo "== the same in Chromium, from the click to the painted frame, ms"
+build/host/fogcomp fit build/host/workbench_speed.csv -o build/host/workbench_speed.model \
+  --effects bias,bias_temperature:order=2,temperature_rate,temperature_rate_product >/dev/null
+build/host/fogcomp workbench build/host/workbench_speed.model build/host/workbench_speed.csv \
+  -o build/host/workbench_speed.html >/dev/null
+node tests/bench/workbench_ticks.mjs chromium build/host/workbench_speed.html
