@@ -1,34 +1,110 @@
 #!/usr/bin/env bash
-# All tests, on Debian 12 from nothing: sets the machine up, builds, runs CTest for the optimised build (property,
-# statistics, golden, target, integration, budget) and for the one under ASan and UBSan with every fixed-point
-# operation checked for overflow (unit, property again, and a million inputs of fuzzing).
+# tests/run.sh [--all | NAME...]: the tests, on Debian 12 from nothing; packages, build and run are one command.
+#
+# Without arguments what a user needs to trust what he installed. --all: every test there is. NAME is a test, a pattern
+# of tests ('target.*') or a kind (unit, golden, ...): only these run, and only what they need is built.
+# README.md beside this file lists the kinds.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source cmake/bootstrap/packages.sh
 
-require_packages "${build_packages[@]}" "${test_packages[@]}" || exit 2
+packages=("${build_packages[@]}" "${quick_packages[@]}")
+case ${1:-} in
+  --all) packages+=("${test_packages[@]}") ;;
+  -*) sed -n '2,6s/^# \?//p' "$0" >&2; exit 2 ;;
+esac
+require_packages "${packages[@]}" || exit 2
 
-# Many tests build the firmware or the tree again, all but a few of the objects as before.
+# Tests build images and, with --all, everything a second time under sanitizers.
 export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-export CCACHE_DIR=$PWD/build/ccache CCACHE_NOHASHDIR=1
+export CCACHE_DIR=$PWD/build/ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
 
-cmake --preset host -DFOG_TESTS=ON -DFOG_UNIT_TESTS=OFF
-CCACHE_BASEDIR=$PWD cmake --build build/host # so that a copy of the tree has the same names (own_effect.sh)
-cmake --preset host_sanitized
-CCACHE_DISABLE=1 cmake --build build/host_sanitized # nothing of it is built again: the cache would read it all twice
-
-results=build/host/test_results.txt
-status=0
 jobs=$(($(nproc) + 1)) # some tests wait, for a browser or for bytes on a line
-ctest --test-dir build/host --output-on-failure --no-tests=error -j "$jobs" | tee "$results" || status=1
-ctest --test-dir build/host_sanitized --output-on-failure --no-tests=error -j "$jobs" -L 'unit|property|fuzz' |
-  tee -a "$results" || status=1
+status=0
+results=build/test_results.txt
+mkdir -p build
+: >"$results"
 
-# The end, both builds together: what failed by name, then one plain line of counts.
-passed=$(grep -cE '^ *[0-9]+/[0-9]+ Test .* Passed ' "$results" || true)
-skipped=$(grep -cE '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped' "$results" || true)
-failed=$(($(grep -cE '^ *[0-9]+/[0-9]+ Test ' "$results" || true) - passed - skipped))
-grep -E '^ *[0-9]+/[0-9]+ Test ' "$results" | grep -vE ' Passed |\*\*\*Skipped' |
-  sed -E 's/^ *[0-9]+\/[0-9]+ Test +#[0-9]+: ([^ ]+) .*/failed: \1/' || true
-echo "$passed passed, $failed failed, $skipped skipped"
+# tests_of PRESET SELECTION...: the names that CTest selects, and the tests that prepare for them.
+tests_of() {
+  ctest --test-dir "build/$1" -N "${@:2}" | sed -nE 's/^ *Test +#[0-9]+: ([^ ]+)$/\1/p'
+}
+
+# run_tests PRESET SELECTION...: builds what the selected tests need and runs them.
+run_tests() {
+  local preset=$1 targets
+  shift
+  targets=$(awk 'NR == FNR { wanted[$1]; next } $1 in wanted { for (i = 3; i <= NF; ++i) print $i }' \
+    <(tests_of "$preset" "$@") "build/$preset/tests.txt" | sort -u)
+  # shellcheck disable=SC2086
+  [[ -z $targets ]] || cmake --build "build/$preset" --target $targets
+  ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$jobs" "$@" | tee -a "$results" ||
+    status=1
+}
+
+# configure PRESET: quietly, unless it fails.
+configure() {
+  cmake --preset "$1" >"build/configure_$1.txt" 2>&1 || { cat "build/configure_$1.txt" >&2; exit 1; }
+}
+
+# run_named PRESET NAME...: of the names those that the build of PRESET has; the others are in $unknown then.
+run_named() {
+  local preset=$1 name patterns=()
+  shift
+  unknown=()
+  configure "$preset"
+  for name in "$@"; do
+    local regex=${name//./[.]}
+    regex=${regex//\*/.*}
+    mapfile -t names < <(awk -v name="$name" -v regex="^($regex)$" \
+      '$1 ~ regex || ("," $2 ",") ~ ("," name ",") { print $1 }' "build/$preset/tests.txt")
+    if ((${#names[@]})); then patterns+=("${names[@]//./[.]}"); else unknown+=("$name"); fi
+  done
+  ((${#patterns[@]} == 0)) || run_tests "$preset" -R "^($(IFS='|'; echo "${patterns[*]}"))\$"
+}
+
+case ${1:-} in
+  '')
+    configure tests
+    run_tests tests -L quick
+    ;;
+  --all)
+    configure tests
+    run_tests tests
+    configure tests_sanitized
+    run_tests tests_sanitized
+    ;;
+  *)
+    run_named tests "$@"
+    if ((${#unknown[@]})) && command -v clang++ >/dev/null; then
+      run_named tests_sanitized "${unknown[@]}"
+    fi
+    if ((${#unknown[@]})); then
+      echo "no test and no kind of test: ${unknown[*]} (tests/README.md lists the kinds; build/tests/tests.txt all tests;" \
+        "what needs a browser, emscripten or clang is there once tests/run.sh --all has installed them)" >&2
+      exit 2
+    fi
+    ;;
+esac
+
+# The end: what failed, by name and by what it said, then one plain line of counts.
+awk '
+  /^ *[0-9]+\/[0-9]+ Test / {
+    name = $4
+    ++total
+    if (/ Passed /) { ++passed; name = "" }
+    else if (/\*\*\*Skipped/) { ++skipped; name = "" }
+    else failed[++failures] = name
+    next
+  }
+  name != "" && (/^\[  FAILED  \] [^ ]+[.][^ ]+/ || /^FAILED: /) {
+    sub(/^\[  FAILED  \] /, ""); sub(/^FAILED: /, ""); sub(/ \([0-9]+ ms\)$/, "")
+    if (!((name, $0) in seen)) said[name] = said[name] "\n  " $0
+    seen[name, $0]
+  }
+  END {
+    for (i = 1; i <= failures; ++i) print "failed: " failed[i] said[failed[i]]
+    printf "%d passed, %d failed, %d skipped\n", passed, failures, skipped
+  }' "$results"
 exit "$status"

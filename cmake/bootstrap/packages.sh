@@ -9,11 +9,13 @@ build_packages=(
 )
 # The plots of reports come from npm, whoever has installed it.
 command -v npm >/dev/null || build_packages+=(npm)
-# What the tests need beside that: the second line builds sanitized, the third compiles and runs the core for
+# What tests/run.sh needs beside that.
+quick_packages=(libgtest-dev ccache)
+# What tests/run.sh --all needs besides: the second line builds sanitized, the third compiles and runs the core for
 # another instruction set, the fourth is told how to flash a board, the fifth looks at package and manual, the sixth
 # makes the page that calculates.
 test_packages=(
-  libgtest-dev clang-format chromium ccache
+  clang-format chromium
   clang libclang-rt-dev
   gcc-riscv64-unknown-elf qemu-system-misc
   openocd stlink-tools dfu-util

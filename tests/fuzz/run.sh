@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 source cmake/bootstrap/packages.sh
 require_packages "${build_packages[@]}" "${test_packages[@]}" || exit 2
-build=build/host_sanitized
+build=build/tests_sanitized
 options=(-runs=100000000) targets=()
 for word in "$@"; do
   case $word in
@@ -18,7 +18,7 @@ for word in "$@"; do
 done
 ((${#targets[@]})) ||
   mapfile -t targets < <(sed -nE 's/^fog_fuzz\(([a-z_]+) .*/\1/p' tests/fuzz/CMakeLists.txt)
-cmake --preset host_sanitized >/dev/null
+cmake --preset tests_sanitized >/dev/null
 cmake --build "$build" --target make_seeds "${targets[@]/#/fuzz_}" >/dev/null
 "$build/tests/fuzz/make_seeds" "$build/tests/fuzz/seeds"
 printf '%s\n' "${targets[@]}" | xargs -P "$(nproc)" -I{} tests/fuzz/fuzz.sh "$build/tests/fuzz/fuzz_{}" \

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# quickstart.sh ROOT BUILD: the README's first command, whole, on a recording of 5 Hz: down to the image that gives what
-# the host gives. Run again, it makes nothing again.
+# quickstart.sh ROOT: the README's first command, whole, on a recording of 5 Hz: down to the image that gives what the
+# host gives. Run again, it makes nothing again. The tool is that of ROOT/build/host, built here if it is not there.
 set -euo pipefail
-root=${1:?usage: quickstart.sh ROOT BUILD}
-build=$(realpath "${2:?usage: quickstart.sh ROOT BUILD}")
+root=$(realpath "${1:?usage: quickstart.sh ROOT}")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-ln -s "$build" "$scratch/host" # the tool is built already
+mkdir -p "$root/build/host"
+ln -s "$root/build/host" "$scratch/host"
 
 "$root/host_tools/quickstart.sh" 5 "$scratch" 2>&1 | tee "$scratch/said.txt"
 (($(grep -c ' frames compared, 0 bytes differ$' "$scratch/said.txt") == 2)) || { echo "not compared" >&2; exit 1; }
