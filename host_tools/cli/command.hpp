@@ -87,7 +87,6 @@ CommandPointer find_command(const std::string& name);
 
 /// Text of `fogcomp COMMAND --help`: one screen. `complete`: `fogcomp help COMMAND`, with all
 /// options.
-/// option.
 std::string help_text(const Command& command, bool complete);
 
 }  // namespace fogcomp::cli

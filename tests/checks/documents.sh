@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# documents.sh ROOT: every relative link of every Markdown page leads to a file, every #anchor to a heading; lines
-# have at most 120 columns, but for tables; every deciding number of a diagnosis stands in DIAGNOSIS.md by its name,
-# and no other; CITATION.cff has the version of the build.
+# documents.sh ROOT: every relative link of every Markdown page leads to a file, every #anchor to a heading; every file
+# and folder of the tree that a page or a comment names is there; commands of pages name scripts, presets, targets, test
+# labels and subcommands that exist; lines have at most 120 columns, but for tables; every deciding number of a diagnosis
+# stands in DIAGNOSIS.md by its name, and no other; CITATION.cff has the version of the build.
 set -euo pipefail
 exec python3 - "${1:?usage: documents.sh ROOT}" <<'EOF'
 import os, re, sys, unicodedata
@@ -10,10 +11,80 @@ root = os.path.abspath(sys.argv[1])
 problems = []
 
 
-def pages():
-    for folder, folders, files in os.walk(root):
-        folders[:] = [f for f in folders if not f.startswith((".", "build")) and f != "node_modules"]
-        yield from (os.path.join(folder, f) for f in files if f.endswith(".md"))
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+files = []  # of the tree, from ROOT
+folders = set()
+for folder, below, names in os.walk(root):
+    below[:] = [f for f in below if not f.startswith((".", "build")) and f != "node_modules"]
+    files += [os.path.relpath(os.path.join(folder, name), root) for name in names]
+    folders |= {os.path.relpath(os.path.join(folder, name), root) for name in below}
+
+
+def of_type(*endings):
+    return sorted(os.path.join(root, file) for file in files if file.endswith(endings))
+
+
+# A place may be named by the end of its path, and a program or a pair of files without what its name ends with.
+places = files + [os.path.splitext(file)[0] for file in files] + sorted(folders)
+ends = {place[at:] for place in places for at in [0] + [i + 1 for i, c in enumerate(place) if c == "/"]}
+folder_names = {os.path.basename(folder) for folder in folders}
+source_name = re.compile(r"(?<![*\w])(?:[\w-]+/)*[\w-]+\.(?:[ch]pp|sh|py|mjs|cmake|ld|md)\b")
+
+
+def names_place(word):
+    """Whether it can only be meant as one of the tree: no placeholder like boards/NAME, no file of a user."""
+    if re.search(r"(?:^|/)[A-Z]{3,}(?:/|\.(?!md)|$)", word):
+        return False
+    return bool(source_name.fullmatch(word)) or (
+        bool(re.fullmatch(r"[a-z_0-9]+(?:/[a-z_0-9]+)+/?", word)) and word.split("/")[0] in folder_names
+    )
+
+
+def check_place(page, number, word):
+    if names_place(word) and word.rstrip("/") not in ends:
+        problems.append(f"{page}:{number}: {word} is not there")
+
+
+def check_comments():
+    for path in of_type(".cpp", ".hpp", ".mjs", ".sh", ".cmake", "CMakeLists.txt"):
+        comment = re.compile(r"//(.*)" if path.endswith(("pp", "mjs")) else r"^\s*#(.*)")
+        for number, line in enumerate(read(path).splitlines(), 1):
+            said = comment.search(line)
+            for word in source_name.findall(said[1]) if said else []:
+                check_place(path, number, word)
+
+
+# What commands may name: presets and targets, labels of tests and what their names are made of, subcommands.
+words_of_builds = set(re.findall(r"[\w-]+", " ".join(map(read, of_type("CMakeLists.txt", ".cmake", "Presets.json")))))
+words_of_tests = set(re.findall(r"\w+", " ".join(map(read, of_type("CMakeLists.txt", "_test.cpp")))))
+labels = set(re.findall(r"LABELS (\w+)|fog_gtest\(\S+ \S+ (\w+)", " ".join(map(read, of_type("CMakeLists.txt")))))
+labels = {one for pair in labels for one in pair if one}
+reference = os.path.join(root, "host_tools/REFERENCE.md")
+subcommands = set(re.findall(r"^### ([a-z]+)$", read(reference), re.M)) if os.path.exists(reference) else set()
+
+
+def check_command(page, number, text):
+    """TEXT: of a back-ticked span or a line of code."""
+    wrong = []
+    for script in re.findall(r"(?:^|[\s;&])((?:[\w.-]+/)+[\w-]+\.sh)\b", text):
+        if script in files and not os.access(os.path.join(root, script), os.X_OK):
+            wrong.append(f"{script} cannot be run")
+    if re.match(r"cmake\b", text):
+        named = re.findall(r"--(?:preset|target)[ =]([a-z]\w*)", text)
+        wrong += [f"no preset or target {name}" for name in named if name not in words_of_builds]
+    if re.match(r"ctest\b", text):
+        wrong += [f"no tests have the label {name}" for name in re.findall(r" -L (\w+)", text) if name not in labels]
+        for name in re.findall(r" -R (\S+)", text):
+            if name in labels or not set(re.findall(r"\w+", name)) <= words_of_tests:
+                wrong.append(f"no test has {name} in its name")
+    called = re.match(r"fogcomp ([a-z]+)(?= |$)", text)
+    if called and subcommands and called[1] not in subcommands | {"help"}:
+        wrong.append(f"fogcomp has no command {called[1]}")
+    problems.extend(f"{page}:{number}: {text.strip()}: {what}" for what in wrong)
 
 
 def lines_of(page):
@@ -59,7 +130,13 @@ def check_page(page):
         if len(line) > 120 and not line.lstrip().startswith("|"):
             problems.append(f"{page}:{number}: {len(line)} columns")
         if code or line.startswith("    "):
+            for part in re.split(r"&&|;", line):
+                check_command(page, number, part.strip())
             continue
+        for span in re.findall(r"`([^`]+)`", line):
+            check_command(page, number, span)
+            for word in span.split():
+                check_place(page, number, word.rstrip(".,;:"))
         for target in re.findall(r"\]\(([^)\s]+)\)", re.sub(r"`[^`]*`", "", line)):
             check_link(page, number, target)
 
@@ -69,16 +146,14 @@ def check_rules():
     page = os.path.join(root, "host_tools/DIAGNOSIS.md")
     if not os.path.exists(page):
         return
-    with open(rules, encoding="utf-8") as file:
-        names = set(re.findall(r"^(?:constexpr|inline const) .*?\b(k[A-Z]\w*)\b", file.read(), re.M))
-    with open(page, encoding="utf-8") as file:
-        text = file.read()
+    names = set(re.findall(r"^(?:constexpr|inline const) .*?\b(k[A-Z]\w*)\b", read(rules), re.M))
+    text = read(page)
     problems.extend(f"{page}: {name} of {rules} is not in it" for name in names if f"`{name}`" not in text)
     # Other numbers stand with the file that has them.
     for name in set(re.findall(r"`(k[A-Z]\w*)`", text)) - names:
         files = re.findall(rf"`{name}`[^`)]*`([a-z_/]+\.[ch]pp)`", text)
         places = [os.path.join(root, "host_tools", "" if "/" in f else "diagnosis", f) for f in files]
-        if not any(name in open(place, encoding="utf-8").read() for place in places):
+        if not any(name in read(place) for place in places):
             problems.append(f"{page}: {name} is no rule, and no file is named that has it")
 
 
@@ -86,22 +161,21 @@ def check_version():
     citation = os.path.join(root, "CITATION.cff")
     if not os.path.exists(citation):
         return
-    with open(citation, encoding="utf-8") as file:
-        cited = re.search(r"^version: (\S+)", file.read(), re.M)[1]
-    with open(os.path.join(root, "CMakeLists.txt"), encoding="utf-8") as file:
-        built = re.search(r"^\s*VERSION (\d\S+)", file.read(), re.M)[1]
+    cited = re.search(r"^version: (\S+)", read(citation), re.M)[1]
+    built = re.search(r"^\s*VERSION (\d\S+)", read(os.path.join(root, "CMakeLists.txt")), re.M)[1]
     if cited != built:
         problems.append(f"{citation}: version {cited}, the build has {built}")
 
 
 count = 0
-for page in sorted(pages()):
+for page in of_type(".md"):
     check_page(page)
     count += 1
+check_comments()
 check_rules()
 check_version()
 print("\n".join(problem.replace(root + "/", "") for problem in problems), file=sys.stderr, end="\n" if problems else "")
 if not problems:
-    print(f"{count} pages: links, headings, columns, names of rules")
+    print(f"{count} pages: links, headings, files, commands, columns, names of rules")
 sys.exit(bool(problems))
 EOF

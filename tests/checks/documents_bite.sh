@@ -1,23 +1,34 @@
 #!/usr/bin/env bash
-# documents_bite.sh: the check of the documents refuses a link, a heading and a line that are wrong, and takes right
-# ones.
+# documents_bite.sh: the check of the documents refuses a link, a heading, the name of a file, a command and a line that
+# are wrong, and takes right ones.
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
-mkdir "$tree/part"
+mkdir -p "$tree/part" "$tree/tests/unit"
 printf '# Part\n\n## `add`: one, or several\n' >"$tree/part/README.md"
+
+touch "$tree/part/one.cpp"
+printf '#!/bin/sh\n' >"$tree/tests/try.sh" && chmod +x "$tree/tests/try.sh"
+printf '#!/bin/sh\n' >"$tree/tests/data.sh"
+echo 'fog_gtest(test_part unit/part unit fogcomp_part)' >"$tree/tests/CMakeLists.txt"
+echo '{ "configurePresets": [{ "name": "host" }] }' >"$tree/CMakePresets.json"
 
 # judge TEXT: the check's opinion of a page.
 judge() { printf '%b\n' "# Page\n\n$1" >"$tree/README.md" && "$here/documents.sh" "$tree" >"$tree/said" 2>&1; }
 long=$(printf 'a%.0s' {1..121})
 for right in '[a](part/README.md)' '[a\nb](part/README.md#add-one-or-several)' '[a](#page)' '[a](https://x.org/none)' \
-  "| $long |" '`[a](none.md)`' '```\n[a](none.md)\n```' '[`a`](part/)'; do
+  "| $long |" '`[a](none.md)`' '```\n[a](none.md)\n```' '[`a`](part/)' \
+  '`part/one.cpp`' '`one.cpp`' '`part/one`' '`part/`' '`boards/NAME/wiring.hpp`' '`run.csv`' '`deg/h`' '`tests/try.sh -o x`' \
+  '    ctest --test-dir build -L unit' '`cmake --preset host`' '    cmake --build build --target test_part'; do
   judge "$right" || { echo "refused: $right: $(cat "$tree/said")" >&2; exit 1; }
 done
 for wrong in '[a](none.md)' '[a](part/README.md#none)' '[a](#none)' '[a\nb](part/none.md)' '| [`a`](none.md) |' \
   "$long" \
-  "\`\`\`\n$long\n\`\`\`"; do
+  "\`\`\`\n$long\n\`\`\`" '`part/two.cpp`' '`two.hpp`' '`part/two`' '`none.md`' '`tests/data.sh`' \
+  '    ctest --test-dir build -R unit' '`ctest -L none`' '`cmake --preset none`' '    cmake --build b --target none'; do
   ! judge "$wrong" || { echo "accepted: $wrong" >&2; exit 1; }
 done
-echo "broken links, headings and long lines are found"
+judge 'right' && printf '// See part/two.hpp.\n' >"$tree/part/one.cpp"
+! judge 'right' || { echo "accepted: a comment that names no file" >&2; exit 1; }
+echo "broken links, headings, names of files, commands and long lines are found"

@@ -28,7 +28,7 @@ struct DenoiserOutput {
 /// the delayed input. In exact arithmetic the two are equal, because the filter bank reconstructs
 /// perfectly. In integers this form is better: with thresholds 0 the output equals the delayed
 /// input bit for bit; the error of a rotation of any size is bounded by the thresholds; full-scale
-/// input needs no headroom; and the removed noise fits 16 bits. SPEC.md beside this file has the
+/// input needs no headroom; and the removed noise fits 16 bits. firmware/spec/denoiser.md has the
 /// details.
 template <std::size_t kTaps, std::size_t kLevels>
 class Denoiser {
