@@ -1,5 +1,5 @@
 // node workbench.mjs CHROMIUM SHOTS [PART]: what workbench.sh says, on its pages in this folder; leaves the page's first
-// diagnosis, the commands of a random session and the model that the page made of it.
+// diagnosis, that of two runs, the commands of a random session and the model that the page made of it.
 import { writeFileSync } from "node:fs";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -296,6 +296,16 @@ const loop = async (browser) => {
   await bench.click("#expression");
   await bench.tab.send("Input.insertText", { text: "x = T*T*" });
   await bench.until(`/column 9/.test(document.getElementById("formula_error").textContent)`, "the formula's error");
+  bench.silent();
+};
+
+// Figures of two runs are pooled: leaves their diagnosis.
+const two_runs = async (browser) => {
+  const bench = await Bench.open(browser, "two_runs.html");
+  await bench.state(0);
+  await bench.diagnosed();
+  const diagnosis = await bench.tab.evaluate("JSON.stringify(states.now.diagnosis.diagnosis, null, 1)");
+  writeFileSync("page_two_runs.json", diagnosis);
   bench.silent();
 };
 
@@ -722,11 +732,24 @@ const files = async (browser) => {
   bench.silent();
 };
 
+const parts = {
+  loop,
+  two_runs,
+  keyboard,
+  session,
+  trouble,
+  steady,
+  stepped,
+  memory,
+  escape,
+  rate_table,
+  report,
+  long,
+  files,
+};
 const browser = new Browser(program);
 try {
-  for (const part of only
-    ? [{ loop, keyboard, session, trouble, steady, stepped, memory, escape, rate_table, report, long, files }[only]]
-    : [loop, keyboard, session, trouble, steady, stepped, memory, escape, rate_table, report, long, files]) {
+  for (const part of only ? [parts[only]] : Object.values(parts)) {
     const begin = Date.now();
     await part(browser);
     console.log(`${part.name}: done in ${((Date.now() - begin) / 1000).toFixed(1)} s`);

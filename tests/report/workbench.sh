@@ -34,6 +34,8 @@ awk -F, -v OFS=, '/^[0-9]/ && $1 >= 26000 { $3 += 0.3 } { print }' run.csv >step
 hostile='<img src=x onerror=document.title="gone">.csv'
 awk -F, -v OFS=, '/^time_s/ { print "time_s", "temperature_degc", "<b>rate</b> [deg/h]"; next } 1' mems.csv >"$hostile"
 "$fogcomp" workbench "$hostile" -o hostile.html --columns 'rate=<b>rate</b> [deg/h]' >/dev/null
+"$fogcomp" fit run.csv -o plain.model --effects bias,bias_temperature >/dev/null
+"$fogcomp" workbench plain.model run.csv other.csv -o two_runs.html >/dev/null
 "$fogcomp" simulate -o fast.csv --rate 5 >/dev/null # 297,750 samples: the page has their means over 1 s
 "$fogcomp" simulate -o table.csv --profile rate_table --effect scale_factor:peak=1 >/dev/null
 "$fogcomp" fit table.csv -o still.model --effects bias,bias_temperature:order=3 >/dev/null
@@ -51,9 +53,11 @@ grep -q "has 297750 samples; the workbench has their 59550 means over 1 s" note.
 
 node "$here/workbench.mjs" chromium "$shots"
 
-# The diagnosis in a shell, where the verdict hangs on simulated noise.
+in_lines() { node -p 'JSON.stringify(JSON.parse(fs.readFileSync(0)), null, 1)'; }
+# The diagnosis in a shell, of one run and of two, where the verdict hangs on simulated noise.
 "$fogcomp" diagnose cubic.model mems.csv --json |
-  node -p 'JSON.stringify(JSON.parse(fs.readFileSync(0)), null, 1)' >shell_diagnosis.json
+  in_lines >shell_diagnosis.json
+"$fogcomp" diagnose plain.model run.csv other.csv --json | in_lines >shell_two_runs.json
 # The commands that the session's page shows, in a shell.
 mkdir shell
 cp run.csv other.csv shell
@@ -66,4 +70,4 @@ made=$(sed -n '$ s/.* -o \([^ ]*\).*/\1/p' ../commands.txt)
 "$fogcomp" history "$made" --report made.html >/dev/null 2>&1
 cd ..
 node "$here/compare_outputs.mjs" page.model "shell/$made" page.h shell/made.h page.csv shell/made.csv page.html \
-  shell/made.html page_diagnosis.json shell_diagnosis.json
+  shell/made.html page_diagnosis.json shell_diagnosis.json page_two_runs.json shell_two_runs.json
