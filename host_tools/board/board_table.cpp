@@ -156,8 +156,8 @@ void write_input_limits(TableWriter& out, const model::Model& model) {
 double largest_coefficient(const model::Model& model) {
   double largest = 0;
   for (const model::EffectTerm& term : model.terms) {
-    for (const double coefficient : term.coefficients_dph) {
-      largest = std::max(largest, std::abs(coefficient));
+    for (const model::Estimate& coefficient : term.coefficients_dph) {
+      largest = std::max(largest, std::abs(coefficient.value));
     }
   }
   return largest;
@@ -166,11 +166,11 @@ double largest_coefficient(const model::Model& model) {
 // Throws if a coefficient exceeds the board's numbers; the message has its natural unit.
 void require_held(const model::EffectTerm& term, std::size_t coefficient, int fraction) {
   const double max = std::ldexp(1, 31 - fraction);
-  if (std::abs(term.coefficients_dph[coefficient]) < max) return;
+  if (std::abs(term.coefficients_dph[coefficient].value) < max) return;
   const fog::CoefficientDescription description = model::info_of(term).coefficients[coefficient];
   std::string text =
       format("%s = %.5g %s is more than the board's numbers hold, %.5g %s", description.symbol,
-             model::natural_coefficient(term, coefficient), description.unit,
+             model::natural_coefficient(term, coefficient).value, description.unit,
              model::in_natural_unit(max, description), description.unit);
   for (const model::ShapeDoubt& doubt : model::shape_doubts(term)) text += "; " + doubt.sentence;
   throw InputError("effect '" + term.name + "'",
@@ -188,7 +188,7 @@ void write_effects(TableWriter& out, const model::Model& model, const Timing& ti
   for (const model::EffectTerm& term : model.terms) {
     if (term.expression) continue;
     const model::CatalogueEntry& entry = model::find_effect(term.name);
-    const std::vector<double> constants = entry.constants(term.parameters, timing.block_s);
+    const std::vector<double> constants = entry.constants(term.shape(), timing.block_s);
     out.note(format("%s: %s; id, constants, coefficients", term.name.c_str(),
                     entry.description.equation));
     out.integer(entry.description.id, "effect id");
@@ -199,9 +199,9 @@ void write_effects(TableWriter& out, const model::Model& model, const Timing& ti
     out.integer(static_cast<std::int64_t>(term.coefficients_dph.size()), "coefficients");
     for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
       out.note(format("%s = %.9g %s", entry.coefficients[i].symbol,
-                      model::natural_coefficient(term, i), entry.coefficients[i].unit));
+                      model::natural_coefficient(term, i).value, entry.coefficients[i].unit));
       require_held(term, i, fraction);
-      out.real(term.coefficients_dph[i], fraction, term.name.c_str());
+      out.real(term.coefficients_dph[i].value, fraction, term.name.c_str());
     }
   }
 }
@@ -217,9 +217,9 @@ void write_expressions(TableWriter& out, const model::Model& model, const Timing
   out.integer(static_cast<std::int64_t>(terms.size()), "expressions");
   for (const model::EffectTerm* term : terms) {
     out.note(format("%s = %.9g deg/h per unit", term->name.c_str(),
-                    model::natural_coefficient(*term, 0)));
+                    model::natural_coefficient(*term, 0).value));
     require_held(*term, 0, fraction);
-    out.real(term->coefficients_dph[0], fraction, term->name.c_str());
+    out.real(term->coefficients_dph[0].value, fraction, term->name.c_str());
   }
   std::vector<ExpressionCode> codes;
   std::size_t words = 0;
@@ -233,7 +233,8 @@ void write_expressions(TableWriter& out, const model::Model& model, const Timing
     const model::ExpressionTerm& written = *terms[i]->expression;
     out.note(format("%s: (%s) / 2^%d, within %.2g of it in double: %.2g deg/h",
                     terms[i]->name.c_str(), written.expression.text.c_str(), written.scale_log2,
-                    codes[i].error, codes[i].error * std::abs(terms[i]->coefficients_dph[0])));
+                    codes[i].error,
+                    codes[i].error * std::abs(terms[i]->coefficients_dph[0].value)));
     for (const std::int32_t word : codes[i].words) out.integer(word, "an operation");
   }
 }

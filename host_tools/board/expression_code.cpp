@@ -51,7 +51,7 @@ class Compiler {
   Compiler(const model::EffectTerm& term, const model::Model& model, double block_s)
       : term_(term),
         expression_(term.expression->expression),
-        constants_(expression_.constants(term.parameters)),
+        constants_(expression_.constants(term.shape())),
         model_(model),
         block_s_(block_s),
         known_(expression_.nodes.size()) {}

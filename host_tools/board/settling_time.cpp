@@ -11,7 +11,7 @@ double slowest_lag_s(const model::EffectTerm& term) {
   double slowest = 0;
   if (term.expression) {
     const model::Expression& expression = term.expression->expression;
-    const std::vector<double> constants = expression.constants(term.parameters);
+    const std::vector<double> constants = expression.constants(term.shape());
     for (const model::ExpressionNode& node : expression.nodes) {
       if (node.kind == model::NodeKind::lag) slowest = std::max(slowest, constants[node.right]);
     }
@@ -21,7 +21,7 @@ double slowest_lag_s(const model::EffectTerm& term) {
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
     const fog::Time time = info.parameters[i].time;
     const bool settles = time == fog::Time::constant || time == fog::Time::constant_of_rate;
-    if (settles) slowest = std::max(slowest, term.parameters[i]);
+    if (settles) slowest = std::max(slowest, term.parameters[i].value);
   }
   return slowest;
 }

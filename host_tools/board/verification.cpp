@@ -22,7 +22,7 @@ class ExpressionCheck {
         board_(parameters.expressions, parameters.effects.coefficient_fraction) {
     for (const model::EffectTerm& term : model.terms) {
       if (!term.expression) continue;
-      const double size = std::abs(term.coefficients_dph[0]);
+      const double size = std::abs(term.coefficients_dph[0].value);
       results.push_back({term.name, compile_expression(term, model, block_s).error * size, 0});
       sizes_.push_back(size);
       real_.push_back(model::make_effect(term, block_s));

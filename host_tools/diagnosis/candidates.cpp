@@ -35,7 +35,7 @@ double half_distance(const std::vector<Candidate::Shape>& shapes,
                      const model::ShapeParameter& parameter, double unit, int direction) {
   double gap = 0;
   for (const Candidate::Shape& shape : shapes) {
-    const double other = parameter.to_unit(shape.term.parameters[parameter.index]);
+    const double other = parameter.unit_in(shape.term);
     const double away = direction * (other - unit);
     if (away > 1e-6 && (gap == 0 || away / 2 < gap)) gap = away / 2;
   }
@@ -51,11 +51,13 @@ std::vector<Candidate::Shape> grown_shapes(const series::SignalSeries& series,
   const Eigen::Index owned = series.regressors(own).cols();
   for (const model::EffectTerm& term : model::grown_terms(own)) {
     model::EffectTerm projection = term;
-    for (std::size_t i = 0; i < projection.identified.size(); ++i) {
-      projection.identified[i] = term.identified[i] && !own.identified[i];
+    for (std::size_t i = 0; i < own.parameters.size(); ++i) {
+      if (own.parameters[i].identified) projection.parameters[i].identified = false;
     }
     for (Candidate::Shape& shape : all_shapes({series, project_out_model, owned}, projection)) {
-      shape.term.identified = term.identified;
+      for (std::size_t i = 0; i < term.parameters.size(); ++i) {
+        shape.term.parameters[i].identified = term.parameters[i].identified;
+      }
       shapes.push_back(std::move(shape));
     }
   }
@@ -154,7 +156,7 @@ void optimise_shape(const ShapeMaker& make, std::vector<Candidate::Shape>& shape
   double chi2_drop = shape.chi2_drop(residual);
   for (const model::ShapeParameter& parameter : model::shape_parameters({shape.term})) {
     // The shape itself changes below.
-    const auto place = [&] { return parameter.to_unit(shape.term.parameters[parameter.index]); };
+    const auto place = [&] { return parameter.unit_in(shape.term); };
     const double start = place();
     const double down = half_distance(shapes, parameter, start, -1);
     const double up = half_distance(shapes, parameter, start, +1);
@@ -162,7 +164,7 @@ void optimise_shape(const ShapeMaker& make, std::vector<Candidate::Shape>& shape
       const double middle = place();
       for (const double unit : {middle - share * down, middle + share * up}) {
         model::EffectTerm moved = shape.term;
-        moved.parameters[parameter.index] = parameter.from_unit(unit);
+        parameter.set_unit(moved, unit);
         auto tried = make(moved);
         if (!tried || tried->chi2_drop(residual) <= chi2_drop) continue;
         chi2_drop = tried->chi2_drop(residual);

@@ -29,9 +29,9 @@ std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
   if (model::is_event(*own)) return effect;  // one more event
   const model::CatalogueEntry& entry = model::find_effect(effect);
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-    if (finding->term().parameters[i] == own->parameters[i]) continue;
-    return format("%s:%s=%.4g", effect.c_str(), entry.parameters[i].name,
-                  finding->term().parameters[i]);
+    const double found = finding->term().parameters[i].value;
+    if (found == own->parameters[i].value) continue;
+    return format("%s:%s=%.4g", effect.c_str(), entry.parameters[i].name, found);
   }
   return effect;
 }

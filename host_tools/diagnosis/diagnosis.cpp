@@ -23,8 +23,7 @@ std::vector<model::EffectTerm> fitted_terms(const fit::NoiseWeightedFit& fit, do
   std::vector<model::EffectTerm> terms = fit.terms;
   const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, row_s);
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const Eigen::VectorXd own = fit.coefficients.segment(columns[i].first, columns[i].count);
-    terms[i].coefficients_dph.assign(own.begin(), own.end());
+    terms[i].set_coefficients(fit.coefficients.segment(columns[i].first, columns[i].count));
   }
   return terms;
 }

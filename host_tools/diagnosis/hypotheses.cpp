@@ -217,9 +217,9 @@ namespace {
 void add_part(model::EffectTerm& term, const model::EffectTerm& other) {
   const auto& parameters = model::find_effect(term.name).parameters;
   for (std::size_t i = 1; i < parameters.size(); ++i) {
-    if (!model::is_optional_part(parameters[i]) || term.parameters[i] != 0) continue;
-    std::tie(term.parameters[i - 1], term.parameters[i]) =
-        std::minmax({term.parameters[i - 1], other.parameters[i - 1]});
+    if (!model::is_optional_part(parameters[i]) || term.parameters[i].value != 0) continue;
+    double& first = term.parameters[i - 1].value;
+    std::tie(first, term.parameters[i].value) = std::minmax({first, other.parameters[i - 1].value});
     return;
   }
 }

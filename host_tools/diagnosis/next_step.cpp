@@ -64,7 +64,7 @@ std::vector<std::string> higher_orders(const std::string& effect) {
   const auto& parameters = model::find_effect(term.name).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     if (parameters[i].scale != fog::Scale::whole) continue;
-    for (int order = static_cast<int>(term.parameters[i]) + 1;
+    for (int order = static_cast<int>(term.parameters[i].value) + 1;
          order <= parameters[i].max_milli / 1000; ++order) {
       orders.push_back(term.name + format(":%s=%d", parameters[i].name, order));
     }

@@ -28,8 +28,7 @@ Refit refit(std::vector<model::EffectTerm> terms, const series::SignalSeries& se
   const LinearFit solved = solve_linear(whitening.apply(columns), fit.whitened_measured);
   Eigen::Index first = 0;
   for (std::size_t i = 0; i < terms.size(); ++i) {
-    const auto own = solved.coefficients.segment(first, parts[i].cols());
-    terms[i].coefficients_dph.assign(own.begin(), own.end());
+    terms[i].set_coefficients(solved.coefficients.segment(first, parts[i].cols()));
     first += parts[i].cols();
   }
   return {std::move(terms), rows.drift_dph - columns * solved.coefficients};

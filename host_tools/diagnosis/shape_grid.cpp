@@ -102,7 +102,7 @@ void add_grid(const ShapeMaker& make, const model::EffectTerm& term,
     for_each_index(places.size(), [&](std::size_t i) {
       if (std::exchange(places[i].is_made, true)) return;
       model::EffectTerm at = term;
-      at.parameters[parameter.index] = parameter.from_unit(places[i].unit);
+      parameter.set_unit(at, places[i].unit);
       places[i].shape = make(at);
     });
     made = places.size();
@@ -128,7 +128,7 @@ std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const model::Ef
     for (const model::EffectTerm& start : starts) {
       for (const double place : kOtherPlaces) {
         more.push_back(start);
-        more.back().parameters[parameters[i].index] = parameters[i].from_unit(place);
+        parameters[i].set_unit(more.back(), place);
       }
     }
     starts = std::move(more);

@@ -25,9 +25,9 @@ std::optional<Candidate::Shape> step_shape(const series::SignalSeries& series,
   const series::Rows& rows = series.rows();
   VisiblePart part = project_out_model(fit::step_column(rows, row));
   if (part.visible[0] < rules::kMinVisible) return std::nullopt;
-  step.parameters[0] = rows.time_s[row];
+  step.parameters[0].value = rows.time_s[row];
+  step.parameters[0].identified = false;
   step.recording = series.recording_of(row);
-  step.identified[0] = false;
   return Candidate::Shape{std::move(step), part.columns.colwise().normalized().cast<float>(), row};
 }
 

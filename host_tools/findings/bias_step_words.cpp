@@ -16,7 +16,7 @@ std::string bias_words(const model::EffectTerm& step) {
 }  // namespace
 
 bool is_found_step(const model::EffectTerm& term) {
-  return model::is_event(term) && term.identified[0] && !term.coefficients_dph.empty();
+  return model::is_event(term) && term.parameters[0].identified && !term.coefficients_dph.empty();
 }
 
 std::vector<model::EffectTerm> found_steps(const model::Model& model) {
@@ -28,9 +28,11 @@ std::vector<model::EffectTerm> found_steps(const model::Model& model) {
 }
 
 Text bias_step_words(const model::EffectTerm& step, const std::string& place) {
+  const model::Estimate& size_dph = step.coefficients_dph[0];
+  const model::Parameter& time_s = step.parameters[0];
   Text text = words(format("bias step of %s +- %.2g deg/h at %.6g +- %.2g s",
-                           signed_rounded(step.coefficients_dph[0]).c_str(), step.sigma_dph[0],
-                           step.parameters[0], step.parameter_sigma[0]));
+                           signed_rounded(size_dph.value).c_str(), size_dph.sigma, time_s.value,
+                           time_s.sigma));
   if (!place.empty()) text += " (" + verbatim(place) + ")";
   return text + words("; the model's bias is " + bias_words(step));
 }
@@ -38,10 +40,10 @@ Text bias_step_words(const model::EffectTerm& step, const std::string& place) {
 Json bias_step_json(const model::EffectTerm& step, const std::string& place) {
   return Json::object()
       .set("place", place.empty() ? Json() : Json(place))
-      .set("time_s", step.parameters[0])
-      .set("time_sigma_s", step.parameter_sigma[0])
-      .set("size_dph", step.coefficients_dph[0])
-      .set("size_sigma_dph", step.sigma_dph[0])
+      .set("time_s", step.parameters[0].value)
+      .set("time_sigma_s", step.parameters[0].sigma)
+      .set("size_dph", step.coefficients_dph[0].value)
+      .set("size_sigma_dph", step.coefficients_dph[0].sigma)
       .set("model_bias", step.bias_of_others());
 }
 

@@ -191,9 +191,10 @@ std::string shape_words(const model::EffectTerm& term) {
   const model::TermInfo info = model::info_of(term);
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
     const model::TermInfo::Parameter& parameter = info.parameters[i];
-    if (model::is_left_at_zero(term, i)) continue;
+    const double value = term.parameters[i].value;
+    if (term.parameters[i].is_left_at_zero()) continue;
     text += (text.empty() ? "" : ", ") + parameter.name +
-            format(std::fabs(term.parameters[i]) < 1000 ? " %.3g" : " %.0f", term.parameters[i]) +
+            format(std::fabs(value) < 1000 ? " %.3g" : " %.0f", value) +
             (parameter.unit.empty() ? "" : " " + parameter.unit);
   }
   return text;

@@ -7,14 +7,19 @@ namespace {
 
 using workflow::FitOutcome;
 
+template <class Figures>
+Json each(const Figures& figures, double Figures::value_type::*figure) {
+  return json_array(figures, [&](const auto& one) { return Json(one.*figure); });
+}
+
 Json terms_json(const model::Model& model) {
   return json_array(model.terms, [&](const model::EffectTerm& term) {
     return Json::object()
         .set("effect", term.name)
-        .set("parameters", term.parameters)
-        .set("parameter_sigma", term.parameter_sigma)
-        .set("coefficients_dph", term.coefficients_dph)
-        .set("sigma_dph", term.sigma_dph);
+        .set("parameters", each(term.parameters, &model::Parameter::value))
+        .set("parameter_sigma", each(term.parameters, &model::Parameter::sigma))
+        .set("coefficients_dph", each(term.coefficients_dph, &model::Estimate::value))
+        .set("sigma_dph", each(term.coefficients_dph, &model::Estimate::sigma));
   });
 }
 

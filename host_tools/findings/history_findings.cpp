@@ -60,13 +60,14 @@ Table terms_table(const model::Model& model) {
     Text effect = verbatim(term.expression ? term.name + " = " + term.expression->expression.text
                                            : term.name);
     for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
-      const fog::CoefficientDescription& description = info.coefficients[i];
-      add_figure(table, effect, words(description.symbol), model::natural_coefficient(term, i),
-                 model::in_natural_unit(term.sigma_dph[i], description), description.unit, false);
+      const auto [value, sigma] = model::natural_coefficient(term, i);
+      add_figure(table, effect, words(info.coefficients[i].symbol), value, sigma,
+                 info.coefficients[i].unit, false);
     }
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-      add_figure(table, effect, words(info.parameters[i].name), term.parameters[i],
-                 term.parameter_sigma[i], info.parameters[i].unit, !term.identified[i]);
+      const model::Parameter& own = term.parameters[i];
+      add_figure(table, effect, words(info.parameters[i].name), own.value, own.sigma,
+                 info.parameters[i].unit, !own.identified);
     }
   }
   return table;

@@ -147,7 +147,8 @@ std::vector<FoundStep> steps_of(const model::Model& model, const TrainingRuns& t
     if (!searches_steps({term})) continue;
     for (std::size_t run = 0; run < training.runs.size(); ++run) {
       if (training.runs[run].blocks.recordings.front() != term.recording) continue;
-      steps.push_back({run, term.parameters[0], term.parameter_sigma[0], 0, 0, term.others_part});
+      const model::Parameter& time_s = term.parameters[0];
+      steps.push_back({run, time_s.value, time_s.sigma, 0, 0, term.others_part});
     }
   }
   return steps;

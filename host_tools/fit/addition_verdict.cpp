@@ -169,7 +169,7 @@ struct Doubt {
 Doubt doubt_of(const model::EffectTerm& term, const model::Model& before) {
   const model::EffectTerm* own = before.find(term.name);
   for (const model::ShapeDoubt& doubt : model::shape_doubts(term)) {
-    if (own != nullptr && own->identified[doubt.parameter]) continue;
+    if (own != nullptr && own->parameters[doubt.parameter].identified) continue;
     return {doubt.sentence, doubt.instead == model::kLineInTime, doubt.wants_more};
   }
   // With a free shape the coefficient may be uncertain although the curve is known well: for t <<

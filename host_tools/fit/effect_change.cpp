@@ -30,7 +30,7 @@ std::string settings_of(const model::EffectTerm& term) {
   for (std::size_t i = 0; i < term.parameters.size(); ++i) {
     text += text.empty() ? ":" : ",";
     text += entry.parameters[i].name;
-    text += term.identified[i] ? "=?" : format("=%.17g", term.parameters[i]);
+    text += term.parameters[i].identified ? "=?" : format("=%.17g", term.parameters[i].value);
   }
   return text;
 }
@@ -45,8 +45,8 @@ model::EffectTerm with_settings(const model::EffectTerm& old, const std::string&
   }
   model::EffectTerm term = parse_one(old.name + settings);
   for (const model::ShapeParameter& shape : model::shape_parameters({term})) {
-    const double value = old.parameters[shape.index];
-    if (shape.min <= value && value <= shape.max) term.parameters[shape.index] = value;
+    const double value = old.parameters[shape.index].value;
+    if (shape.min <= value && value <= shape.max) term.parameters[shape.index].value = value;
   }
   return term;
 }
@@ -91,8 +91,7 @@ EffectChange change_effect(const std::vector<model::EffectTerm>& terms, const st
   }
   const model::EffectTerm changed = with_settings(*old, effect);
   const bool has_bounds = effect.find('[') != std::string::npos;
-  if (!has_bounds && changed.parameters == old->parameters &&
-      changed.identified == old->identified) {
+  if (!has_bounds && settings_of(changed) == settings_of(*old) && changed.shape() == old->shape()) {
     throw InputError(
         "effect '" + effect + "'",
         effect.find(':') == std::string::npos

@@ -64,8 +64,9 @@ void set_expression_scale(model::EffectTerm& term, const series::SignalSeries& s
   const int scale_log2 = term.expression->scale_log2 + std::ilogb(column.cwiseAbs().maxCoeff());
   const int risen = scale_log2 - term.expression->scale_log2;
   term.expression->scale_log2 = scale_log2;
-  for (double& coefficient : term.coefficients_dph) coefficient = std::ldexp(coefficient, risen);
-  for (double& sigma : term.sigma_dph) sigma = std::ldexp(sigma, risen);
+  for (model::Estimate& coefficient : term.coefficients_dph) {
+    coefficient = {std::ldexp(coefficient.value, risen), std::ldexp(coefficient.sigma, risen)};
+  }
 }
 
 }  // namespace fogcomp::fit

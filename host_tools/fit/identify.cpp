@@ -82,7 +82,7 @@ void set_ranges(model::Model& model, const series::Rows& rows) {
 }
 
 bool is_sought(const model::EffectTerm& term) {
-  return model::is_event(term) && term.identified[0];
+  return model::is_event(term) && term.parameters[0].identified;
 }
 
 struct SoughtSteps {
@@ -163,9 +163,10 @@ double set_coefficients(model::EffectTerm& term, const series::ColumnRange& colu
                                        values.cwiseAbs().maxCoeff()));
   }
   const Eigen::MatrixXd own = covariance.block(first, first, count, count);
-  const Eigen::VectorXd sigmas = own.diagonal().cwiseSqrt();
-  term.coefficients_dph.assign(values.begin(), values.end());
-  term.sigma_dph.assign(sigmas.begin(), sigmas.end());
+  term.coefficients_dph.clear();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    term.coefficients_dph.emplace_back(values[i], std::sqrt(own(i, i)));
+  }
   const Eigen::MatrixXd part = fit.columns.middleCols(first, count);
   return rules::kVisible * std::sqrt((part * own).cwiseProduct(part).rowwise().sum().maxCoeff());
 }
@@ -174,9 +175,9 @@ void set_shape_sigmas(std::vector<model::EffectTerm>& terms, const NoiseWeighted
                       const Eigen::VectorXd& sigma) {
   for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
     const model::ShapeParameter& shape = fit.shapes[i];
-    model::EffectTerm& term = terms[shape.term];
-    term.parameter_sigma[shape.index] = sigma[fit.linear() + static_cast<Eigen::Index>(i)] *
-                                        shape.slope(term.parameters[shape.index]);
+    model::Parameter& parameter = terms[shape.term].parameters[shape.index];
+    parameter.sigma =
+        sigma[fit.linear() + static_cast<Eigen::Index>(i)] * shape.slope(parameter.value);
   }
 }
 
@@ -191,10 +192,9 @@ void add_step(model::Model& model, Identification& result, const series::SignalS
                           located.others_part});
   step.recording = series.recording_of(row);
   step.others_part = located.others_part;
-  step.coefficients_dph = {size_dph};
-  step.sigma_dph = {sigma_dph};
-  step.parameters = {change.time_s};
-  step.parameter_sigma = {change.time_sigma_s};
+  step.coefficients_dph = {{size_dph, sigma_dph}};
+  step.parameters[0].value = change.time_s;
+  step.parameters[0].sigma = change.time_sigma_s;
   model.terms.push_back(std::move(step));
   result.visible_dph.push_back(rules::kVisible * sigma_dph);
   const auto& signals = rows.signals[row];

@@ -22,10 +22,10 @@ std::vector<model::EffectTerm> parts_of(const model::EffectTerm& term) {
   if (term.expression) return {term};
   const auto& parameters = model::find_effect(term.name).parameters;
   for (std::size_t i = 1; i < parameters.size(); ++i) {
-    if (!model::is_optional_part(parameters[i]) || term.parameters[i] == 0) continue;
+    if (!model::is_optional_part(parameters[i]) || term.parameters[i].value == 0) continue;
     std::vector<model::EffectTerm> parts(2, term);
-    parts[1].parameters[i - 1] = term.parameters[i];
-    for (model::EffectTerm& part : parts) part.parameters[i] = 0;
+    parts[1].parameters[i - 1].value = term.parameters[i].value;
+    for (model::EffectTerm& part : parts) part.parameters[i].value = 0;
     return parts;
   }
   return {term};
@@ -43,7 +43,7 @@ KnownRegressors::Columns KnownRegressors::operator()(const model::EffectTerm& te
 
 KnownRegressors::Columns KnownRegressors::of_part(const model::EffectTerm& term,
                                                   series::Reading reading) const {
-  const Key key{meaning_of(term), term.parameters, term.recording, term.others_part, reading};
+  const Key key{meaning_of(term), term.shape(), term.recording, term.others_part, reading};
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto found = known_.find(key);

@@ -18,10 +18,9 @@ bool free_lags(std::vector<model::EffectTerm>& terms) {
   bool any = false;
   for (model::EffectTerm& term : terms) {
     const model::TermInfo info = model::info_of(term);
-    for (std::size_t i = 0; i < term.identified.size(); ++i) {
-      const bool free =
-          term.identified[i] && info.parameters[i].time == fog::Time::constant_of_rate;
-      term.identified[i] = free;
+    for (std::size_t i = 0; i < term.parameters.size(); ++i) {
+      bool& free = term.parameters[i].identified;
+      free = free && info.parameters[i].time == fog::Time::constant_of_rate;
       any = any || free;
     }
   }
@@ -49,7 +48,7 @@ std::vector<PhysicalLag> physical_lags(const model::Model& model,
   for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
     const model::ShapeParameter& shape = fit.shapes[i];
     const model::EffectTerm& term = fit.terms[shape.term];
-    const double value_s = term.parameters[shape.index];
+    const double value_s = term.parameters[shape.index].value;
     const Eigen::Index at = fit.linear() + static_cast<Eigen::Index>(i);
     const double sigma = widening * std::sqrt(fit.covariance(at, at));
     lags.push_back({term.name, model::info_of(term).parameters[shape.index].name, value_s,

@@ -35,19 +35,18 @@ double largest_input_rate_dps(const series::SignalSeries& series) {
 void bound_places(model::EffectTerm& term, const model::CatalogueEntry& entry,
                   const series::SignalSeries& series) {
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-    if (entry.parameters[i].scale != fog::Scale::place || !term.identified[i]) continue;
+    model::Parameter& place = term.parameters[i];
+    if (entry.parameters[i].scale != fog::Scale::place || !place.identified) continue;
     const model::SignalRange degc =
         series.signal_ranges()[static_cast<std::size_t>(fog::Input::temperature)];
     const model::ShapeBounds whole = model::catalogue_bounds(entry, i);
     const model::ShapeBounds seen{std::max(whole.min, degc.min), std::min(whole.max, degc.max)};
     const bool is_new = term.coefficients_dph.empty();
-    const double value = term.parameters[i];
     const bool varies = seen.max - seen.min >= rules::kMinSpanOfPlaceDegc;
-    if (!varies || !(is_new || (value >= seen.min && value <= seen.max))) continue;
-    term.bounds.resize(entry.parameters.size());
-    if (term.bounds[i].max > term.bounds[i].min) continue;  // the user's
-    term.bounds[i] = seen;
-    term.parameters[i] = std::clamp(value, seen.min, seen.max);
+    if (!varies || !(is_new || (place.value >= seen.min && place.value <= seen.max))) continue;
+    if (place.bounds.are_given()) continue;  // the user's
+    place.bounds = seen;
+    place.value = std::clamp(place.value, seen.min, seen.max);
   }
 }
 
@@ -59,13 +58,12 @@ void set_references(std::vector<model::EffectTerm>& terms, const series::SignalS
     const model::CatalogueEntry& entry = model::find_effect(term.name);
     bound_places(term, entry, series);
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-      if (!model::is_reference(entry.parameters[i]) || !term.identified[i]) continue;
+      if (!model::is_reference(entry.parameters[i]) || !term.parameters[i].identified) continue;
       const bool degc = entry.parameters[i].not_given == fog::NotGiven::mean_temperature;
       const double seen =
           degc ? mean_temperature_degc(series.rows()) : largest_input_rate_dps(series);
       const model::ShapeBounds bounds = model::catalogue_bounds(entry, i);
-      term.parameters[i] = std::clamp(seen, bounds.min, bounds.max);
-      term.identified[i] = false;
+      term.parameters[i] = {std::clamp(seen, bounds.min, bounds.max)};
     }
   }
 }

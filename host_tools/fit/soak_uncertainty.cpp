@@ -47,12 +47,11 @@ Eigen::VectorXd gradient(const std::vector<model::EffectTerm>& terms, const Nois
     const model::ShapeParameter& shape = fit.shapes[i];
     const series::ColumnRange& range = columns[shape.term];
     model::EffectTerm moved = terms[shape.term];
-    double& value = moved.parameters[shape.index];
-    const double unit = shape.to_unit(value);
+    const double unit = shape.unit_in(moved);
     const double up = std::min(unit + kStep, 1.0);
     const double down = std::max(unit - kStep, 0.0);
     const auto drift_at = [&](double place) {
-      value = shape.from_unit(place);
+      shape.set_unit(moved, place);
       return regressors(moved, signals, row_s)
           .dot(fit.coefficients.segment(range.first, range.count));
     };

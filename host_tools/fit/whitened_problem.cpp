@@ -89,13 +89,13 @@ Eigen::MatrixXd WhitenedProblem::whitened(const model::EffectTerm& term,
 }
 
 double WhitenedProblem::value(const model::ShapeParameter& parameter) const {
-  return terms_[parameter.term].parameters[parameter.index];
+  return terms_[parameter.term].parameters[parameter.index].value;
 }
 
 void WhitenedProblem::set(const std::vector<model::ShapeParameter>& parameters,
                           const std::vector<double>& values) {
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    terms_[parameters[i].term].parameters[parameters[i].index] = values[i];
+    terms_[parameters[i].term].parameters[parameters[i].index].value = values[i];
   }
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::size_t term = parameters[i].term;
@@ -130,12 +130,12 @@ LinearFit WhitenedProblem::solve(const std::vector<model::ShapeParameter>& param
 Eigen::VectorXd WhitenedProblem::derivative(const model::ShapeParameter& parameter,
                                             const Eigen::VectorXd& coefficients) const {
   model::EffectTerm moved = terms_[parameter.term];
-  const double unit = parameter.to_unit(moved.parameters[parameter.index]);
+  const double unit = parameter.unit_in(moved);
   const double up = std::min(unit + kDifferenceStep, 1.0);
   const double down = std::max(unit - kDifferenceStep, 0.0);
-  moved.parameters[parameter.index] = parameter.from_unit(up);
+  parameter.set_unit(moved, up);
   const Eigen::VectorXd above = *(*regressors_)(moved)*coefficients;
-  moved.parameters[parameter.index] = parameter.from_unit(down);
+  parameter.set_unit(moved, down);
   return (above - *(*regressors_)(moved)*coefficients) / (up - down);
 }
 
@@ -167,9 +167,9 @@ WhitenedProblem::Solution WhitenedProblem::solution() const {
 WhitenedProblem::Split WhitenedProblem::split_by(const model::ShapeParameter& parameter,
                                                  const std::vector<double>& values) const {
   model::EffectTerm term = terms_[parameter.term];
-  term.parameters[parameter.index] = values.front();
+  term.parameters[parameter.index].value = values.front();
   const KnownRegressors::Columns one = (*regressors_)(term);
-  term.parameters[parameter.index] = values.back();
+  term.parameters[parameter.index].value = values.back();
   const KnownRegressors::Columns other = (*regressors_)(term);
   Split split;
   for (Eigen::Index i = 0; i < one->cols(); ++i) {
@@ -198,7 +198,7 @@ std::vector<double> WhitenedProblem::costs(const model::ShapeParameter& paramete
     model::EffectTerm moved = terms_[parameter.term];
     std::vector<Eigen::MatrixXd> tried;
     for (std::size_t i = first; i < values.size() && tried.size() < kTogether; ++i) {
-      moved.parameters[parameter.index] = values[i];
+      moved.parameters[parameter.index].value = values[i];
       tried.emplace_back((*(*regressors_)(moved))(Eigen::all, split.moved));
     }
     const Eigen::MatrixXd columns = whitening_->apply(side_by_side(tried, rows));

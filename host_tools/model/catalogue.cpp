@@ -153,16 +153,16 @@ TermInfo info_of(const EffectTerm& term) {
 
 std::unique_ptr<RealEffect> make_effect(const EffectTerm& term, double block_s) {
   if (term.expression) {
-    return std::make_unique<ExpressionEffect>(*term.expression, term.parameters, block_s);
+    return std::make_unique<ExpressionEffect>(*term.expression, term.shape(), block_s);
   }
   const CatalogueEntry& entry = find_effect(term.name);
-  return entry.make(entry.constants(term.parameters, block_s));
+  return entry.make(entry.constants(term.shape(), block_s));
 }
 
 EffectTerm for_present_block(EffectTerm term, double block_s) {
   const TermInfo info = info_of(term);
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-    if (info.parameters[i].time == fog::Time::delay) term.parameters[i] += block_s;
+    if (info.parameters[i].time == fog::Time::delay) term.parameters[i].value += block_s;
   }
   return term;
 }
@@ -178,9 +178,7 @@ EffectTerm expression_term(const std::string& definition) {
                      "has the name of an effect of the catalogue; choose another");
   }
   for (const ExpressionParameter& parameter : expression.parameters) {
-    term.parameters.push_back(start_within(parameter.min, parameter.max));
-    term.identified.push_back(true);
-    term.parameter_sigma.push_back(0);
+    term.parameters.push_back({start_within(parameter.min, parameter.max), 0, true});
   }
   return term;
 }
@@ -206,7 +204,7 @@ bool has_second_part(const EffectTerm& term) {
   if (term.expression) return false;
   const auto& parameters = find_effect(term.name).parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (is_optional_part(parameters[i]) && term.parameters[i] != 0) return true;
+    if (is_optional_part(parameters[i]) && term.parameters[i].value != 0) return true;
   }
   return false;
 }

@@ -119,8 +119,8 @@ void RealDriftModel::sum(const std::vector<double>& regressors) {
   physics_dph_ = 0;
   for (std::size_t i = 0; i < model_.terms.size(); ++i) {
     effects_dph_[i] = 0;
-    for (const double coefficient : model_.terms[i].coefficients_dph) {
-      effects_dph_[i] += coefficient * regressors[column++];
+    for (const Estimate& coefficient : model_.terms[i].coefficients_dph) {
+      effects_dph_[i] += coefficient.value * regressors[column++];
     }
     physics_dph_ += effects_dph_[i];
   }

@@ -35,7 +35,8 @@ void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size
                                    "its value",
                                    description.name));
   }
-  term.identified[index] = true;
+  Parameter& parameter = term.parameters[index];
+  parameter.identified = true;
   const char* without_bounds =
       is_event(term) ? "is searched for in the whole recording; leave the bounds out, or give its "
                        "time"
@@ -62,11 +63,10 @@ void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size
     }
     bounds = {*min, *max};
   }
-  term.bounds.resize(entry.parameters.size());
-  term.bounds[index] = range.empty() ? ShapeBounds{} : bounds;  // the catalogue's or the rows'
-  double& start = term.parameters[index];
-  if (bounds.min <= start && start <= bounds.max) return;
-  start = bounds.min > 0 ? std::sqrt(bounds.min * bounds.max) : (bounds.min + bounds.max) / 2;
+  parameter.bounds = range.empty() ? ShapeBounds{} : bounds;  // the catalogue's or the rows'
+  if (bounds.min <= parameter.value && parameter.value <= bounds.max) return;
+  parameter.value =
+      bounds.min > 0 ? std::sqrt(bounds.min * bounds.max) : (bounds.min + bounds.max) / 2;
 }
 
 void set_parameter(EffectTerm& term, const CatalogueEntry& entry, const std::string& setting) {
@@ -95,8 +95,8 @@ void set_parameter(EffectTerm& term, const CatalogueEntry& entry, const std::str
         format("%s must be a %snumber from %g to %g%s%s", name.c_str(), whole ? "whole " : "", min,
                max, unit_behind_number(description).c_str(), whole ? "" : ", or ? to identify it"));
   }
-  term.parameters[index] = *value;
-  term.identified[index] = false;
+  term.parameters[index].value = *value;
+  term.parameters[index].identified = false;
 }
 
 // Splits at commas outside brackets.
@@ -145,12 +145,13 @@ std::vector<EffectTerm> grown_terms(const EffectTerm& own) {
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
     const fog::ParameterDescription& parameter = entry.parameters[i];
     EffectTerm term = own;
-    if (parameter.scale == fog::Scale::whole && own.parameters[i] < parameter.max_milli / 1000.0) {
-      term.parameters[i] += 1;
+    if (parameter.scale == fog::Scale::whole &&
+        own.parameters[i].value < parameter.max_milli / 1000.0) {
+      term.parameters[i].value += 1;
       more.push_back(term);
-    } else if (is_optional_part(parameter) && own.parameters[i] == 0) {
-      term.identified[i] = true;
-      term.parameters[i] = catalogue_bounds(entry, i).min;
+    } else if (is_optional_part(parameter) && own.parameters[i].value == 0) {
+      term.parameters[i].identified = true;
+      term.parameters[i].value = catalogue_bounds(entry, i).min;
       more.push_back(term);
     }
   }
@@ -163,9 +164,9 @@ std::vector<std::string> possible_refinements(const EffectTerm& own) {
   const CatalogueEntry& entry = find_effect(own.name);
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
     const fog::ParameterDescription& parameter = entry.parameters[i];
-    const bool is_left_out = is_optional_part(parameter) && own.parameters[i] == 0;
+    const bool is_left_out = is_optional_part(parameter) && own.parameters[i].value == 0;
     const bool is_given =
-        !own.identified[i] && parameter.scale != fog::Scale::whole &&
+        !own.parameters[i].identified && parameter.scale != fog::Scale::whole &&
         (is_optional_part(parameter) || parameter.not_given == fog::NotGiven::kept);
     if (!is_left_out && !is_given) continue;
     settings.push_back(std::string(parameter.name) + "=?");
@@ -196,11 +197,10 @@ std::vector<EffectTerm> parse_effects(const std::string& list) {
     EffectTerm term;
     term.name = words[0];
     for (const auto& parameter : entry.parameters) {
-      term.parameters.push_back(parameter.default_milli / 1000.0);
-      term.identified.push_back(
+      const bool identified =
           parameter.scale != fog::Scale::whole &&
-          (parameter.not_given == fog::NotGiven::identified || is_reference(parameter)));
-      term.parameter_sigma.push_back(0);
+          (parameter.not_given == fog::NotGiven::identified || is_reference(parameter));
+      term.parameters.push_back({parameter.default_milli / 1000.0, 0, identified});
     }
     for (std::size_t i = 1; i < words.size(); ++i) set_parameter(term, entry, words[i]);
     if (has_name(terms, term.name)) {

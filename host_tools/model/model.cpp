@@ -24,6 +24,26 @@ std::string Model::Uncertain::words() const {
       at_power_on ? "from power-on" : "more temperatures or rows");
 }
 
+std::vector<double> EffectTerm::shape() const {
+  std::vector<double> values;
+  for (const Parameter& parameter : parameters) values.push_back(parameter.value);
+  return values;
+}
+
+Eigen::VectorXd EffectTerm::coefficients() const {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(coefficients_dph.size()));
+  std::transform(coefficients_dph.begin(), coefficients_dph.end(), values.begin(),
+                 [](const Estimate& coefficient) { return coefficient.value; });
+  return values;
+}
+
+void EffectTerm::set_coefficients(const Eigen::Ref<const Eigen::VectorXd>& values_dph) {
+  coefficients_dph.resize(static_cast<std::size_t>(values_dph.size()));
+  for (std::size_t i = 0; i < coefficients_dph.size(); ++i) {
+    coefficients_dph[i].value = values_dph[static_cast<Eigen::Index>(i)];
+  }
+}
+
 const char* EffectTerm::bias_of_others() const {
   if (others_part == 0) return "before";
   return others_part == 1 ? "after" : "mean";
@@ -45,9 +65,9 @@ void add_to_bias(Model& model, double dph) {
   const auto bias = std::find_if(model.terms.begin(), model.terms.end(),
                                  [](const EffectTerm& term) { return term.name == kBias; });
   if (bias == model.terms.end()) {
-    model.terms.push_back({kBias, {}, {}, {}, {dph}, {0}});
+    model.terms.push_back({kBias, {}, {dph}});
   } else {
-    bias->coefficients_dph[0] += dph;
+    bias->coefficients_dph[0].value += dph;
   }
 }
 
@@ -57,9 +77,9 @@ Model as_it_acts_on(Model model, const std::vector<std::uint64_t>& recordings) {
   double bias_dph = 0;
   for (EffectTerm& term : model.terms) {
     if (!term.acts_on(recordings)) {
-      std::fill_n(term.coefficients_dph.begin(), term.coefficients_dph.size(), 0.0);
+      for (Estimate& coefficient : term.coefficients_dph) coefficient.value = 0;
     } else if (term.others_part > 0) {
-      bias_dph -= term.others_part * term.coefficients_dph[0];
+      bias_dph -= term.others_part * term.coefficients_dph[0].value;
     }
   }
   if (bias_dph != 0) add_to_bias(model, bias_dph);
@@ -74,8 +94,9 @@ Model after_exposure(Model model) {
       Expression& expression = term.expression->expression;
       expression = expression.after_exposure_to(model.max_degc);
       if (expression.nodes.back().constant) {
-        const double value = expression.constants(term.parameters).back();
-        bias_dph += std::ldexp(value, -term.expression->scale_log2) * term.coefficients_dph[0];
+        const double value = expression.constants(term.shape()).back();
+        bias_dph +=
+            std::ldexp(value, -term.expression->scale_log2) * term.coefficients_dph[0].value;
         continue;
       }
     }
@@ -96,8 +117,11 @@ double in_natural_unit(double coefficient_dph, const fog::CoefficientDescription
   return std::ldexp(coefficient_dph, -description.scale_log2) * description.per_unit;
 }
 
-double natural_coefficient(const EffectTerm& term, std::size_t index) {
-  return in_natural_unit(term.coefficients_dph[index], info_of(term).coefficients[index]);
+Estimate natural_coefficient(const EffectTerm& term, std::size_t index) {
+  const fog::CoefficientDescription description = info_of(term).coefficients[index];
+  const Estimate& coefficient = term.coefficients_dph[index];
+  return {in_natural_unit(coefficient.value, description),
+          in_natural_unit(coefficient.sigma, description)};
 }
 
 std::string describe(const Model& model) {
@@ -106,16 +130,17 @@ std::string describe(const Model& model) {
     const TermInfo entry = info_of(term);
     text += format("  %-24s %s", term.name.c_str(), entry.equation.c_str());
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-      if (is_left_at_zero(term, i)) continue;
-      text += format(", %s %.5g", entry.parameters[i].name.c_str(), term.parameters[i]);
-      if (term.identified[i]) text += format(" +- %.2g", term.parameter_sigma[i]);
+      const Parameter& parameter = term.parameters[i];
+      if (parameter.is_left_at_zero()) continue;
+      text += format(", %s %.5g", entry.parameters[i].name.c_str(), parameter.value);
+      if (parameter.identified) text += format(" +- %.2g", parameter.sigma);
       if (!entry.parameters[i].unit.empty()) text += " " + entry.parameters[i].unit;
     }
     text += '\n';
     for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
-      const double sigma = in_natural_unit(term.sigma_dph[i], entry.coefficients[i]);
+      const Estimate coefficient = natural_coefficient(term, i);
       text += format("  %24s %-4s = %12.5g +- %-9.2g %s\n", "", entry.coefficients[i].symbol,
-                     natural_coefficient(term, i), sigma, entry.coefficients[i].unit);
+                     coefficient.value, coefficient.sigma, entry.coefficients[i].unit);
     }
   }
   if (model.network.present()) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -17,18 +18,36 @@ namespace fogcomp::model {
 /// Search range of a shape parameter.
 struct ShapeBounds {
   double min = 0;
-  double max = 0;  ///< <= `min`: use the catalogue's bounds
+  double max = 0;
+
+  bool are_given() const { return max > min; }
+};
+
+/// A shape parameter of a term, in the unit of the catalogue (TermInfo::Parameter).
+struct Parameter {
+  double value = 0;
+  double sigma = 0;         ///< one standard deviation, 0 if not identified
+  bool identified = false;  ///< a fit may change it; else it was given
+  ShapeBounds bounds{};     ///< for the fit; not given: the catalogue's
+
+  /// Whether it disables its part of the effect.
+  bool is_left_at_zero() const { return value == 0 && !identified; }
+};
+
+/// A coefficient with its uncertainty, in the same unit.
+struct Estimate {
+  // NOLINTNEXTLINE(google-explicit-constructor): a number is an estimate without uncertainty
+  Estimate(double number = 0, double one_sigma = 0) : value(number), sigma(one_sigma) {}
+
+  double value;
+  double sigma;  ///< one standard deviation
 };
 
 /// An effect or expression in a model: its shape and the identified values.
 struct EffectTerm {
-  std::string name;                      ///< in the catalogue, or of the expression
-  std::vector<double> parameters;        ///< in the units of the catalogue
-  std::vector<bool> identified;          ///< which ones a fit may change; the others were given
-  std::vector<double> parameter_sigma;   ///< one standard deviation, 0 if not identified
-  std::vector<double> coefficients_dph;  ///< one per regressor (dimensionless, within +-8)
-  std::vector<double> sigma_dph;         ///< one standard deviation of each coefficient
-  std::vector<ShapeBounds> bounds{};     ///< for the fit: of each parameter, or empty
+  std::string name;                          ///< in the catalogue, or of the expression
+  std::vector<Parameter> parameters{};       ///< its shape, in the order of the catalogue
+  std::vector<Estimate> coefficients_dph{};  ///< one per regressor (dimensionless, within +-8)
   std::optional<ExpressionTerm> expression{};
   /// Of an event that a fit has found: hash of the rows (recording::rows_hash) of the recording in
   /// which it is. Nothing: it acts on all.
@@ -38,18 +57,19 @@ struct EffectTerm {
   /// recording it acts less this part.
   double others_part = 0;
 
-  /// The same as a word: "before", "after" or "mean".
+  /// Values of the parameters.
+  std::vector<double> shape() const;
+  /// Values of the coefficients, deg/h.
+  Eigen::VectorXd coefficients() const;
+  /// One value per regressor; what is known of their uncertainties stays.
+  void set_coefficients(const Eigen::Ref<const Eigen::VectorXd>& values_dph);
+  /// `others_part` as a word: "before", "after" or "mean".
   const char* bias_of_others() const;
   /// Whether it is an expression with highest(T).
   bool has_first_heat() const;
   /// `recordings`: hashes of the rows of a run's files.
   bool acts_on(const std::vector<std::uint64_t>& recordings) const;
 };
-
-/// Whether a part of the shape is disabled: not identified, and 0.
-inline bool is_left_at_zero(const EffectTerm& term, std::size_t parameter) {
-  return term.parameters[parameter] == 0 && !term.identified[parameter];
-}
 
 /// Names of fog::ThresholdRule, in its order.
 inline const std::vector<std::string> kBoardRules{"fixed", "sqtwolog", "heursure"};
@@ -134,9 +154,9 @@ struct Model {
   const EffectTerm* find(const std::string& name) const;
 };
 
-/// A coefficient, or its sigma, in the natural unit of the catalogue.
+/// A coefficient in the natural unit of the catalogue.
 double in_natural_unit(double coefficient_dph, const fog::CoefficientDescription& description);
-double natural_coefficient(const EffectTerm& term, std::size_t index);
+Estimate natural_coefficient(const EffectTerm& term, std::size_t index);
 
 /// The drift as a readable equation, one line per effect.
 std::string describe(const Model& model);

@@ -57,14 +57,12 @@ void read_parameters(ModelReader& in, const CatalogueEntry& entry, EffectTerm& t
   const std::size_t count = in.count(16);
   if (!may_end_at(count, entry)) in.fail("wrong number of parameters");
   for (std::size_t i = 0; i < count; ++i) {
-    term.parameters.push_back(read_parameter(in, entry.parameters[i]));
+    term.parameters.push_back({read_parameter(in, entry.parameters[i])});
   }
-  for (std::size_t i = 0; i < count; ++i) term.identified.push_back(in.count(1) == 1);
-  term.parameter_sigma = in.numbers(count);
+  for (Parameter& parameter : term.parameters) parameter.identified = in.count(1) == 1;
+  for (Parameter& parameter : term.parameters) parameter.sigma = in.number();
   for (std::size_t i = count; i < entry.parameters.size(); ++i) {
-    term.parameters.push_back(entry.parameters[i].default_milli / 1000.0);
-    term.identified.push_back(false);
-    term.parameter_sigma.push_back(0);
+    term.parameters.push_back({entry.parameters[i].default_milli / 1000.0});
   }
 }
 
@@ -82,8 +80,9 @@ EffectTerm read_effect(ModelReader& in) {
   if (coefficients != make_effect(term, kAnyBlockS)->regressor_count()) {
     in.fail("wrong number of coefficients");
   }
-  term.coefficients_dph = in.numbers(coefficients, -kMaxModelDph, kMaxModelDph);
-  term.sigma_dph = in.numbers(coefficients);
+  const std::vector<double> values = in.numbers(coefficients, -kMaxModelDph, kMaxModelDph);
+  term.coefficients_dph.assign(values.begin(), values.end());
+  for (Estimate& coefficient : term.coefficients_dph) coefficient.sigma = in.number();
   return term;
 }
 
@@ -108,11 +107,10 @@ EffectTerm read_expression(ModelReader& in) {
     if (parameters[i] < bounds.min || parameters[i] > bounds.max) {
       in.fail("parameter '" + bounds.name + "' is outside its bounds");
     }
+    term.parameters[i].value = parameters[i];
+    term.parameters[i].sigma = sigma[i];
   }
-  term.parameters = parameters;
-  term.parameter_sigma = sigma;
-  term.coefficients_dph = {coefficient};
-  term.sigma_dph = {coefficient_sigma};
+  term.coefficients_dph = {{coefficient, coefficient_sigma}};
   term.expression->scale_log2 = scale_log2;
   std::size_t next = 0;
   for (std::size_t i = 0; i < fog::kInputs; ++i) {

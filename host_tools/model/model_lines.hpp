@@ -33,6 +33,12 @@ class ModelWriter {
     for (const double value : values) number(value);
     return *this;
   }
+  /// A member of each.
+  template <class Values, class Member>
+  ModelWriter& each(const Values& values, Member member) {
+    for (const auto& value : values) number(value.*member);
+    return *this;
+  }
   ModelWriter& hash(std::uint64_t value) {
     return word(format("%016llx", static_cast<unsigned long long>(value)));
   }

@@ -23,8 +23,9 @@ void write_layer(ModelWriter& out, const char* name, const RealLayer& layer) {
 void write_expression(ModelWriter& out, const EffectTerm& term) {
   const ExpressionTerm& written = *term.expression;
   out.word("expression").word(term.name).number(written.scale_log2);
-  out.number(static_cast<double>(term.parameters.size())).numbers(term.parameters);
-  out.numbers(term.parameter_sigma).numbers(term.coefficients_dph).numbers(term.sigma_dph);
+  out.number(static_cast<double>(term.parameters.size()));
+  out.each(term.parameters, &Parameter::value).each(term.parameters, &Parameter::sigma);
+  out.each(term.coefficients_dph, &Estimate::value).each(term.coefficients_dph, &Estimate::sigma);
   std::vector<double> ranges;
   for (std::size_t i = 0; i < fog::kInputs; ++i) {
     if (!written.expression.uses(static_cast<fog::Input>(i))) continue;
@@ -49,9 +50,11 @@ void write_history(ModelWriter& out, const HistoryEntry& entry) {
 void write_term(ModelWriter& out, const EffectTerm& term) {
   if (term.expression) return write_expression(out, term);
   out.word("effect").word(term.name).number(static_cast<double>(term.parameters.size()));
-  out.numbers(term.parameters).numbers(term.identified).numbers(term.parameter_sigma);
+  out.each(term.parameters, &Parameter::value).each(term.parameters, &Parameter::identified);
+  out.each(term.parameters, &Parameter::sigma);
   out.number(static_cast<double>(term.coefficients_dph.size()));
-  out.numbers(term.coefficients_dph).numbers(term.sigma_dph).end_line();
+  out.each(term.coefficients_dph, &Estimate::value).each(term.coefficients_dph, &Estimate::sigma);
+  out.end_line();
   if (!term.recording) return;
   out.word(kEventRecording).hash(*term.recording);
   if (term.others_part == 1) {

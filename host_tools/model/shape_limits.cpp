@@ -37,8 +37,8 @@ std::vector<ShapeDoubt> shape_doubts(const EffectTerm& term) {
   const TermInfo info = info_of(term);
   for (const ShapeParameter& shape : shape_parameters({term})) {
     const TermInfo::Parameter& parameter = info.parameters[shape.index];
-    const double value = term.parameters[shape.index];
-    const double sigma = term.parameter_sigma[shape.index];
+    const double value = term.parameters[shape.index].value;
+    const double sigma = term.parameters[shape.index].sigma;
     std::string words;
     std::string instead;
     bool upper = false;
@@ -62,13 +62,14 @@ std::vector<ShapeDoubt> shape_doubts(const EffectTerm& term) {
 bool only_tail_is_seen(const EffectTerm& term) {
   const std::vector<ShapeParameter> shapes = shape_parameters({term});
   return std::any_of(shapes.begin(), shapes.end(), [&](const ShapeParameter& shape) {
-    return shape.scale == fog::Scale::place && is_at_bound(shape, term.parameters[shape.index]);
+    return shape.scale == fog::Scale::place &&
+           is_at_bound(shape, term.parameters[shape.index].value);
   });
 }
 
 std::string coefficient_doubt(const EffectTerm& term) {
-  for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
-    if (std::abs(term.coefficients_dph[i]) > term.sigma_dph[i]) return "";
+  for (const Estimate& coefficient : term.coefficients_dph) {
+    if (std::abs(coefficient.value) > coefficient.sigma) return "";
   }
   return "`" + term.name + "`: none of its coefficients is larger than its uncertainty";
 }

@@ -56,10 +56,9 @@ std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& term
     if (is_event(terms[term])) continue;
     const TermInfo entry = info_of(terms[term]);
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-      if (!terms[term].identified[i] || entry.parameters[i].is_reference) continue;
-      const auto& own = terms[term].bounds;
-      const bool bounded = i < own.size() && own[i].max > own[i].min;
-      const ShapeBounds bounds = bounded ? own[i] : entry.parameters[i].bounds;
+      const Parameter& own = terms[term].parameters[i];
+      if (!own.identified || entry.parameters[i].is_reference) continue;
+      const ShapeBounds bounds = own.bounds.are_given() ? own.bounds : entry.parameters[i].bounds;
       parameters.push_back({term, i, bounds.min, bounds.max, entry.parameters[i].scale});
     }
   }
@@ -70,7 +69,7 @@ std::vector<EffectTerm> with_fixed_shapes(std::vector<EffectTerm> terms,
                                           const std::vector<std::size_t>& free) {
   for (std::size_t i = 0; i < terms.size(); ++i) {
     if (std::find(free.begin(), free.end(), i) != free.end()) continue;
-    std::fill(terms[i].identified.begin(), terms[i].identified.end(), false);
+    for (Parameter& parameter : terms[i].parameters) parameter.identified = false;
   }
   return terms;
 }

@@ -18,6 +18,11 @@ struct ShapeParameter {
   /// Position in the range, 0..1, on its scale; and back, clipped to the range.
   double to_unit(double value) const;
   double from_unit(double unit) const;
+  /// The same of the parameter in a term.
+  double unit_in(const EffectTerm& place) const { return to_unit(place.parameters[index].value); }
+  void set_unit(EffectTerm& place, double unit) const {
+    place.parameters[index].value = from_unit(unit);
+  }
   /// d value / d unit.
   double slope(double value) const;
 };

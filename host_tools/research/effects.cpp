@@ -26,12 +26,7 @@ class EffectsComparator : public Comparator {
   }
 
   Eigen::VectorXd drift_dph(const series::SignalSeries& series) const override {
-    Eigen::VectorXd drift = Eigen::VectorXd::Zero(series.rows().size());
-    for (const model::EffectTerm& term : model_.terms) {
-      const Eigen::Map<const Eigen::VectorXd> coefficients(
-          term.coefficients_dph.data(), static_cast<Eigen::Index>(term.coefficients_dph.size()));
-      drift += series.regressors(term) * coefficients;
-    }
+    Eigen::VectorXd drift = series.drift_dph(model_.terms);
     if (training_.hidden > 0 && network_.worth_keeping()) {
       drift += network_.trained.drift_dph(temperature_and_rate_of(series.rows()));
     }

@@ -196,9 +196,7 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading,
 Eigen::VectorXd SignalSeries::drift_dph(const std::vector<model::EffectTerm>& terms) const {
   Eigen::VectorXd drift = Eigen::VectorXd::Zero(rows_.size());
   for (const model::EffectTerm& term : terms) {
-    drift += regressors(term) * Eigen::Map<const Eigen::VectorXd>(
-                                    term.coefficients_dph.data(),
-                                    static_cast<Eigen::Index>(term.coefficients_dph.size()));
+    drift += regressors(term) * term.coefficients();
   }
   return drift;
 }

@@ -19,9 +19,9 @@ Json parameters_json(const model::EffectTerm& term, const model::TermInfo& info)
     const model::TermInfo::Parameter& parameter = info.parameters[i];
     Json one = Json::object();
     one.set("name", parameter.name).set("unit", unit_of(parameter.unit));
-    one.set("value", term.parameters[i]).set("sigma", term.parameter_sigma[i]);
-    one.set("identified", static_cast<bool>(term.identified[i]));
-    one.set("left_out", model::is_left_at_zero(term, i));
+    const model::Parameter& own = term.parameters[i];
+    one.set("value", own.value).set("sigma", own.sigma);
+    one.set("identified", own.identified).set("left_out", own.is_left_at_zero());
     one.set("min", parameter.bounds.min).set("max", parameter.bounds.max);
     one.set("whole", parameter.scale == fog::Scale::whole);
     one.set("logarithmic", parameter.scale == fog::Scale::logarithmic);
@@ -40,11 +40,12 @@ std::string effect_words(const model::EffectTerm& term) {
     const fog::ParameterDescription& parameter = entry.parameters[i];
     if (model::is_reference(parameter)) continue;
     const bool by_itself = parameter.not_given == fog::NotGiven::identified;
-    const bool is_default = term.parameters[i] == parameter.default_milli / 1000.0;
-    if (term.identified[i]) {
+    const double value = term.parameters[i].value;
+    const bool is_default = value == parameter.default_milli / 1000.0;
+    if (term.parameters[i].identified) {
       if (!by_itself) words += std::string(":") + parameter.name + "=?";
     } else if (by_itself || !is_default) {
-      words += std::string(":") + parameter.name + "=" + Json(term.parameters[i]).text();
+      words += std::string(":") + parameter.name + "=" + Json(value).text();
     }
   }
   return words;
@@ -54,11 +55,12 @@ Json coefficients_json(const model::EffectTerm& term, const model::TermInfo& inf
   Json coefficients = Json::array();
   for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
     const fog::CoefficientDescription& description = info.coefficients[i];
+    const model::Estimate coefficient = model::natural_coefficient(term, i);
     coefficients.push(Json::object()
                           .set("symbol", description.symbol)
                           .set("unit", unit_of(description.unit))
-                          .set("value", model::natural_coefficient(term, i))
-                          .set("sigma", model::in_natural_unit(term.sigma_dph[i], description)));
+                          .set("value", coefficient.value)
+                          .set("sigma", coefficient.sigma));
   }
   return coefficients;
 }

@@ -74,11 +74,11 @@ void add_coefficients(Figures& figures, const model::Model& model) {
     if (model::is_event(term)) continue;
     const model::TermInfo info = model::info_of(term);
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-      figures.emplace_back(term.name + "." + info.parameters[i].name, term.parameters[i]);
+      figures.emplace_back(term.name + "." + info.parameters[i].name, term.parameters[i].value);
     }
     for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
       figures.emplace_back(term.name + "." + info.coefficients[i].symbol,
-                           model::natural_coefficient(term, i));
+                           model::natural_coefficient(term, i).value);
     }
   }
 }

@@ -23,8 +23,8 @@ std::uint32_t data_hash(const model::Model& model) {
 
 // The bias that a model with this event has.
 std::string bias_at(const model::EffectTerm& event) {
-  const std::string step =
-      format("the step of %+.2g deg/h at %.6g s", event.coefficients_dph[0], event.parameters[0]);
+  const std::string step = format("the step of %+.2g deg/h at %.6g s",
+                                  event.coefficients_dph[0].value, event.parameters[0].value);
   const std::string bias = event.bias_of_others();
   if (bias == "mean") return "mean bias of the recording with " + step;
   return "bias " + bias + " " + step;

@@ -98,7 +98,7 @@ void choose_order(std::vector<model::EffectTerm>& terms, const series::Rows& row
   const auto found = std::find_if(terms.begin(), terms.end(), [](const model::EffectTerm& term) {
     return term.name == "bias_temperature";
   });
-  found->parameters[0] =
+  found->parameters[0].value =
       research::Polynomial::best_order(research::temperature_of(rows), rows.drift_dph);
 }
 

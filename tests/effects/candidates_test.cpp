@@ -95,7 +95,7 @@ TEST_F(CandidatesTest, HaveOrthonormalBasesAndShapesWithinTheirBounds) {
       EXPECT_TRUE(product.isIdentity(1e-5F)) << candidate.effect;
       const model::CatalogueEntry& entry = model::find_effect(candidate.effect);
       for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
-        const double value = shape.term.parameters[i];
+        const double value = shape.term.parameters[i].value;
         EXPECT_LE(value, entry.parameters[i].max_milli / 1000.0 + 1e-9) << candidate.effect;
         if (value == 0 && model::is_optional_part(entry.parameters[i])) continue;
         EXPECT_GE(value, entry.parameters[i].min_milli / 1000.0 - 1e-9) << candidate.effect;
@@ -122,12 +122,12 @@ TEST_F(CandidatesTest, OfWhatTheModelHasAreWhatItCouldGrowTo) {
   const CandidateList list = found("bias,bias_temperature:order=2,thermal_hysteresis:radius=5");
   const Candidate* const polynomial = find(list, "bias_temperature");
   ASSERT_NE(polynomial, nullptr);
-  for (const auto& shape : polynomial->shapes) EXPECT_EQ(shape.term.parameters[0], 3);
+  for (const auto& shape : polynomial->shapes) EXPECT_EQ(shape.term.parameters[0].value, 3);
   const Candidate* const loops = find(list, "thermal_hysteresis");
   ASSERT_NE(loops, nullptr);
   for (const auto& shape : loops->shapes) {
-    EXPECT_EQ(shape.term.parameters[0], 5);
-    EXPECT_GT(shape.term.parameters[1], 0);
+    EXPECT_EQ(shape.term.parameters[0].value, 5);
+    EXPECT_GT(shape.term.parameters[1].value, 0);
     EXPECT_EQ(shape.basis.cols(), 1);  // the second loop alone
   }
   EXPECT_EQ(find(list, "bias"), nullptr);
@@ -181,8 +181,8 @@ TEST_F(CandidatesTest, AreNotSharpenedOnWhatNoiseMightBe) {
                           residual);
   for (std::size_t i = 0; i < list.testable.size(); ++i) {
     for (std::size_t shape = 0; shape < list.testable[i].shapes.size(); ++shape) {
-      EXPECT_EQ(list.testable[i].shapes[shape].term.parameters,
-                before.testable[i].shapes[shape].term.parameters);
+      EXPECT_EQ(list.testable[i].shapes[shape].term.shape(),
+                before.testable[i].shapes[shape].term.shape());
     }
   }
 }

@@ -18,8 +18,8 @@ TEST(Catalogue, ExamplesAreWithinBoundsAndHaveACoefficientForEachRegressor) {
     EXPECT_EQ(term.coefficients_dph.size(), RegressorBank({term}, 1).size()) << term.name;
     for (std::size_t i = 0; i < term.parameters.size(); ++i) {
       const ShapeBounds bounds = catalogue_bounds(entry, i);
-      EXPECT_GE(term.parameters[i], bounds.min) << term.name;
-      EXPECT_LE(term.parameters[i], bounds.max) << term.name;
+      EXPECT_GE(term.parameters[i].value, bounds.min) << term.name;
+      EXPECT_LE(term.parameters[i].value, bounds.max) << term.name;
     }
   }
 }

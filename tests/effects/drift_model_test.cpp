@@ -60,10 +60,9 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleOnAnyThermalHistory) {
 TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForEveryPolynomialOrder) {
   for (int order = 1; order <= 9; ++order) {
     fogcomp::model::Model model = fog::test::paper_like_model();
-    model.terms = {{"bias_temperature", {static_cast<double>(order)}, {false}, {0}, {}, {}}};
+    model.terms = {{"bias_temperature", {{static_cast<double>(order)}}, {}}};
     for (int k = 0; k < order; ++k) {
       model.terms[0].coefficients_dph.push_back(k % 2 == 0 ? 0.9 : -1.1);
-      model.terms[0].sigma_dph.push_back(0);
     }
     EXPECT_LE(worst_difference(model, 7, 20), 2.0 / 1024) << "order " << order;
   }
@@ -73,7 +72,7 @@ TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForEveryPolynomialOrder) {
 TEST(DriftModel, BoardIsWithinTwoLsbOfDoubleForAMemsSizedDrift) {
   fogcomp::model::Model model = fog::test::paper_like_model();
   for (fogcomp::model::EffectTerm& term : model.terms) {
-    for (double& coefficient : term.coefficients_dph) coefficient *= 20000;
+    for (fogcomp::model::Estimate& coefficient : term.coefficients_dph) coefficient.value *= 20000;
   }
   model.network.amplitude_dph = 2000;
   EXPECT_LE(worst_difference(model, 3, 20), 0.02);  // relative: 1e-6 of 14,000 deg/h
@@ -147,8 +146,8 @@ std::vector<double> at_bounds(const fogcomp::model::CatalogueEntry& entry, bool 
 // The ends and the middle of what the formats must hold, with and without optional parts.
 std::set<std::vector<double>> shapes_of(const fogcomp::model::EffectTerm& example) {
   const fogcomp::model::CatalogueEntry& entry = fogcomp::model::find_effect(example.name);
-  return {example.parameters,
-          fog::test::natural_term(example.name, {}, {}).parameters,
+  return {example.shape(),
+          fog::test::natural_term(example.name, {}, {}).shape(),
           at_bounds(entry, false, false),
           at_bounds(entry, true, false),
           at_bounds(entry, false, true),
@@ -158,10 +157,9 @@ std::set<std::vector<double>> shapes_of(const fogcomp::model::EffectTerm& exampl
 // The example with another shape: additional coefficients are 1 deg/h.
 fogcomp::model::EffectTerm with_shape(fogcomp::model::EffectTerm term,
                                       const std::vector<double>& shape) {
-  term.parameters = shape;
+  for (std::size_t i = 0; i < shape.size(); ++i) term.parameters[i].value = shape[i];
   const std::size_t count = fogcomp::model::RegressorBank({term}, 1).size();
   term.coefficients_dph.resize(count, 1);
-  term.sigma_dph.resize(count, 0);
   return term;
 }
 

@@ -26,7 +26,8 @@ TEST(Additions, OfATrueEffectAreAccepted) {
       if (result.accepted) ++accepted;
       if (seed == 1) {
         std::printf("%g times: %.1f sigma, %s\n", size,
-                    result.model.terms[2].coefficients_dph[0] / result.model.terms[2].sigma_dph[0],
+                    result.model.terms[2].coefficients_dph[0].value /
+                        result.model.terms[2].coefficients_dph[0].sigma,
                     result.reason.c_str());
       }
     }

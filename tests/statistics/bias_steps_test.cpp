@@ -35,9 +35,10 @@ TEST(FoundSteps, OfFiveSigmaOfARowAreWithinAFewRows) {
     EXPECT_GE(result.identified.masked, 1U);
     // The step becomes a term of the model, and the others are as without it.
     EXPECT_STREQ(result.model.terms.back().name.c_str(), "bias_step");
-    EXPECT_EQ(result.model.terms.back().parameters[0], step.time_s);
-    EXPECT_NEAR(result.model.terms[2].coefficients_dph[0], truth().terms[2].coefficients_dph[0],
-                4 * result.model.terms[2].sigma_dph[0]);
+    EXPECT_EQ(result.model.terms.back().parameters[0].value, step.time_s);
+    EXPECT_NEAR(result.model.terms[2].coefficients_dph[0].value,
+                truth().terms[2].coefficients_dph[0].value,
+                4 * result.model.terms[2].coefficients_dph[0].sigma);
   }
   std::printf("found %d of 20; the size within its 95 %% interval in %d\n", found, covered);
   EXPECT_GE(found, 19);

@@ -133,7 +133,7 @@ TEST(Diagnosis, FindsTheMomentOfABiasStep) {
     }
     const Diagnosis diagnosis = diagnosed(kBasic, recording);
     ASSERT_EQ(diagnosis.effect, "bias_step") << step_s;
-    EXPECT_NEAR(diagnosis.find("bias_step")->term().parameters[0], step_s, 120);
+    EXPECT_NEAR(diagnosis.find("bias_step")->term().parameters[0].value, step_s, 120);
     EXPECT_LT(diagnosis.unexplained_fraction, 0.02);
   }
 }
@@ -206,8 +206,8 @@ TEST(Diagnosis, NamesAnExpressionThatIsOffered) {
   ASSERT_EQ(right.effect, "late");
   const fogcomp::model::EffectTerm& term = right.find("late")->term();
   ASSERT_TRUE(term.expression.has_value());
-  EXPECT_NEAR(term.parameters[0], 1200, 400);  // as finely as shapes are laid out
-  EXPECT_NEAR(fogcomp::model::natural_coefficient(term, 0), 0.12, 0.03);
+  EXPECT_NEAR(term.parameters[0].value, 1200, 400);  // as finely as shapes are laid out
+  EXPECT_NEAR(fogcomp::model::natural_coefficient(term, 0).value, 0.12, 0.03);
 }
 
 TEST(Diagnosis, SearchesTheParametersOfAnExpression) {
@@ -217,7 +217,7 @@ TEST(Diagnosis, SearchesTheParametersOfAnExpression) {
   const Diagnosis diagnosis = diagnosed(kBasic, recording_with({bump}, 6),
                                         {"bump = exp(-((T - ?at[-30,50]) / ?width[2,30])^2)"});
   ASSERT_EQ(diagnosis.effect, "bump");
-  const std::vector<double>& found = diagnosis.find("bump")->term().parameters;
+  const std::vector<double> found = diagnosis.find("bump")->term().shape();
   EXPECT_NEAR(found[0], 5, 3);
   EXPECT_NEAR(found[1], 8, 3);
 }

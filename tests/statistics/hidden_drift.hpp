@@ -31,7 +31,7 @@ inline fogcomp::recording::Recording recording_with(
     for (std::size_t row = 0; row < recording.rows(); ++row) {
       for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
         recording.rate_dph[row] +=
-            term.coefficients_dph[i] *
+            term.coefficients_dph[i].value *
             regressors(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(i));
       }
     }

@@ -7,6 +7,7 @@
 
 #include "fit/identify.hpp"
 #include "model/effect_list.hpp"
+#include "model/shape_parameter.hpp"
 #include "support/typical_effects.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
@@ -36,20 +37,22 @@ TEST(IdentifiedRipple, HasASecondPeriodWhereAsked) {
       fitted_ripple({9, 31}, {0.006, 0.004, 0.02, -0.02}, {0.024, 0.003, 300}, 2,
                     "bias,bias_temperature:order=3,temperature_rate,polarization_ripple:period2=?");
   ASSERT_EQ(term.coefficients_dph.size(), 4U);
-  EXPECT_NEAR(term.parameters[0], 9, 4 * term.parameter_sigma[0]);
-  EXPECT_NEAR(term.parameters[1], 31, 4 * term.parameter_sigma[1]);
-  EXPECT_LT(term.parameter_sigma[1], 2);
+  EXPECT_NEAR(term.parameters[0].value, 9, 4 * term.parameters[0].sigma);
+  EXPECT_NEAR(term.parameters[1].value, 31, 4 * term.parameters[1].sigma);
+  EXPECT_LT(term.parameters[1].sigma, 2);
 }
 
 TEST(IdentifiedRipple, HasAChirpWhereAsked) {
   const model::EffectTerm term =
       fitted_ripple({13, 0, 0.05}, {0.02, 0.01}, {0.024, 0.003, 300}, 3,
                     "bias,bias_temperature:order=3,temperature_rate,polarization_ripple:chirp=?");
-  EXPECT_NEAR(term.parameters[0], 13, 4 * term.parameter_sigma[0]);
-  EXPECT_NEAR(term.parameters[2], 0.05, 4 * term.parameter_sigma[2]);
-  EXPECT_LT(term.parameter_sigma[2], 0.01);
-  EXPECT_EQ(model::parse_effects("polarization_ripple")[0].identified,
-            (std::vector<bool>{true, false, false}));
+  EXPECT_NEAR(term.parameters[0].value, 13, 4 * term.parameters[0].sigma);
+  EXPECT_NEAR(term.parameters[2].value, 0.05, 4 * term.parameters[2].sigma);
+  EXPECT_LT(term.parameters[2].sigma, 0.01);
+  const std::vector<model::ShapeParameter> searched =
+      model::shape_parameters(model::parse_effects("polarization_ripple"));
+  ASSERT_EQ(searched.size(), 1U);
+  EXPECT_EQ(searched[0].index, 0U);
 }
 
 // A strong ripple with a slightly wrong period leaves more than the weak one has, so that a
@@ -60,8 +63,8 @@ TEST(IdentifiedRipple, HasAWeakSecondPeriodBesideAStrongOneWhereverTheyAre) {
     const model::EffectTerm term = fitted_ripple(
         {strong, weak}, {-0.008, 0.029, 0.003, 0.0035}, {0.024, 0.002, 300}, 1,
         "bias,bias_temperature:order=2,temperature_rate,warm_up,polarization_ripple:period2=?");
-    EXPECT_NEAR(term.parameters[0], weak, 0.07 * weak) << strong;
-    EXPECT_NEAR(term.parameters[1], strong, 0.04 * strong) << weak;
+    EXPECT_NEAR(term.parameters[0].value, weak, 0.07 * weak) << strong;
+    EXPECT_NEAR(term.parameters[1].value, strong, 0.04 * strong) << weak;
   }
 }
 

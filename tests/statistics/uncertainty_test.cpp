@@ -35,12 +35,13 @@ void expect_true_intervals(const std::vector<EffectTerm>& terms, const std::stri
     for (std::size_t i = 0; i < terms.size(); ++i) {
       const EffectTerm& got = model.terms[i];
       for (std::size_t k = 0; k < got.coefficients_dph.size(); ++k) {
-        errors.push_back((got.coefficients_dph[k] - terms[i].coefficients_dph[k]) /
-                         got.sigma_dph[k]);
+        errors.push_back((got.coefficients_dph[k].value - terms[i].coefficients_dph[k].value) /
+                         got.coefficients_dph[k].sigma);
       }
       for (std::size_t k = 0; k < got.parameters.size(); ++k) {
-        if (!got.identified[k]) continue;
-        errors.push_back((got.parameters[k] - terms[i].parameters[k]) / got.parameter_sigma[k]);
+        if (!got.parameters[k].identified) continue;
+        errors.push_back((got.parameters[k].value - terms[i].parameters[k].value) /
+                         got.parameters[k].sigma);
       }
     }
     covered.resize(errors.size());

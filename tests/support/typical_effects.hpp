@@ -22,17 +22,15 @@ inline fogcomp::model::EffectTerm natural_term(const std::string& name,
   const fogcomp::model::CatalogueEntry& entry = fogcomp::model::find_effect(name);
   fogcomp::model::EffectTerm term;
   term.name = name;
-  term.parameters = parameters;
-  while (term.parameters.size() < entry.parameters.size()) {
-    term.parameters.push_back(entry.parameters[term.parameters.size()].default_milli / 1000.0);
+  for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
+    const double value =
+        i < parameters.size() ? parameters[i] : entry.parameters[i].default_milli / 1000.0;
+    term.parameters.push_back({value});
   }
-  term.identified.assign(term.parameters.size(), false);
-  term.parameter_sigma.assign(term.parameters.size(), 0);
   for (std::size_t i = 0; i < coefficients.size(); ++i) {
     const CoefficientDescription& description = entry.coefficients[i];
-    term.coefficients_dph.push_back(std::ldexp(coefficients[i], description.scale_log2) /
-                                    description.per_unit);
-    term.sigma_dph.push_back(0.01 * std::abs(term.coefficients_dph.back()));
+    const double dph = std::ldexp(coefficients[i], description.scale_log2) / description.per_unit;
+    term.coefficients_dph.emplace_back(dph, 0.01 * std::abs(dph));
   }
   return term;
 }
@@ -52,8 +50,7 @@ inline fogcomp::model::EffectTerm written_term(const std::string& definition) {
   fogcomp::model::Model model = paper_like_model();
   term.expression->scale_log2 =
       std::ilogb(fogcomp::board::compile_expression(term, model, 1).max) - 1;
-  term.coefficients_dph = {0.005};
-  term.sigma_dph = {0.0001};
+  term.coefficients_dph = {{0.005, 0.0001}};
   return term;
 }
 

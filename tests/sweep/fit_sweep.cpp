@@ -219,10 +219,12 @@ class Numbers {
   }
   void see(const char* what, const std::vector<model::EffectTerm>& terms) {
     for (const model::EffectTerm& term : terms) {
-      see(what, term.parameters);
-      see(what, term.parameter_sigma);
-      see(what, term.coefficients_dph);
-      see(what, term.sigma_dph);
+      for (const model::Parameter& parameter : term.parameters) {
+        see(what, {parameter.value, parameter.sigma});
+      }
+      for (const model::Estimate& coefficient : term.coefficients_dph) {
+        see(what, {coefficient.value, coefficient.sigma});
+      }
     }
   }
   const std::string& bad() const { return bad_; }
@@ -270,7 +272,7 @@ void see_diagnosis(Numbers& numbers, const diagnosis::Diagnosis& diagnosis) {
   for (const diagnosis::CandidateFinding& finding : diagnosis.candidates) {
     numbers.see("candidate", {finding.explained_fraction, finding.rms_after_dph, finding.evidence,
                               finding.probability});
-    numbers.see("candidate's terms", finding.term().coefficients_dph);
+    numbers.see("candidate's terms", std::vector<model::EffectTerm>{finding.term()});
   }
   for (const diagnosis::NamedShare& segment : diagnosis.segments) {
     numbers.see("segment", segment.share);

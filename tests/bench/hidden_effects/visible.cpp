@@ -64,7 +64,7 @@ double best_shape(const Sight& sight, model::EffectTerm& term, const Eigen::Vect
   };
   const std::vector<model::ShapeParameter> shapes = shapes_of(term, sight.longest_s);
   double best = fraction();
-  std::vector<double> best_parameters = term.parameters;
+  std::vector<model::Parameter> best_parameters = term.parameters;
   const auto keep_if_better = [&] {
     const double now = fraction();
     if (now <= best) return;
@@ -77,11 +77,11 @@ double best_shape(const Sight& sight, model::EffectTerm& term, const Eigen::Vect
       shapes.size() < 2 ? 1 : static_cast<std::size_t>(grid_points(term, 1));
   for (std::size_t i = 0; i < first_points && !shapes.empty(); ++i) {
     for (std::size_t j = 0; j < second_points; ++j) {
-      term.parameters[shapes[0].index] =
+      term.parameters[shapes[0].index].value =
           shapes[0].from_unit((static_cast<double>(i) + 0.5) / static_cast<double>(first_points));
       if (shapes.size() > 1) {
-        term.parameters[shapes[1].index] = shapes[1].from_unit((static_cast<double>(j) + 0.5) /
-                                                               static_cast<double>(second_points));
+        term.parameters[shapes[1].index].value = shapes[1].from_unit(
+            (static_cast<double>(j) + 0.5) / static_cast<double>(second_points));
       }
       keep_if_better();
     }
@@ -92,7 +92,7 @@ double best_shape(const Sight& sight, model::EffectTerm& term, const Eigen::Vect
 
 int declared_order(const model::Model& model) {
   const model::EffectTerm* term = model.find("bias_temperature");
-  return term == nullptr ? 0 : static_cast<int>(term->parameters[0]);
+  return term == nullptr ? 0 : static_cast<int>(term->parameters[0].value);
 }
 
 // Central differences within each recording; 0 at its ends.

@@ -26,7 +26,7 @@ class Tables : public testing::Test {
   // A gyro that passes, or not, with a model of this bias.
   void calibrate(const std::string& gyro, double bias_dph, bool passes = true) {
     model::Model model = fog::test::paper_like_model();
-    model.terms.front().coefficients_dph[0] = bias_dph;
+    model.terms.front().coefficients_dph[0].value = bias_dph;
     model.serial = gyro;
     std::filesystem::create_directories(folder_ + "/" + gyro);
     write_file(folder_ + "/" + gyro + "/fog_model.h",

@@ -22,8 +22,8 @@ std::string refusal(const model::Model& model) {
 TEST(ExportLimits, ACoefficientIsNamedWithItsUnitTheLimitAndTheRemedy) {
   model::Model model = fog::test::paper_like_model();
   model::EffectTerm aging = fog::test::natural_term("aging", {2e6}, {-5.9561e5});
-  aging.identified[0] = true;
-  aging.parameter_sigma[0] = 1;
+  aging.parameters[0].identified = true;
+  aging.parameters[0].sigma = 1;
   model.terms.push_back(aging);
   EXPECT_EQ(refusal(model),
             "effect 'aging': a = -5.9561e+05 deg/h is more than the board's numbers hold, "

@@ -66,7 +66,7 @@ TEST(ResidualAnalysis, NamesTheRateWhereItsTermIsMissing) {
 
 TEST(ResidualAnalysis, KnowsAnOffsetFromDrift) {
   Model model = truth();
-  model.terms[0].coefficients_dph[0] -= 0.02;
+  model.terms[0].coefficients_dph[0].value -= 0.02;
   const ResidualAnalysis found = analyse_residual(compare(model, 1));
   EXPECT_TRUE(found.offset.structured());
   EXPECT_GT(found.share_of_excess(found.offset).value_or(0), 0.7);

@@ -7,7 +7,7 @@ namespace {
 
 model::Model trained() {
   model::Model model;
-  model.terms = {{"bias", {}, {}, {}, {0.7}, {0.01}}};
+  model.terms = {{"bias", {}, {{0.7, 0.01}}}};
   model.min_degc = -41;
   model.max_degc = 61;
   model.rate_range_degc_per_min = model::Range{-0.7, 0.9};
@@ -73,7 +73,7 @@ TEST(TrainedRange, WarnsOfInputsThatTheModelNeeds) {
     return range.outside().inputs[kPower];
   };
   EXPECT_EQ(outside(120), 0);
-  model.terms.push_back({"light_power", {}, {}, {}, {1}, {0.1}});
+  model.terms.push_back({"light_power", {}, {{1, 0.1}}});
   EXPECT_EQ(outside(120), 1);
   EXPECT_EQ(outside(100), 0);
 }

@@ -74,8 +74,8 @@ TEST(CandidateFinding, OfAnEffectThatStandsTwiceHasBothParts) {
                               made.fit())[0];
   };
   const CandidateFinding both = find({{0, 1}, {0, 0}});
-  EXPECT_EQ(both.term().parameters[0], 5);
-  EXPECT_EQ(both.term().parameters[1], 15);
+  EXPECT_EQ(both.term().parameters[0].value, 5);
+  EXPECT_EQ(both.term().parameters[1].value, 15);
   EXPECT_LT(both.rms_after_dph, 0.5 * find({{0, 0}}).rms_after_dph);
   EXPECT_LT(both.rms_after_dph, 0.5 * find({{0, 1}}).rms_after_dph);
 }
@@ -92,8 +92,8 @@ TEST_F(CandidateFindingTest, ExplainsItsGainLessWhatItsColumnsWouldByChance) {
 TEST_F(CandidateFindingTest, CompletesTheModel) {
   const CandidateFinding finding = find({}, chi2_drop())[1];
   EXPECT_EQ(finding.term().name, "thermal_hysteresis");
-  EXPECT_EQ(finding.term().parameters[0], 5);
-  EXPECT_NEAR(finding.term().coefficients_dph[0], kMissing_dph / 5, 0.1 * kMissing_dph / 5);
+  EXPECT_EQ(finding.term().parameters[0].value, 5);
+  EXPECT_NEAR(finding.term().coefficients_dph[0].value, kMissing_dph / 5, 0.1 * kMissing_dph / 5);
   EXPECT_NEAR(finding.rms_after_dph, 0.0243, 0.002);
   EXPECT_GT(rms_of_rows(made_.series().rows(), made_.fit(), made_.fit().residual_dph),
             1.2 * finding.rms_after_dph);
@@ -104,9 +104,9 @@ TEST_F(CandidateFindingTest, CompletesTheModel) {
 TEST_F(CandidateFindingTest, TakesTheShapeOfItsLikeliestSet) {
   const CandidateFinding finding =
       find({hypothesis({{1, 0}}, 0.6), hypothesis({{1, 1}}, 0.4)}, chi2_drop())[1];
-  EXPECT_EQ(finding.term().parameters[0], 1);
+  EXPECT_EQ(finding.term().parameters[0].value, 1);
   ASSERT_EQ(finding.possible.size(), 2U);
-  EXPECT_EQ(finding.possible[1].parameters[0], 5);
+  EXPECT_EQ(finding.possible[1].parameters[0].value, 5);
   EXPECT_EQ(find({}, chi2_drop())[1].possible.size(), 1U);
 }
 

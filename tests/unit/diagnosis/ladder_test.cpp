@@ -73,7 +73,7 @@ TEST(Ladder, AddsAnAgeingThatIsFasterWhenWarm) {
   ASSERT_EQ(ladder.steps.size(), 1U);
   EXPECT_EQ(ladder.steps[0].addition.request.effects, Names{"aging:q10=?"});
   const model::EffectTerm& ageing = ladder.model.terms.back();
-  EXPECT_NEAR(ageing.parameters[1], 1.5, 4 * ageing.parameter_sigma[1]);
+  EXPECT_NEAR(ageing.parameters[1].value, 1.5, 4 * ageing.parameters[1].sigma);
 }
 
 }  // namespace

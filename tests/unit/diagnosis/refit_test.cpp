@@ -25,7 +25,7 @@ TEST(Put, TakesTheLastPlaceAndThatOfASmallerVersion) {
   put(terms, model::parse_effects("bias_temperature:order=4")[0]);
   EXPECT_EQ(names_of(terms),
             (std::vector<std::string>{"bias", "temperature_rate", "aging", "bias_temperature"}));
-  EXPECT_EQ(terms.back().parameters[0], 4);
+  EXPECT_EQ(terms.back().parameters[0].value, 4);
 }
 
 // Two recordings of one gyro without noise, the second with a bias of its own.
@@ -46,10 +46,11 @@ TEST(Refit, FindsTheCoefficientsBesideABiasOfEachRecording) {
       refit(model::parse_effects("bias,temperature_rate,thermal_lag:tau=600"), series, fit);
   ASSERT_EQ(result.terms.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(result.terms[i].coefficients_dph.at(0), truth.terms[i].coefficients_dph[0], 1e-6)
+    EXPECT_NEAR(result.terms[i].coefficients_dph.at(0).value,
+                truth.terms[i].coefficients_dph[0].value, 1e-6)
         << result.terms[i].name;
   }
-  EXPECT_EQ(result.terms[2].parameters[0], 600);
+  EXPECT_EQ(result.terms[2].parameters[0].value, 600);
   EXPECT_LT(result.residual_dph.cwiseAbs().maxCoeff(), 1e-6);
   // The contribution of a missing effect remains.
   EXPECT_GT(refit(model::parse_effects("bias,temperature_rate"), series, fit).residual_dph.norm(),

@@ -24,7 +24,7 @@ struct Placed {
   bool has_the_jump() const { return have_the_jump(shapes) && have_the_jump(sharp); }
   bool have_the_jump(const std::vector<Candidate::Shape>& some) const {
     return std::any_of(some.begin(), some.end(), [&](const Candidate::Shape& shape) {
-      return std::abs(shape.term.parameters[0] - jump_s) <= row_s;
+      return std::abs(shape.term.parameters[0].value - jump_s) <= row_s;
     });
   }
 };
@@ -81,7 +81,7 @@ TEST(StepCandidates, AreMovedToTheJumpAlthoughALargeEffectIsMissing) {
 TEST(StepCandidates, AreNoneWhereAChangeTakesMinutes) {
   const Placed gradual = place(4 * kJump_dph, 0.5, "", 400);
   const auto is_near = [&](const Candidate::Shape& shape) {
-    const double away_s = shape.term.parameters[0] - gradual.jump_s;
+    const double away_s = shape.term.parameters[0].value - gradual.jump_s;
     return away_s > -60 && away_s < 460;
   };
   EXPECT_TRUE(std::any_of(gradual.shapes.begin(), gradual.shapes.end(), is_near));

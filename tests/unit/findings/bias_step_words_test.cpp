@@ -13,10 +13,8 @@ namespace {
 // As a fit leaves a step: at 25995 s, of 0.3 deg/h.
 model::EffectTerm found_step(double others_part) {
   model::EffectTerm step = model::parse_effects("bias_step")[0];
-  step.parameters = {25995};
-  step.parameter_sigma = {2.9};
-  step.coefficients_dph = {0.3};
-  step.sigma_dph = {0.0049};
+  step.parameters = {{25995, 2.9, true}};
+  step.coefficients_dph = {{0.3, 0.0049}};
   step.recording = 7;
   step.others_part = others_part;
   return step;
@@ -43,7 +41,7 @@ TEST(BiasStepWords, AreOfFoundStepsOnly) {
   EXPECT_TRUE(found_steps(model).empty());
   model.terms.push_back(found_step(1));
   ASSERT_EQ(found_steps(model).size(), 1U);
-  EXPECT_EQ(found_steps(model)[0].parameters[0], 25995);
+  EXPECT_EQ(found_steps(model)[0].parameters[0].value, 25995);
 }
 
 TEST(BiasStepWords, AreValuesOfTheLadder) {

@@ -29,16 +29,16 @@ TEST(AddEffect, AcceptsATrueEffect) {
 TEST(AddEffect, SearchesAgainForWhatWasSearchedFor) {
   std::vector<fogcomp::model::EffectTerm> terms =
       fogcomp::model::parse_effects("bias,scale_factor_temperature:lag=?");
-  terms[1].parameters[2] = -120;
+  terms[1].parameters[2].value = -120;
   const auto changed = fogcomp::fit::change_effect(terms, "scale_factor_temperature:order=2");
-  EXPECT_EQ(changed.terms[1].parameters[0], 2);
-  EXPECT_EQ(changed.terms[1].parameters[2], -120);
-  EXPECT_TRUE(changed.terms[1].identified[2]);
+  EXPECT_EQ(changed.terms[1].parameters[0].value, 2);
+  EXPECT_EQ(changed.terms[1].parameters[2].value, -120);
+  EXPECT_TRUE(changed.terms[1].parameters[2].identified);
   for (const std::string effect :
        {"scale_factor_temperature:lag=60", "scale_factor_temperature: lag = 60"}) {
     const auto given = fogcomp::fit::change_effect(terms, effect);
-    EXPECT_EQ(given.terms[1].parameters[2], 60);
-    EXPECT_FALSE(given.terms[1].identified[2]);
+    EXPECT_EQ(given.terms[1].parameters[2].value, 60);
+    EXPECT_FALSE(given.terms[1].parameters[2].identified);
   }
 }
 
@@ -48,11 +48,10 @@ TEST(AddEffect, SearchesAgainWithinTheSameBounds) {
       fogcomp::model::parse_effects("bias,glass_transition");
   for (const std::string effect : {"glass_transition:lag=?", "glass_transition:lag=180"}) {
     const auto changed = fogcomp::fit::change_effect(terms, effect);
-    const auto& bounds = changed.terms[1].bounds;
-    EXPECT_TRUE(bounds.empty() || bounds[0].min == bounds[0].max) << effect;
+    EXPECT_FALSE(changed.terms[1].parameters[0].bounds.are_given()) << effect;
   }
   const auto given = fogcomp::fit::change_effect(terms, "glass_transition:tg=?[-10,20]");
-  EXPECT_EQ(given.terms[1].bounds[0].min, -10);
+  EXPECT_EQ(given.terms[1].parameters[0].bounds.min, -10);
 }
 
 // The verdict is the same; the model is fitted in its own rows.
@@ -70,8 +69,9 @@ TEST(AddEffect, JudgesWhateverTheRowsOfTheModel) {
   EXPECT_EQ(longer.reason, usual.reason);
   ASSERT_EQ(longer.model.terms.size(), usual.model.terms.size());
   for (std::size_t i = 0; i < usual.model.terms.size(); ++i) {
-    EXPECT_NEAR(longer.model.terms[i].coefficients_dph[0], usual.model.terms[i].coefficients_dph[0],
-                2 * usual.model.terms[i].sigma_dph[0]);
+    EXPECT_NEAR(longer.model.terms[i].coefficients_dph[0].value,
+                usual.model.terms[i].coefficients_dph[0].value,
+                2 * usual.model.terms[i].coefficients_dph[0].sigma);
   }
   EXPECT_EQ(longer.fitted_after_dph, usual.model.residual_rms_dph);
   EXPECT_EQ(longer.model.average_s, 60);
@@ -143,8 +143,8 @@ TEST(EffectChange, TakesOtherBoundsOfAParameterThatIsIdentified) {
       fogcomp::model::parse_effects("bias,polarization_ripple");
   const auto change = fogcomp::fit::change_effect(terms, "polarization_ripple:period=?[2,10]");
   const fogcomp::model::EffectTerm& changed = change.terms[change.changed.at(0)];
-  EXPECT_EQ(changed.bounds[0].max, 10);
-  EXPECT_LE(changed.parameters[0], 10);  // 13 was outside
+  EXPECT_EQ(changed.parameters[0].bounds.max, 10);
+  EXPECT_LE(changed.parameters[0].value, 10);  // 13 was outside
   EXPECT_THROW(fogcomp::fit::change_effect(terms, "polarization_ripple:period=?"),
                fogcomp::InputError);
 }
@@ -298,11 +298,10 @@ TEST(AddEffect, JudgesAnExpressionLikeAnEffect) {
   EXPECT_TRUE(right.accepted) << right.reason;
   EXPECT_EQ(right.model.history.back().action, "add " + definition);
   const fogcomp::model::EffectTerm& term = right.model.terms[right.changed.at(0)];
-  EXPECT_NEAR(term.parameters[0], 900, 4 * term.parameter_sigma[0]);
-  const double sigma = fogcomp::model::in_natural_unit(
-      term.sigma_dph[0], fogcomp::model::info_of(term).coefficients[0]);
+  EXPECT_NEAR(term.parameters[0].value, 900, 4 * term.parameters[0].sigma);
+  const auto [value, sigma] = fogcomp::model::natural_coefficient(term, 0);
   EXPECT_LT(sigma, 0.01);
-  EXPECT_NEAR(fogcomp::model::natural_coefficient(term, 0), 0.1, 4 * sigma);
+  EXPECT_NEAR(value, 0.1, 4 * sigma);
 }
 
 TEST(EffectChange, MayBeANetworkByItself) {
@@ -322,14 +321,14 @@ TEST(EffectChange, RaisesWhatIsThere) {
   const auto order = fogcomp::fit::change_effect(terms, "bias_temperature:order=4");
   EXPECT_EQ(order.changed.at(0), 1U);
   ASSERT_EQ(order.terms.size(), 3U);
-  EXPECT_EQ(order.terms[1].parameters, std::vector<double>{4});
+  EXPECT_EQ(order.terms[1].shape(), std::vector<double>{4});
 
   auto identified = terms;
-  identified[2].parameters[0] = 7.5;  // by an earlier fit
+  identified[2].parameters[0].value = 7.5;  // by an earlier fit
   const auto radius = fogcomp::fit::change_effect(identified, "thermal_hysteresis:radius2=15");
-  EXPECT_EQ(radius.terms[2].parameters, (std::vector<double>{7.5, 15}));
-  EXPECT_TRUE(radius.terms[2].identified[0]);
-  EXPECT_FALSE(radius.terms[2].identified[1]);
+  EXPECT_EQ(radius.terms[2].shape(), (std::vector<double>{7.5, 15}));
+  EXPECT_TRUE(radius.terms[2].parameters[0].identified);
+  EXPECT_FALSE(radius.terms[2].parameters[1].identified);
   EXPECT_EQ(fogcomp::fit::change_effect(terms, "thermal_lag:tau=300").terms.size(), 4U);
 }
 
@@ -338,10 +337,10 @@ TEST(EffectChange, GrowsAnEffectThatIsThereAlready) {
       fogcomp::model::parse_effects("bias,bias_temperature:order=3,thermal_hysteresis");
   const auto higher = fogcomp::fit::change_effect(terms, "bias_temperature");
   EXPECT_EQ(higher.changed.at(0), 1U);
-  EXPECT_EQ(higher.terms[1].parameters[0], 4);
+  EXPECT_EQ(higher.terms[1].parameters[0].value, 4);
   const auto second = fogcomp::fit::change_effect(terms, "thermal_hysteresis");
-  EXPECT_TRUE(second.terms[2].identified[1]);
-  EXPECT_GT(second.terms[2].parameters[1], 0);
+  EXPECT_TRUE(second.terms[2].parameters[1].identified);
+  EXPECT_GT(second.terms[2].parameters[1].value, 0);
 }
 
 TEST(EffectChange, RefusesAnExpressionWhoseNameIsTaken) {

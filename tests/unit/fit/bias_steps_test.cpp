@@ -23,9 +23,10 @@ TEST(BiasSteps, AreTermsOfTheModelThatLeaveTheOthersAlone) {
   EXPECT_LT(result.identified.steps[0].time_sigma_s, 20);
   EXPECT_GE(result.identified.masked, 1U);
   EXPECT_EQ(result.model.terms.back().name, "bias_step");
-  EXPECT_EQ(result.model.terms.back().parameters[0], result.identified.steps[0].time_s);
-  EXPECT_NEAR(result.model.terms[2].coefficients_dph[0], truth().terms[2].coefficients_dph[0],
-              4 * result.model.terms[2].sigma_dph[0]);
+  EXPECT_EQ(result.model.terms.back().parameters[0].value, result.identified.steps[0].time_s);
+  EXPECT_NEAR(result.model.terms[2].coefficients_dph[0].value,
+              truth().terms[2].coefficients_dph[0].value,
+              4 * result.model.terms[2].coefficients_dph[0].sigma);
 }
 
 TEST(BiasSteps, SeveralAreFoundAndAWildRowIsNone) {
@@ -165,7 +166,7 @@ TEST(BiasSteps, WithATimeAreNotSearchedForAndAloneAreRefused) {
   add_step(recording, 15000, 0.2);
   const FittedSteps given = fit({recording}, "bias,bias_temperature,bias_step:at=15000");
   EXPECT_TRUE(given.identified.steps.empty());
-  EXPECT_NEAR(given.model.terms.back().coefficients_dph[0], 0.2, 0.05);
+  EXPECT_NEAR(given.model.terms.back().coefficients_dph[0].value, 0.2, 0.05);
   EXPECT_THROW(fit({recording}, "bias_step"), fogcomp::InputError);
 }
 

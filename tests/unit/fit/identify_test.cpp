@@ -22,10 +22,7 @@ using model::Model;
 // A model of the same effects as the truth, coefficients unknown.
 Model unknown() {
   Model model = truth();
-  for (model::EffectTerm& term : model.terms) {
-    term.coefficients_dph.clear();
-    term.sigma_dph.clear();
-  }
+  for (model::EffectTerm& term : model.terms) term.coefficients_dph.clear();
   return model;
 }
 
@@ -40,7 +37,8 @@ TEST(Identify, ReturnsTheTruthExactlyWithoutNoise) {
   fit(model, fog::test::recording_of(truth(), {1e-9, 0, 300}, 1));
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
     for (std::size_t k = 0; k < model.terms[i].coefficients_dph.size(); ++k) {
-      EXPECT_NEAR(model.terms[i].coefficients_dph[k], truth().terms[i].coefficients_dph[k], 1e-7);
+      EXPECT_NEAR(model.terms[i].coefficients_dph[k].value,
+                  truth().terms[i].coefficients_dph[k].value, 1e-7);
     }
   }
 }
@@ -80,8 +78,9 @@ TEST(Identify, IsNotMovedByOutliers) {
   EXPECT_GE(result.outliers, recording.rows() / 200);
   for (std::size_t i = 0; i < clean.terms.size(); ++i) {
     for (std::size_t k = 0; k < clean.terms[i].coefficients_dph.size(); ++k) {
-      EXPECT_NEAR(spoilt.terms[i].coefficients_dph[k], clean.terms[i].coefficients_dph[k],
-                  1.5 * clean.terms[i].sigma_dph[k]);
+      EXPECT_NEAR(spoilt.terms[i].coefficients_dph[k].value,
+                  clean.terms[i].coefficients_dph[k].value,
+                  1.5 * clean.terms[i].coefficients_dph[k].sigma);
     }
   }
 }
@@ -96,7 +95,8 @@ TEST(Identify, TakesSeveralRecordingsTogether) {
   }
   identify(both, series);
   // Apart from slow noise in either.
-  EXPECT_NEAR(both.terms[0].sigma_dph[0] / one.terms[0].sigma_dph[0], std::sqrt(0.5), 0.2);
+  EXPECT_NEAR(both.terms[0].coefficients_dph[0].sigma / one.terms[0].coefficients_dph[0].sigma,
+              std::sqrt(0.5), 0.2);
 }
 
 TEST(Identify, LetsEveryRecordingHaveABiasOfItsOwn) {
@@ -110,10 +110,11 @@ TEST(Identify, LetsEveryRecordingHaveABiasOfItsOwn) {
   ASSERT_EQ(result.run_offsets_dph.size(), 1U);
   EXPECT_NEAR(result.run_offsets_dph[0], 0.1, 0.003);
   // The model has the mean of both.
-  EXPECT_NEAR(model.terms[0].coefficients_dph[0], truth().terms[0].coefficients_dph[0] + 0.05,
-              5 * model.terms[0].sigma_dph[0]);
-  EXPECT_NEAR(model.terms[2].coefficients_dph[0], truth().terms[2].coefficients_dph[0],
-              5 * model.terms[2].sigma_dph[0]);
+  EXPECT_NEAR(model.terms[0].coefficients_dph[0].value,
+              truth().terms[0].coefficients_dph[0].value + 0.05,
+              5 * model.terms[0].coefficients_dph[0].sigma);
+  EXPECT_NEAR(model.terms[2].coefficients_dph[0].value, truth().terms[2].coefficients_dph[0].value,
+              5 * model.terms[2].coefficients_dph[0].sigma);
 }
 
 // Power-ons at one temperature each, every temperature twice: within one of them next to nothing
@@ -134,9 +135,11 @@ TEST(Identify, FindsADriftWithTemperatureBetweenPowerOnsOfOneTemperatureEach) {
   EXPECT_NEAR(result.turn_on_repeatability_dph, 0.15, 0.06);
   const model::EffectTerm& slope = model.terms[1];
   constexpr double kUnitDegc = 64;  // of a coefficient
-  EXPECT_LT(slope.sigma_dph[0], 0.005 * kUnitDegc);
-  EXPECT_NEAR(slope.coefficients_dph[0], 0.02 * kUnitDegc, 4 * slope.sigma_dph[0]);
-  EXPECT_NEAR(model.terms[0].coefficients_dph[0], 5, 4 * model.terms[0].sigma_dph[0]);
+  EXPECT_LT(slope.coefficients_dph[0].sigma, 0.005 * kUnitDegc);
+  EXPECT_NEAR(slope.coefficients_dph[0].value, 0.02 * kUnitDegc,
+              4 * slope.coefficients_dph[0].sigma);
+  EXPECT_NEAR(model.terms[0].coefficients_dph[0].value, 5,
+              4 * model.terms[0].coefficients_dph[0].sigma);
 }
 
 TEST(Identify, SaysInWordsWhichEffectsCannotBeToldApart) {
@@ -171,8 +174,8 @@ TEST(Identify, IsNotMisledByTheNoiseOfTheTemperatureSensor) {
   for (double& temperature : recording.temperature_degc) temperature += noise(random);
   Model model = real;
   fit(model, recording);
-  const double found = model.terms.back().coefficients_dph[0];
-  EXPECT_NEAR(found / real.terms.back().coefficients_dph[0], 1, 0.1);
+  const double found = model.terms.back().coefficients_dph[0].value;
+  EXPECT_NEAR(found / real.terms.back().coefficients_dph[0].value, 1, 0.1);
 }
 
 // Two play operators, the second disabled by default; the narrower is the first, wherever the
@@ -189,11 +192,11 @@ TEST(Identify, FindsASecondRadiusOfHysteresisWhereAsked) {
     fit(model, recording);
     const model::EffectTerm& term = model.terms.back();
     ASSERT_EQ(term.coefficients_dph.size(), 2U) << effect;
-    EXPECT_NEAR(term.parameters[0], 4, 4 * term.parameter_sigma[0]) << effect;
-    EXPECT_NEAR(term.parameters[1], 17, 4 * term.parameter_sigma[1]) << effect;
-    EXPECT_LT(term.parameter_sigma[1], 2) << effect;
-    EXPECT_NEAR(term.coefficients_dph[0], 0.06, 4 * term.sigma_dph[0]) << effect;
-    EXPECT_NEAR(term.coefficients_dph[1], 0.09, 4 * term.sigma_dph[1]) << effect;
+    EXPECT_NEAR(term.parameters[0].value, 4, 4 * term.parameters[0].sigma) << effect;
+    EXPECT_NEAR(term.parameters[1].value, 17, 4 * term.parameters[1].sigma) << effect;
+    EXPECT_LT(term.parameters[1].sigma, 2) << effect;
+    EXPECT_NEAR(term.coefficients_dph[0].value, 0.06, 4 * term.coefficients_dph[0].sigma) << effect;
+    EXPECT_NEAR(term.coefficients_dph[1].value, 0.09, 4 * term.coefficients_dph[1].sigma) << effect;
   }
   Model one = unknown();
   one.terms = model::parse_effects(others + "thermal_hysteresis");
@@ -223,36 +226,36 @@ class FittedBeside {
 TEST(Identify, FindsHowMuchFasterAnAgeingIsWhenWarmWhereAsked) {
   const FittedBeside fitted(fog::test::natural_term("aging", {5000, 1.4}, {0.2}));
   const model::EffectTerm term = fitted("aging:q10=?");
-  EXPECT_NEAR(term.parameters[1], 1.4, 4 * term.parameter_sigma[1]);
-  EXPECT_LT(term.parameter_sigma[1], 0.1);
-  EXPECT_EQ(fitted("aging").parameters[1], 1);
+  EXPECT_NEAR(term.parameters[1].value, 1.4, 4 * term.parameters[1].sigma);
+  EXPECT_LT(term.parameters[1].sigma, 0.1);
+  EXPECT_EQ(fitted("aging").parameters[1].value, 1);
 }
 
 TEST(Identify, FindsHowLateATransitionFreezesWhereAsked) {
   const FittedBeside fitted(fog::test::natural_term("glass_transition", {10, 4, 360}, {0.2, 0.14}));
   const model::EffectTerm term = fitted("glass_transition:lag=?");
-  EXPECT_NEAR(term.parameters[0], 10, 4 * term.parameter_sigma[0]);
-  EXPECT_NEAR(term.parameters[2], 360, 4 * term.parameter_sigma[2]);
-  EXPECT_LT(term.parameter_sigma[2], 120);
-  EXPECT_EQ(fitted("glass_transition").parameters[2], 0);
+  EXPECT_NEAR(term.parameters[0].value, 10, 4 * term.parameters[0].sigma);
+  EXPECT_NEAR(term.parameters[2].value, 360, 4 * term.parameters[2].sigma);
+  EXPECT_LT(term.parameters[2].sigma, 120);
+  EXPECT_EQ(fitted("glass_transition").parameters[2].value, 0);
 }
 
 TEST(EffectList, KeepsWhatIsGivenAndLeavesTheRestToTheFit) {
   const auto terms = model::parse_effects("bias,bias_temperature:order=3,temperature_rate");
   ASSERT_EQ(terms.size(), 3U);
-  EXPECT_EQ(terms[1].parameters, std::vector<double>{3});
-  EXPECT_FALSE(terms[1].identified[0]);
+  EXPECT_EQ(terms[1].shape(), std::vector<double>{3});
+  EXPECT_FALSE(terms[1].parameters[0].identified);
 }
 
 TEST(EffectList, TakesAQuestionMarkAndItsBounds) {
   const auto terms = model::parse_effects("bias,thermal_hysteresis:radius=7,radius2=?[5,20],shupe");
   ASSERT_EQ(terms.size(), 3U);
-  EXPECT_FALSE(terms[1].identified[0]);
-  EXPECT_TRUE(terms[1].identified[1]);
-  EXPECT_EQ(terms[1].bounds[1].min, 5);
-  EXPECT_EQ(terms[1].bounds[1].max, 20);
-  EXPECT_GE(terms[1].parameters[1], 5);
-  EXPECT_LE(terms[1].parameters[1], 20);
+  EXPECT_FALSE(terms[1].parameters[0].identified);
+  EXPECT_TRUE(terms[1].parameters[1].identified);
+  EXPECT_EQ(terms[1].parameters[1].bounds.min, 5);
+  EXPECT_EQ(terms[1].parameters[1].bounds.max, 20);
+  EXPECT_GE(terms[1].parameters[1].value, 5);
+  EXPECT_LE(terms[1].parameters[1].value, 20);
   for (const char* wrong :
        {"bias_temperature:order=?", "shupe:tau=?[1,30]", "shupe:tau=?[30,20]", "shupe:tau=?[30]",
         "shupe:tau=?30", "bias_step:at=?[1,2]", "shupe:tau=[1,2]"}) {

@@ -24,11 +24,11 @@ TEST_F(KnownRegressorsOfARun, AreThoseOfTheSeriesHoweverMany) {
   constexpr Eigen::Index kMoreThanAreKept = 4'000'000;
   Eigen::Index values = 0;
   for (double tau_s = 900; values < kMoreThanAreKept; tau_s += 1) {
-    lag.parameters[0] = tau_s;
+    lag.parameters[0].value = tau_s;
     values += known_(lag)->size();
   }
   for (const double tau_s : {900.0, 901.0, 900.0}) {
-    lag.parameters[0] = tau_s;
+    lag.parameters[0].value = tau_s;
     for (const auto reading : {series::Reading::of_sensor, series::Reading::smoothed}) {
       EXPECT_EQ(*known_(lag, reading), series_.regressors(lag, reading)) << tau_s;
     }

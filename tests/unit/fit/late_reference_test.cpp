@@ -53,8 +53,9 @@ model::Model fitted_to(const recording::Recording& recording, const std::string&
 TEST(LateReference, IsFoundBesideTheScaleFactorAndTakenOut) {
   const recording::Recording recording = sweeps(kDelayS);
   const model::Model model = fitted_to(recording, "late_reference");
-  EXPECT_NEAR(model::natural_coefficient(model.terms[1], 0), kErrorPpm, 20);
-  EXPECT_NEAR(model::natural_coefficient(model.terms[2], 0), 1000 * kDelayS, 0.05 * 1000 * kDelayS);
+  EXPECT_NEAR(model::natural_coefficient(model.terms[1], 0).value, kErrorPpm, 20);
+  EXPECT_NEAR(model::natural_coefficient(model.terms[2], 0).value, 1000 * kDelayS,
+              0.05 * 1000 * kDelayS);
   const compare::RunInBlocks run = compare::run_in_blocks(recording, 1);
   const double delay_drift_dph = kDelayS * 360000 * 2 * M_PI / 31 / std::sqrt(2);
   EXPECT_LE(compare::compare_with(model, run).whole.rms_dph, 0.06 * delay_drift_dph);
@@ -65,10 +66,10 @@ TEST(LateReference, IsFoundToSecondOrder) {
   const recording::Recording recording = sweeps(0.2, 200000);
   const model::Model first = fitted_to(recording, "late_reference");
   const model::Model second = fitted_to(recording, "late_reference:near=?");
-  EXPECT_GT(std::abs(model::natural_coefficient(first.terms[1], 0) - kErrorPpm), 400);
-  EXPECT_NEAR(model::natural_coefficient(second.terms[1], 0), kErrorPpm, 100);
-  EXPECT_NEAR(second.terms[2].parameters[0], 200, 20);
-  EXPECT_NEAR(model::natural_coefficient(second.terms[2], 0), 200, 2);
+  EXPECT_GT(std::abs(model::natural_coefficient(first.terms[1], 0).value - kErrorPpm), 400);
+  EXPECT_NEAR(model::natural_coefficient(second.terms[1], 0).value, kErrorPpm, 100);
+  EXPECT_NEAR(second.terms[2].parameters[0].value, 200, 20);
+  EXPECT_NEAR(model::natural_coefficient(second.terms[2], 0).value, 200, 2);
   const compare::RunInBlocks run = compare::run_in_blocks(recording, 1);
   EXPECT_LE(compare::compare_with(second, run).whole.rms_dph,
             0.1 * compare::compare_with(first, run).whole.rms_dph);
@@ -115,8 +116,8 @@ recording::Recording flanks() {
 TEST(LateReference, IsFoundWhereTheTablesFlanksAreWithinRows) {
   const recording::Recording recording = flanks();
   const model::Model model = fitted_to(recording, "late_reference");
-  EXPECT_NEAR(model::natural_coefficient(model.terms[1], 0), kErrorPpm, 10);
-  EXPECT_NEAR(model::natural_coefficient(model.terms[2], 0), 1000 * kDelayS, 0.1);
+  EXPECT_NEAR(model::natural_coefficient(model.terms[1], 0).value, kErrorPpm, 10);
+  EXPECT_NEAR(model::natural_coefficient(model.terms[2], 0).value, 1000 * kDelayS, 0.1);
   const compare::RunInBlocks run = compare::run_in_blocks(recording, 1);
   EXPECT_LE(compare::compare_with(model, run).whole.rms_dph, 20);
 }

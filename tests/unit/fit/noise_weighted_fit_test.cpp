@@ -34,8 +34,8 @@ class Gyro {
     double worst = 0;
     Eigen::Index column = 0;
     for (const model::EffectTerm& term : model_.terms) {
-      for (const double value : term.coefficients_dph) {
-        worst = std::max(worst, std::abs(fit.coefficients[column++] - value));
+      for (const model::Estimate& coefficient : term.coefficients_dph) {
+        worst = std::max(worst, std::abs(fit.coefficients[column++] - coefficient.value));
       }
     }
     return worst;

@@ -51,21 +51,21 @@ TEST(ReferenceValues, AreTakenFromTheRowsOnceAndKept) {
     weights += std::pow(recording.input_rate_dph[i], 2);
     weighted += std::pow(recording.input_rate_dph[i], 2) * recording.temperature_degc[i];
   }
-  EXPECT_NEAR(model.terms[0].parameters[1], weighted / weights, 0.01);
-  EXPECT_NEAR(model.terms[1].parameters[1], 7, 1e-9);  // 2 * (2 + 60 / 40) deg/s
+  EXPECT_NEAR(model.terms[0].parameters[1].value, weighted / weights, 0.01);
+  EXPECT_NEAR(model.terms[1].parameters[1].value, 7, 1e-9);  // 2 * (2 + 60 / 40) deg/s
   const std::vector<model::EffectTerm> first = model.terms;
   recording::Recording warmer = recording;
   for (double& degc : warmer.temperature_degc) degc += 10;
   series::SignalSeries later(model);
   later.add(series::make_blocks(warmer));
   set_references(model.terms, later);
-  EXPECT_EQ(model.terms[0].parameters, first[0].parameters);
-  EXPECT_EQ(model.terms[1].parameters, first[1].parameters);
+  EXPECT_EQ(model.terms[0].shape(), first[0].shape());
+  EXPECT_EQ(model.terms[1].shape(), first[1].shape());
 }
 
 TEST(ReferenceValues, GivenOnesStay) {
   const model::Model model = fitted("bias,scale_factor_temperature:reference=-12.5");
-  EXPECT_EQ(model.terms[1].parameters[1], -12.5);
+  EXPECT_EQ(model.terms[1].parameters[1].value, -12.5);
 }
 
 // The first listed coefficient should be the largest: about 20 degC the slope would include the
@@ -73,10 +73,10 @@ TEST(ReferenceValues, GivenOnesStay) {
 TEST(ReferenceValues, MakeTheSlopeTheSameWithTheConstantAndWithout) {
   const model::Model alone = fitted("bias,scale_factor_temperature");
   const model::Model both = fitted("bias,scale_factor,scale_factor_temperature");
-  EXPECT_NEAR(model::natural_coefficient(alone.terms[1], 0), -40, 0.5);
-  EXPECT_NEAR(model::natural_coefficient(both.terms[2], 0), -40, 0.5);
-  const double reference = both.terms[2].parameters[1];
-  EXPECT_NEAR(model::natural_coefficient(both.terms[1], 0), 200 - 40 * (reference - 20), 5);
+  EXPECT_NEAR(model::natural_coefficient(alone.terms[1], 0).value, -40, 0.5);
+  EXPECT_NEAR(model::natural_coefficient(both.terms[2], 0).value, -40, 0.5);
+  const double reference = both.terms[2].parameters[1].value;
+  EXPECT_NEAR(model::natural_coefficient(both.terms[1], 0).value, 200 - 40 * (reference - 20), 5);
 }
 
 // Of a transition that the recordings do not pass they show a tail only.
@@ -89,19 +89,19 @@ TEST(ReferenceValues, BoundAPlaceToTheRecordedTemperatures) {
   series::SignalSeries series(model);
   series.add(series::make_blocks(recording));
   set_references(model.terms, series);
-  ASSERT_FALSE(model.terms[0].bounds.empty());
-  EXPECT_NEAR(model.terms[0].bounds[0].min, *cold, 1);
-  EXPECT_NEAR(model.terms[0].bounds[0].max, *warm, 1);
-  EXPECT_TRUE(model.terms[1].bounds.empty());
+  ASSERT_TRUE(model.terms[0].parameters[0].bounds.are_given());
+  EXPECT_NEAR(model.terms[0].parameters[0].bounds.min, *cold, 1);
+  EXPECT_NEAR(model.terms[0].parameters[0].bounds.max, *warm, 1);
+  EXPECT_FALSE(model.terms[1].parameters[0].bounds.are_given());
 
   std::vector<model::EffectTerm> given = model::parse_effects("glass_transition:tg=?[-55,-50]");
   set_references(given, series);
-  EXPECT_EQ(given[0].bounds[0].min, -55);
+  EXPECT_EQ(given[0].parameters[0].bounds.min, -55);
   std::vector<model::EffectTerm> found = model::parse_effects("glass_transition");
   found[0].coefficients_dph = {0.1, 0.1};
-  found[0].parameters[0] = *cold - 20;
+  found[0].parameters[0].value = *cold - 20;
   set_references(found, series);
-  EXPECT_EQ(found[0].parameters[0], *cold - 20);
+  EXPECT_EQ(found[0].parameters[0].value, *cold - 20);
 }
 
 }  // namespace

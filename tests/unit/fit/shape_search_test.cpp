@@ -30,7 +30,7 @@ class ShapeSearch : public testing::Test {
   WhitenedProblem problem(double tau_s) {
     std::vector<model::EffectTerm> terms =
         model::parse_effects("bias,bias_temperature:order=2,thermal_lag:tau=?");
-    terms[2].parameters[0] = tau_s;
+    terms[2].parameters[0].value = tau_s;
     return problem(terms);
   }
   WhitenedProblem problem(const std::vector<model::EffectTerm>& terms) {
@@ -58,7 +58,7 @@ TEST_F(ShapeSearch, CostIsThatOfAllColumnsTogether) {
 TEST_F(ShapeSearch, ADescentEndsAtABoundThatIsInItsWay) {
   std::vector<model::EffectTerm> terms =
       model::parse_effects("bias,bias_temperature:order=2,thermal_lag:tau=?[1200,5000]");
-  terms[2].parameters[0] = 3000;
+  terms[2].parameters[0].value = 3000;
   WhitenedProblem bounded = problem(terms);
   Descent descent(bounded, shapes(bounded), 1e-9);
   descent.finish();
@@ -109,8 +109,8 @@ TEST_F(ShapeSearch, CostsOfAGridAreThoseOfItsValues) {
 // The columns of the other ripple stay.
 TEST_F(ShapeSearch, CostsOfAGridAreThoseOfItsValuesBesideWhatDoesNotMove) {
   std::vector<model::EffectTerm> terms = model::parse_effects("bias,polarization_ripple:period2=?");
-  terms[1].parameters[0] = 11;
-  terms[1].parameters[1] = 29;
+  terms[1].parameters[0].value = 11;
+  terms[1].parameters[1].value = 29;
   const WhitenedProblem start = problem(terms);
   ASSERT_EQ(shapes(start).size(), 2U);
   const std::vector<double> values{5, 8, 17, 23};

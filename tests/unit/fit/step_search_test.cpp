@@ -33,7 +33,8 @@ TEST(StepSearch, FindsAStepWithItsTimeAndSize) {
   // Its column is the last one of the fit, and the bias is the one that follows.
   const auto& fit = result.fit;
   EXPECT_NEAR(fit.coefficients[fit.linear() - 1], 0.2, 4 * step.size_sigma_dph);
-  EXPECT_NEAR(fit.coefficients[0], fog::test::truth().terms[0].coefficients_dph[0] + 0.2, 0.02);
+  EXPECT_NEAR(fit.coefficients[0], fog::test::truth().terms[0].coefficients_dph[0].value + 0.2,
+              0.02);
   EXPECT_EQ(result.masked, static_cast<std::size_t>(step.last - step.first + 1));
 }
 
@@ -53,7 +54,8 @@ TEST(StepSearch, TakesKnownSteps) {
   EXPECT_EQ(result.masked, 2U);  // both may hold a part of it
   const auto& fit = result.fit;
   EXPECT_NEAR(fit.coefficients[fit.linear() - 1], 0.2, 0.02);
-  EXPECT_NEAR(fit.coefficients[0], fog::test::truth().terms[0].coefficients_dph[0] + 0.2, 0.02);
+  EXPECT_NEAR(fit.coefficients[0], fog::test::truth().terms[0].coefficients_dph[0].value + 0.2,
+              0.02);
 }
 
 // Drift over hours that no effect of the model describes.

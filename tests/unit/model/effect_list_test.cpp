@@ -15,10 +15,12 @@ TEST(EffectList, BlanksMeanNothing) {
   ASSERT_EQ(blanks.size(), plain.size());
   for (std::size_t i = 0; i < plain.size(); ++i) {
     EXPECT_EQ(blanks[i].name, plain[i].name);
-    EXPECT_EQ(blanks[i].parameters, plain[i].parameters);
-    EXPECT_EQ(blanks[i].identified, plain[i].identified);
+    EXPECT_EQ(blanks[i].shape(), plain[i].shape());
+    for (std::size_t k = 0; k < plain[i].parameters.size(); ++k) {
+      EXPECT_EQ(blanks[i].parameters[k].identified, plain[i].parameters[k].identified);
+    }
   }
-  EXPECT_EQ(blanks[2].bounds[0].max, 900);
+  EXPECT_EQ(blanks[2].parameters[0].bounds.max, 900);
 }
 
 TEST(EffectList, SaysThatAColonIsToBeAComma) {

@@ -57,11 +57,11 @@ TEST(FirstHeat, IsBehindABoardAndAPartOfItsBias) {
   const Model with_bias =
       board::board_model(model_of({fog::test::natural_term("bias", {}, {0.1}), first_heat}));
   ASSERT_EQ(with_bias.terms.size(), 1U);
-  EXPECT_DOUBLE_EQ(with_bias.terms[0].coefficients_dph[0], 0.1 + left_dph);
+  EXPECT_DOUBLE_EQ(with_bias.terms[0].coefficients_dph[0].value, 0.1 + left_dph);
   const Model alone = board::board_model(model_of({first_heat}));
   ASSERT_EQ(alone.terms.size(), 1U);
   EXPECT_EQ(alone.terms[0].name, "bias");
-  EXPECT_DOUBLE_EQ(alone.terms[0].coefficients_dph[0], left_dph);
+  EXPECT_DOUBLE_EQ(alone.terms[0].coefficients_dph[0].value, left_dph);
 }
 
 TEST(FirstHeat, LeavesWhatElseTheExpressionDependsOn) {
@@ -69,7 +69,7 @@ TEST(FirstHeat, LeavesWhatElseTheExpressionDependsOn) {
       model_of({fog::test::natural_term("bias", {}, {0.1}), term_of("highest(T)*dTdt")});
   const Model on_board = board::board_model(model);
   ASSERT_EQ(on_board.terms.size(), 2U);
-  EXPECT_DOUBLE_EQ(on_board.terms[0].coefficients_dph[0], 0.1);
+  EXPECT_DOUBLE_EQ(on_board.terms[0].coefficients_dph[0].value, 0.1);
   const auto table = board::make_board_table(model, {200, fog::OutputSelection::kvh, false});
   const auto error = board::verify_quantization(model, board::read_board_table(table, "test"));
   EXPECT_LE(error.worst_dph, board::kQuantizationLimitDph);

@@ -186,22 +186,22 @@ TEST(ModelFile, RefusesValuesThatNoFitGives) {
   const auto term = [](Model& model, const std::string& name) -> EffectTerm& {
     model.terms = parse_effects(name);
     const std::size_t count = make_effect(model.terms[0], 1)->regressor_count();
-    model.terms[0].coefficients_dph.assign(count, 0.1);
-    model.terms[0].sigma_dph.assign(count, 0.01);
+    model.terms[0].coefficients_dph.assign(count, {0.1, 0.01});
     return model.terms[0];
   };
   const Case cases[] = {
-      {"order -1", [&](auto& m) { term(m, "bias_temperature").parameters[0] = -1; },
+      {"order -1", [&](auto& m) { term(m, "bias_temperature").parameters[0].value = -1; },
        "order is -1, outside 1 to 9;"},
-      {"order 1e6", [&](auto& m) { term(m, "bias_temperature").parameters[0] = 1e6; },
+      {"order 1e6", [&](auto& m) { term(m, "bias_temperature").parameters[0].value = 1e6; },
        "order is 1e+06, outside 1 to 9"},
-      {"order 2.5", [&](auto& m) { term(m, "bias_temperature").parameters[0] = 2.5; },
+      {"order 2.5", [&](auto& m) { term(m, "bias_temperature").parameters[0].value = 2.5; },
        "order is 2.5, not a whole number"},
-      {"order 3", [&](auto& m) { term(m, "bias_temperature").parameters[0] = 3; },
+      {"order 3", [&](auto& m) { term(m, "bias_temperature").parameters[0].value = 3; },
        "wrong number of coefficients"},
-      {"tau 0", [&](auto& m) { term(m, "thermal_lag").parameters[0] = 0; },
+      {"tau 0", [&](auto& m) { term(m, "thermal_lag").parameters[0].value = 0; },
        "tau is 0, outside 5 to 20000"},
-      {"bias", [&](auto& m) { term(m, "bias").coefficients_dph[0] = 1e300; }, "1e+300 is outside"},
+      {"bias", [&](auto& m) { term(m, "bias").coefficients_dph[0].value = 1e300; },
+       "1e+300 is outside"},
       {"history", [](auto& m) { m.history[0].rms_after_dph = 1e308; }, "1e+308 is outside"},
       {"range", [](auto& m) { m.max_degc = 1e300; }, "no gyro is so cold or hot"},
       {"rows", [](auto& m) { m.average_s = 1e9; }, "1e+09 is outside"},
@@ -217,7 +217,7 @@ TEST(ModelFile, RefusesValuesThatNoFitGives) {
   }
   Model model = fog::test::expressions_model();
   model.terms.push_back(fog::test::written_term("x = lag(T, ?tau[60, 900])"));
-  model.terms.back().parameters[0] = 1e9;
+  model.terms.back().parameters[0].value = 1e9;
   EXPECT_NE(error_of(model_text(model)).find("'tau' is outside its bounds"), std::string::npos);
 }
 

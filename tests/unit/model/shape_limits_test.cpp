@@ -14,8 +14,8 @@ namespace {
 
 EffectTerm fitted(const std::string& effect, double value, double sigma) {
   EffectTerm term = parse_effects(effect)[0];
-  term.parameters[0] = value;
-  term.parameter_sigma[0] = sigma;
+  term.parameters[0].value = value;
+  term.parameters[0].sigma = sigma;
   return term;
 }
 
@@ -33,7 +33,7 @@ TEST(ShapeLimits, NameTheBoundAndWhatDoesAsWell) {
             "`thermal_hysteresis`: radius is at its lower bound 1 degC: these data would have it "
             "smaller still");
   EffectTerm written = expression_term("x = T * ?k[1e-13, 1e-11]");
-  written.parameters[0] = 1e-11;
+  written.parameters[0].value = 1e-11;
   EXPECT_EQ(doubt(written),
             "`x`: k is at its upper bound 1e-11: these data would have it larger still");
 }
@@ -62,10 +62,9 @@ TEST(ShapeLimits, NameAParameterThatMayBeAnywhere) {
 
 TEST(ShapeLimits, NameAnEffectThatIsNotSeen) {
   EffectTerm term = parse_effects("bias")[0];
-  term.coefficients_dph = {-1};
-  term.sigma_dph = {0.5};
+  term.coefficients_dph = {{-1, 0.5}};
   EXPECT_EQ(coefficient_doubt(term), "");
-  term.sigma_dph = {1.5};
+  term.coefficients_dph = {{-1, 1.5}};
   EXPECT_EQ(coefficient_doubt(term),
             "`bias`: none of its coefficients is larger than its uncertainty");
 }
@@ -116,7 +115,7 @@ TEST(UncertainFit, LetsASecondSensorFollowTheFirst) {
   series::SignalSeries series(model);
   series.add(series::make_blocks(recording));
   fit::identify(model, series);
-  EXPECT_GT(50 * model.terms[3].sigma_dph[0], 0.5);  // 50 degC apart it would be
+  EXPECT_GT(50 * model.terms[3].coefficients_dph[0].sigma, 0.5);  // 50 degC apart it would be
   EXPECT_FALSE(model.uncertain.has_value());
 }
 

@@ -199,7 +199,7 @@ TEST_F(UseCases, ApplyFollowsTheInputRateFromSampleToSample) {
   model::Model gyro = fog::test::paper_like_model();
   gyro.network = {};
   gyro.terms = {fog::test::natural_term("scale_factor", {}, {1000})};
-  gyro.terms[0].sigma_dph = {0};
+  gyro.terms[0].coefficients_dph[0].sigma = 0;
   model::save_model(gyro, path("table.model"));
   std::ofstream table(path("table.csv"));
   table << "time_s,temperature_degc,rate_dph,input_rate_dph\n";
