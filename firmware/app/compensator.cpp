@@ -98,31 +98,30 @@ void search_bit_rate() {
   discarded = now;
 }
 
-// With an inaccurate clock late samples cannot be detected. Not inline, like the functions below,
-// so that their frames and texts are not on the stack at the same time as others.
-[[gnu::noinline]] void break_silence(SilenceClock& silence) {
-  while (silence.due(hal::milliseconds())) {
-    if (!hal::clock_keeps_time()) continue;
-    Frames frames;
-    send(frames, pipeline().answer_silence(frames.data()));
-    forget_state();
-    continue_self_test();
-    search_bit_rate();
-  }
-}
-
-SilenceClock silence_from_now() {
-  return SilenceClock(model().parameters.acquisition.sample_period_us, hal::milliseconds());
+// Sends one frame if one is due, and returns whether another may be: one per pass of the loop,
+// because a frame may take as long as a sample period. With an inaccurate clock late samples cannot
+// be detected. Not inline, like the functions below, so that their frames and texts are not on the
+// stack at the same time as others.
+[[gnu::noinline]] bool break_silence(SilenceClock& silence) {
+  if (!silence.due(hal::milliseconds())) return false;
+  if (!hal::clock_keeps_time()) return true;
+  Frames frames;
+  send(frames, pipeline().answer_silence(frames.data()));
+  forget_state();
+  continue_self_test();
+  search_bit_rate();
+  return true;
 }
 
 constexpr std::uint32_t kMaxFaults = 5;
+constexpr std::uint32_t kSafeModePeriodUs = 5000;  // whatever a table says: it may be the reason
 constexpr std::uint32_t kGoodRunMs = 60'000;
 
 // After repeated failures in spite of restarts, the board only reports that nothing is valid, until
 // it is reset.
 [[gnu::noinline]] void answer_without_samples() {
   hal::write_console("SAFE MODE\r\n");
-  for (SilenceClock silence = silence_from_now();;) {
+  for (SilenceClock silence(kSafeModePeriodUs, hal::milliseconds());;) {
     hal::wait_for_event();
     break_silence(silence);
     answer_requests();
@@ -150,12 +149,13 @@ void start() {
 void run() {
   start();
   std::array<std::uint8_t, 64> chunk;
-  SilenceClock silence = silence_from_now();
+  SilenceClock silence(model().parameters.acquisition.sample_period_us, hal::milliseconds());
+  bool silent = false;
   for (bool proven = false;;) {
     const std::size_t size = is_loading() ? 0 : hal::read_sensor_stream(chunk.data(), chunk.size());
-    if (size == 0) hal::wait_for_event();
+    if (size == 0 && !silent) hal::wait_for_event();
     for (std::size_t i = 0; i < size; ++i) send_compensated(chunk[i], silence);
-    break_silence(silence);
+    silent = break_silence(silence);
     answer_requests();
     if (hal::milliseconds() - tested_ms >= kIdleMs) continue_self_test();
     advance_own_thermometer();

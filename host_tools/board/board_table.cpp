@@ -288,6 +288,16 @@ void write_output(TableWriter& out, const BoardSettings& settings) {
   out.integer(static_cast<std::int32_t>(settings.invalidating | fog::kRateInvalid), "flags");
 }
 
+// Details of the error "frames too long" of `read_model`.
+std::string line_time_text(fog::OutputSelection output, std::int64_t period_us) {
+  const std::size_t bytes = fog::output_bytes(output);
+  return format(
+      "the frames of a sample are %zu bytes, which take %u us of the output line at %u "
+      "Bd, and a sample period is %lld us; take fewer frames (--output) or at most %u Hz",
+      bytes, fog::output_line_us(bytes), fog::kOutputBaud, static_cast<long long>(period_us),
+      1'000'000 / fog::output_line_us(bytes));
+}
+
 }  // namespace
 
 model::Model board_model(const model::Model& model) {
@@ -306,6 +316,10 @@ BoardTable make_board_table(const model::Model& whole, const BoardSettings& sett
   const Timing timing = timing_of(settings);
   if (timing.period_us < 1) {
     throw InputError("--sample-rate", format("%g Hz is beyond 1 MHz", settings.sample_rate_hz));
+  }
+  if (fog::output_line_us(fog::output_bytes(settings.output)) > timing.period_us) {
+    throw InputError("--sample-rate", format("%g Hz is too fast: ", settings.sample_rate_hz) +
+                                          line_time_text(settings.output, timing.period_us));
   }
   const std::string text = model::model_text(whole);
   BoardTable table;
@@ -345,6 +359,14 @@ BoardTable make_board_table(const model::Model& whole, const BoardSettings& sett
 fog::ModelParameters read_board_table(const BoardTable& table, const std::string& file) {
   fog::ModelParameters parameters;
   const fog::ModelError error = fog::read_model(table.span(), fog::kAnyModel, parameters);
+  if (error == fog::ModelError::frames_too_long) {
+    constexpr std::size_t kPeriodAt = fog::kProcessorAt + fog::kProcessorWords;
+    const std::int32_t output = table.words[table.words.size() - 3];
+    throw InputError(file,
+                     "model table refused: " + line_time_text(static_cast<fog::OutputSelection>(
+                                                                  output & ~fog::kAllOutputOptions),
+                                                              table.words[kPeriodAt]));
+  }
   if (error != fog::ModelError::none) {
     throw InputError(
         file, std::string("model table ") + fog::describe(error) + "; export the header again");

@@ -75,6 +75,8 @@ std::string reason(LoadRefusal refusal, const Words& slot, const fog::LoadTarget
       return "has another layout than the board's firmware; export it with the fogcomp of that";
     case LoadRefusal::not_in_image:
       return "the board's image has no room for it (firmware/SPEC.md, Model slots)";
+    case LoadRefusal::frames_too_long:
+      return "its frames take longer on the output line than a sample period";
     case LoadRefusal::not_newer:
       return "the board has a newer one by now; try again";
     default:

@@ -202,6 +202,30 @@ TEST_F(Loading, TakesTheTableOfAnotherGyroWhereItIsToldSo) {
   EXPECT_EQ(boot(flash_).used().sequence, 2U);
 }
 
+// Whatever is damaged, the first word of the new table included.
+TEST_F(Loading, OtherGyro_Loaded_OldTableRetired) {
+  const std::size_t old = boot(flash_).slot;
+  ASSERT_EQ(load(flash_, slot_of(2, of_gyro("G2")), fog::kMayBeAnotherGyro), LoadRefusal::none);
+  EXPECT_EQ(boot(flash_).slots[old].error, fog::ModelError::not_a_model);
+  flash_.slot(old ^ 1U)[0] ^= 1;
+  EXPECT_NE(boot(flash_).error, fog::ModelError::none);
+}
+
+TEST_F(Loading, OtherGyro_PowerCutAnywhere_OldTableOrNewOne) {
+  const Words slot = slot_of(2, of_gyro("G2"));
+  std::size_t cuts = 0;
+  std::size_t of_new = 0;
+  flash_.may_be_cut = [&] {
+    const SlotChoice choice = boot(flash_);
+    ++cuts;
+    ASSERT_EQ(choice.error, fog::ModelError::none) << cuts;
+    of_new += choice.used().sequence == 2 ? 1U : 0U;
+  };
+  ASSERT_EQ(load(flash_, slot, fog::kMayBeAnotherGyro), LoadRefusal::none);
+  flash_.may_be_cut = {};
+  EXPECT_EQ(of_new, 4U) << "while the old one is retired";
+}
+
 TEST_F(Loading, RefusesWhatTurnsOutToBeNoGoodTableBeforeItIsOne) {
   Words damaged = slot_of(2);
   damaged[60] ^= 4U;

@@ -16,7 +16,10 @@ TABLE_LAYOUT = 7
 SLOT_MAGIC = 0x53474F46
 SLOT_LAYOUT = 1
 
-MISSING, OTHER_LAYOUT, DAMAGED, OUT_OF_RANGE = 1, 2, 3, 4      # why a table is refused
+MISSING, OTHER_LAYOUT, DAMAGED, OUT_OF_RANGE, FRAMES_TOO_LONG = 1, 2, 3, 4, 8      # why a table is refused
+
+BYTES_OF_FRAMES = (36, 28, 64)         # of a sample: KVH, compact, both
+BITS_PER_SECOND = 921600               # of the output line; ten bits a byte
 
 
 class Refused(ValueError):
@@ -127,6 +130,9 @@ def read(words):
     table = Table(*_header(r), *_calibration(r), *_thermal(r), _inputs(r), *_effects(r), *_expressions(r),
                   _network(r), _denoiser(r), *_output(r))
     r.require(r.position == len(r.words), "words are left over")
+    bits = 10 * BYTES_OF_FRAMES[table.frames]
+    if bits * 10**6 > table.period * BITS_PER_SECOND:
+        raise Refused(FRAMES_TOO_LONG, f"{bits} bits do not fit into a sample period of {table.period} us")
     return table
 
 

@@ -15,7 +15,7 @@ enum class LoadStep : std::uint8_t {
   end,    ///< verifies the words and makes the slot valid
 };
 
-/// Reasons for which a board refuses a step. Numbers up to other_board are those of ModelError.
+/// Reasons for which a board refuses a step. Numbers up to other_gyro are those of ModelError.
 enum class LoadRefusal : std::uint8_t {
   none,
   not_a_model,
@@ -24,11 +24,12 @@ enum class LoadRefusal : std::uint8_t {
   out_of_range,
   not_in_image,
   other_board,
-  other_gyro,    ///< the table in use belongs to another gyro
-  not_newer,     ///< than the table in use: it would not be used
-  strap_open,    ///< the board's service strap is open
-  flash_failed,  ///< does not keep what is written to it
-  not_expected,  ///< a step that does not follow the last one
+  other_gyro,       ///< the table in use belongs to another gyro
+  not_newer,        ///< than the table in use: it would not be used
+  strap_open,       ///< the board's service strap is open
+  flash_failed,     ///< does not keep what is written to it
+  not_expected,     ///< a step that does not follow the last one
+  frames_too_long,  ///< for the table's sample period
 };
 
 constexpr std::size_t kMaxLoadWords = 32;

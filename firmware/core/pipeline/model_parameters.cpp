@@ -179,6 +179,9 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& capacity,
   parameters.invalidating = static_cast<Status>(table.next());
   table.require((parameters.invalidating & ~kMayInvalidate) == kRateInvalid);
   if (!table.good() || !table.at_end()) return ModelError::out_of_range;
+  if (output_line_us(output_bytes(parameters.output)) > parameters.acquisition.sample_period_us) {
+    return ModelError::frames_too_long;
+  }
   if ((parameters.expressions.used & ~capacity.expressions) != 0U) return ModelError::not_in_image;
   if ((enabled & ~capacity.effects) != 0U ||
       (parameters.network.used() & ~capacity.network_inputs) != 0U ||
@@ -243,6 +246,10 @@ const char* describe(ModelError error) {
       return "not for this image";
     case ModelError::other_board:
       return "of another board";
+    case ModelError::other_gyro:
+      return "of another gyro";
+    case ModelError::frames_too_long:
+      return "refused: its frames take longer than a sample period";
   }
   return "unknown";
 }

@@ -10,6 +10,7 @@
 #include "core/denoise/denoise_parameters.hpp"
 #include "core/effects/effect_bank.hpp"
 #include "core/effects/effect_check.hpp"
+#include "core/frames/output_bytes.hpp"
 #include "core/network/network.hpp"
 #include "core/signal/span.hpp"
 #include "core/signal/status.hpp"
@@ -25,6 +26,12 @@ using OutputOptions = std::uint8_t;
 constexpr OutputOptions kRotationIsAngle = 4;  ///< Z rotation is the angle of a sample, not a rate
 constexpr OutputOptions kAnswersKvhCommands = 8;
 constexpr OutputOptions kAllOutputOptions = kRotationIsAngle | kAnswersKvhCommands;
+
+/// Bytes sent for each sample.
+constexpr std::size_t output_bytes(OutputSelection output) {
+  return (output == OutputSelection::compact ? 0 : kKvhFrameBytes) +
+         (output == OutputSelection::kvh ? 0 : kCompactFrameBytes);
+}
 
 constexpr std::int32_t kModelMagic = 0x464F474D;  ///< "FOGM"
 constexpr std::int32_t kModelLayout = 7;          ///< of the table; SPEC.md, "Model table"
@@ -98,13 +105,15 @@ struct ModelParameters {
 /// Reasons to refuse a table.
 enum class ModelError : std::uint8_t {
   none,
-  not_a_model,   ///< no magic number, or too short or long
-  other_layout,  ///< made for another version of the firmware
-  damaged,       ///< CRC
-  out_of_range,  ///< a value that no export writes
-  not_in_image,  ///< an effect, operation, network input or filter that this image was not built
-                 ///< for
-  other_board,   ///< bound to another processor
+  not_a_model,      ///< no magic number, or too short or long
+  other_layout,     ///< made for another version of the firmware
+  damaged,          ///< CRC
+  out_of_range,     ///< a value that no export writes
+  not_in_image,     ///< an effect, operation, network input or filter that this image was not built
+                    ///< for
+  other_board,      ///< bound to another processor
+  other_gyro,       ///< in the older slot, of another gyro than the newer one
+  frames_too_long,  ///< the frames of a sample take longer on the output line than a sample period
 };
 
 /// The last word of a table: CRC-32 of the words before it.

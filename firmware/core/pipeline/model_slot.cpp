@@ -53,23 +53,34 @@ SlotContents read_slot_behind_magic(SlotMemory memory) {
   return slot;
 }
 
+bool have_same_serial(SlotMemory a, SlotMemory b) {
+  constexpr std::size_t kSerialAt = kSlotHeaderWords + kIdentityAt;
+  bool same = true;
+  for (std::size_t i = kSerialAt; i < kSerialAt + kSerialWords; ++i) same = same && a[i] == b[i];
+  return same;
+}
+
 SlotChoice choose_slot(const std::array<SlotMemory, kModelSlots>& slots, const ModelShape& capacity,
                        const std::array<std::uint32_t, kProcessorWords>& processor,
                        ModelParameters& parameters) {
   SlotChoice choice;
   choice.slots = {read_slot(slots[0]), read_slot(slots[1])};
   const std::size_t newest = is_newer(choice.slots[0], choice.slots[1]) ? 0 : 1;
-  for (const std::size_t slot : {newest, newest ^ 1U}) {
+  const auto use = [&](std::size_t slot) {
     ModelError& error = choice.slots[slot].error;
-    if (error == ModelError::none)
-      error = read_for(choice.slots[slot], capacity, processor, parameters);
     if (error == ModelError::none) {
-      choice.error = error;
-      choice.slot = slot;
-      return choice;
+      error = read_for(choice.slots[slot], capacity, processor, parameters);
     }
+    if (error == ModelError::none) choice.slot = slot;
+    return error;
+  };
+  choice.error = use(newest);
+  if (choice.error == ModelError::none) return choice;
+  SlotContents& older = choice.slots[newest ^ 1U];
+  if (older.error == ModelError::none && !have_same_serial(slots[0], slots[1])) {
+    older.error = ModelError::other_gyro;
   }
-  choice.error = choice.slots[newest].error;
+  if (use(newest ^ 1U) == ModelError::none) choice.error = ModelError::none;
   return choice;
 }
 

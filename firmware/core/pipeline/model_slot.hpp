@@ -39,6 +39,9 @@ SlotContents read_slot(SlotMemory memory);
 /// The same for a slot whose first word has not been written yet; at least kSlotHeaderWords words.
 SlotContents read_slot_behind_magic(SlotMemory memory);
 
+/// Whether the serial numbers in two slots are the same, as they stand there; of kSlotBytes each.
+bool have_same_serial(SlotMemory a, SlotMemory b);
+
 /// Result of the choice between the slots.
 struct SlotChoice {
   ModelError error =
@@ -51,7 +54,8 @@ struct SlotChoice {
 };
 
 /// Chooses the newest intact slot whose model an image of this `capacity` on this processor can
-/// run, and decodes it into `parameters`. Without one these are the parameters of a refused model.
+/// run, and decodes it into `parameters`. The older one only counts if it is of the same gyro.
+/// Without a table these are the parameters of a refused model.
 SlotChoice choose_slot(const std::array<SlotMemory, kModelSlots>& slots, const ModelShape& capacity,
                        const std::array<std::uint32_t, kProcessorWords>& processor,
                        ModelParameters& parameters);

@@ -4,9 +4,9 @@
 
 namespace fog {
 
-/// Tells when a frame without a sample is due: two sample periods after the last sample, then once
-/// per period. So a user who navigates by the frames keeps getting them and sees at once that they
-/// are not valid.
+/// Tells when a frame without a sample is due: when the last sample is more than two sample periods
+/// ago, then once per period. So a user who navigates by the frames keeps getting them and sees at
+/// once that they are not valid.
 class SilenceClock {
  public:
   /// `sample_period_us` >= 1.
@@ -15,16 +15,18 @@ class SilenceClock {
     restart(now_ms);
   }
 
-  /// To be called when a sample has come.
+  /// To be called when a sample has come. The times of sample and frame are whole milliseconds,
+  /// rounded down: the difference may be up to 1 ms more than the time that has passed.
   void restart(std::uint32_t now_ms) {
-    due_ms_ = now_ms;
+    due_ms_ = now_ms + 1;
+    due_us_ = 999;  // the sum is rounded up
+    put_off();
+    put_off();
     due_us_ = 0;
-    put_off();
-    put_off();
   }
 
-  /// Whether a frame is due; it then counts as sent. To be called until it returns false. Times
-  /// wrap: calls must be less than 24 days apart.
+  /// Whether a frame is due; it then counts as sent. Times wrap: calls must be less than 24 days
+  /// apart.
   bool due(std::uint32_t now_ms) {
     if (static_cast<std::int32_t>(now_ms - due_ms_) < 0) return false;
     put_off();

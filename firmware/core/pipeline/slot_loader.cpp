@@ -4,10 +4,11 @@ namespace fog {
 namespace {
 
 LoadRefusal refusal_of(ModelError error) {
-  return static_cast<LoadRefusal>(error);
+  return error == ModelError::frames_too_long ? LoadRefusal::frames_too_long
+                                              : static_cast<LoadRefusal>(error);
 }
-static_assert(static_cast<int>(LoadRefusal::other_board) ==
-              static_cast<int>(ModelError::other_board));
+static_assert(static_cast<int>(LoadRefusal::other_gyro) ==
+              static_cast<int>(ModelError::other_gyro));
 
 // A table without a serial number fits any gyro.
 bool is_of_another(const std::uint32_t* serial, const LoadTarget& target) {

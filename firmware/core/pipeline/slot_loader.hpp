@@ -99,7 +99,19 @@ class SlotLoader {
       return LoadRefusal::flash_failed;
     }
     has_ended_ = true;
+    retire_other_gyro();
     return LoadRefusal::none;
+  }
+
+  // The table of another gyro must not be used if the new one is ever damaged. A failure here does
+  // no harm: the new one is the newer.
+  void retire_other_gyro() {
+    if (target_.used == kModelSlots) return;
+    const SlotMemory loaded = flash_.memory(target_.slot());
+    const SlotMemory used = flash_.memory(target_.used);
+    if (have_same_serial(loaded, used)) return;
+    constexpr std::uint32_t kNoMagic = 0;
+    flash_.program(target_.used, 0, &kNoMagic, 1);
   }
 
   LoadRefusal write(const std::uint32_t* words, std::size_t count) {

@@ -208,7 +208,6 @@ TEST(ModelLimits, EveryNumberIsAcceptedUpToItsLimitsAndRefusedBeyond) {
     const char* name;
     std::int32_t min, max;
   } limits[] = {
-      {"period", 1, INT32_MAX},
       {"block", 1, INT32_MAX},
       {"multiplier", kHalf, INT32_MAX},
       {"shift", 0, 62},
@@ -257,6 +256,30 @@ TEST(ModelLimits, EveryNumberIsAcceptedUpToItsLimitsAndRefusedBeyond) {
   table["T reach"] = INT32_MAX;
   table["T shift"] = 0;
   EXPECT_EQ(table.read(), ModelError::none);
+}
+
+// At 921600 Bd ten bits take 10.85 us.
+TEST(ModelLimits, Period_ShorterThanItsFrames_Refused) {
+  const struct {
+    std::int32_t output;
+    std::int32_t shortest_us;
+  } frames[] = {{0, 391}, {1, 304}, {2, 695}};
+  for (const auto& each : frames) {
+    Table table = good_table();
+    table["output"] = each.output;
+    for (const std::int32_t period_us : {each.shortest_us, INT32_MAX}) {
+      table["period"] = period_us;
+      EXPECT_EQ(table.read(), ModelError::none) << each.output;
+    }
+    for (const std::int32_t period_us : {1, 200, each.shortest_us - 1}) {
+      table["period"] = period_us;
+      EXPECT_EQ(table.read(), ModelError::frames_too_long) << each.output;
+    }
+    for (const std::int32_t period_us : {0, -1, INT32_MIN}) {
+      table["period"] = period_us;
+      EXPECT_EQ(table.read(), ModelError::out_of_range) << each.output;
+    }
+  }
 }
 
 TEST(ModelLimits, SignalsOfTheNetworkAreTheInputsAndTheLaggedTemperature) {

@@ -71,8 +71,36 @@ TEST_F(ModelSlots, AnyFlippedBitLeavesTheOlderOne) {
     std::string bad = good;
     bad[bit / 8] = static_cast<char>(bad[bit / 8] ^ (1 << (bit % 8)));
     const SlotChoice choice = choose(holding(bad), older);
+    // With another serial number it may be of another gyro.
+    constexpr std::size_t kSerialBit = 32 * (fog::kSlotHeaderWords + fog::kIdentityAt);
+    if (bit >= kSerialBit && bit < kSerialBit + 32 * fog::kSerialWords) {
+      ASSERT_EQ(choice.error, ModelError::damaged) << bit;
+      ASSERT_EQ(choice.slots[1].error, ModelError::other_gyro) << bit;
+      ASSERT_FALSE(has_model());
+      continue;
+    }
     ASSERT_EQ(choice.error, ModelError::none) << bit;
     ASSERT_EQ(choice.slot, 1U) << bit;
+  }
+}
+
+TEST_F(ModelSlots, OlderSlot_OfAnotherGyro_NeverUsed) {
+  BoardSettings newer;
+  newer.serial = "FOG-0043";
+  for (const char* const serial : {"FOG-0042", ""}) {
+    BoardSettings older;
+    older.serial = serial;
+    Memory damaged = table(2, newer);
+    EXPECT_EQ(choose(table(1, older), damaged).slot, 1U);
+    damaged[60] ^= 1;
+    const SlotChoice choice = choose(table(1, older), damaged);
+    EXPECT_EQ(choice.error, ModelError::damaged);
+    EXPECT_EQ(choice.slot, fog::kModelSlots);
+    EXPECT_EQ(choice.slots[0].error, ModelError::other_gyro);
+    EXPECT_FALSE(has_model());
+    newer.processor = {3, 2, 1};
+    EXPECT_EQ(choose(table(1, older), table(2, newer)).error, ModelError::other_board);
+    newer.processor = {};
   }
 }
 
