@@ -61,7 +61,7 @@ def check_comments():
 # What commands may name: presets and targets, labels of tests and what their names are made of, subcommands.
 words_of_builds = set(re.findall(r"[\w-]+", " ".join(map(read, of_type("CMakeLists.txt", ".cmake", "Presets.json")))))
 words_of_tests = set(re.findall(r"\w+", " ".join(map(read, of_type("CMakeLists.txt", "_test.cpp")))))
-labels = set(re.findall(r"LABELS (\w+)|fog_gtest\(\S+ \S+ (\w+)", " ".join(map(read, of_type("CMakeLists.txt")))))
+labels = re.findall(r"fog_test\(\S+ (\w+)|fog_gtest\(\S+ \S+ (\w+)", " ".join(map(read, of_type("CMakeLists.txt"))))
 labels = {one for pair in labels for one in pair if one}
 reference = os.path.join(root, "host_tools/REFERENCE.md")
 subcommands = set(re.findall(r"^### ([a-z]+)$", read(reference), re.M)) if os.path.exists(reference) else set()
@@ -81,6 +81,10 @@ def check_command(page, number, text):
         for name in re.findall(r" -R (\S+)", text):
             if name in labels or not set(re.findall(r"\w+", name)) <= words_of_tests:
                 wrong.append(f"no test has {name} in its name")
+    for name in re.findall(r"tests/run\.sh ([a-z_.*' ]+)", text) if "tests/run.sh " in text else []:
+        for one in name.replace("'", "").split():
+            if one not in labels and not set(re.findall(r"\w+", one)) <= words_of_tests:
+                wrong.append(f"no test and no kind of test: {one}")
     called = re.match(r"fogcomp ([a-z]+)(?= |$)", text)
     if called and subcommands and called[1] not in subcommands | {"help"}:
         wrong.append(f"fogcomp has no command {called[1]}")
