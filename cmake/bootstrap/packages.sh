@@ -10,7 +10,7 @@ build_packages=(
 # The plots of reports come from npm, whoever has installed it.
 command -v npm >/dev/null || build_packages+=(npm)
 # What tests/run.sh needs beside that.
-quick_packages=(libgtest-dev ccache)
+quick_packages=(libgtest-dev ccache jq)
 # What tests/run.sh --all needs besides: the second line builds sanitized, the third compiles and runs the core for
 # another instruction set, the fourth is told how to flash a board, the fifth looks at package and manual, the sixth
 # makes the page that calculates.

@@ -2,6 +2,7 @@
 # budgets_bite.sh BUILD_DIR: a budget of one byte less than an image takes is refused, the exact one is
 # not. So check_budgets.sh measures something.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 build=$1
 check=$(dirname "$0")/check_budgets.sh
 budgets=$(mktemp)
@@ -18,7 +19,7 @@ expect_status() {
   local status=0
   echo "$image $2 $3" >"$budgets"
   "$check" "$budgets" "$build" || status=$?
-  ((status == $1)) || { echo "budget $2, $3: exit code $status, not $1" >&2; exit 1; }
+  ((status == $1)) || fail "budget $2, $3: exit code $status, not $1"
 }
 expect_status 0 "$flash" "$ram"
 expect_status 1 $((flash - 1)) "$ram"

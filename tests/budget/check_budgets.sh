@@ -2,6 +2,7 @@
 # check_budgets.sh BUDGETS.txt BUILD_DIR [IMAGE]: prints what each image of BUDGETS.txt takes (or the one), and exits 1
 # if one takes more than it may or is missing.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 (($# == 2 || $# == 3)) || { echo "usage: check_budgets.sh BUDGETS.txt BUILD_DIR [IMAGE]" >&2; exit 2; }
 budgets=$1
 build=$2
@@ -28,7 +29,7 @@ refuse() {
 printf '%-28s %7s %7s  %7s %7s %7s %7s\n' image flash of static stack RAM of
 while read -r image flash_budget ram_budget _; do
   [[ -z $image || $image == \#* || ( -n $only && $image != "$only" ) ]] && continue
-  [[ -f $build/$image ]] || { echo "$image: not built" >&2; exit 1; }
+  [[ -f $build/$image ]] || fail "$image: not built"
   sizes=$(arm-none-eabi-size -A "$build/$image")
   flash=$(section_bytes "$sizes" .text .data .seal)
   static=$(section_bytes "$sizes" .data .bss .noinit .dma_buffers)

@@ -4,6 +4,7 @@
 # which the soft-float calling convention turns into calls that have names. Integer division
 # (__aeabi_idiv, __aeabi_ldivmod and so on) is none of these.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 (($# > 0)) || { echo "usage: forbidden_symbols.sh FILE..." >&2; exit 2; }
 
 heap='_?(malloc|calloc|realloc|free|sbrk)(_r)?|_Zn[wa].*|_Zd[la].*'
@@ -15,7 +16,7 @@ forbidden="^($heap|$cplusplus|$float)\$"
 status=0
 for file in "$@"; do
   names=$(arm-none-eabi-nm --format=posix "$file" | cut -d' ' -f1)
-  [[ -n $names ]] || { echo "$file: no symbols to look at" >&2; exit 1; }
+  [[ -n $names ]] || fail "$file: no symbols to look at"
   if found=$(grep -E "$forbidden" <<<"$names"); then
     echo "$file: forbidden:" $found >&2
     status=1

@@ -2,6 +2,7 @@
 # forbidden_symbols_bite.sh: each thing the firmware must not use is found in an object that uses it,
 # and what it may use is let through.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 check=$(dirname "$0")/forbidden_symbols.sh
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -12,7 +13,7 @@ expect_status() {
   echo "$3" | arm-none-eabi-g++ -mcpu=cortex-m4 -mthumb -mfloat-abi=soft -O1 -x c++ -c - \
     -o "$scratch/$2.o"
   "$check" "$scratch/$2.o" || status=$?
-  ((status == $1)) || { echo "$2: exit code $status, not $1" >&2; exit 1; }
+  ((status == $1)) || fail "$2: exit code $status, not $1"
 }
 
 expect_status 1 float_product 'float f(float a, float b) { return a * b; }'

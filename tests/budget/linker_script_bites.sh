@@ -2,6 +2,7 @@
 # linker_script_bites.sh: the ASSERTs of linker/common_sections.ld refuse what start-up relies on not
 # being there, and nothing else.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 linker=$(realpath "$(dirname "$0")/../../linker")
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -17,7 +18,7 @@ expect_link() {
   arm-none-eabi-g++ -nostdlib -mcpu=cortex-m4 -mthumb -L"$linker" -T"$linker/stm32f405.ld" "$@" \
     "$scratch/$name.o" -o "$scratch/$name.elf" 2>"$scratch/said" || said=$(<"$scratch/said")
   echo "$name: ${said##*/}"
-  [[ $said == *"$verdict"* ]] || { echo "$name: expected: $verdict" >&2; exit 1; }
+  [[ $said == *"$verdict"* ]] || fail "$name: expected: $verdict"
 }
 
 expect_link linked plain_data ''
@@ -38,13 +39,12 @@ expect_sizes() {
   found=$(arm-none-eabi-nm "$scratch/part.elf" | awk '/_region_size/ { print $3 "=" $1 }' | sort | tr '\n' ' ')
   echo "memory protection: $found"
   [[ $found == "fog_flash_region_size=$flash fog_ram_region_size=$ram " ]] ||
-    { echo "expected $flash, $ram" >&2; exit 1; }
+    fail "expected $flash, $ram"
 }
 expect_sizes 00000026 00000020 ''
 expect_sizes 00000024 0000001e 's/1024K/512K/; s/128K/64K/'
 expect_sizes 00000024 00000022 's/1024K/384K/; s/128K/192K/'
 if (expect_sizes 0 0 's/0x20000000/0x20008000/') 2>"$scratch/said"; then
-  echo "a memory in the middle of its region was linked" >&2
-  exit 1
+  fail "a memory in the middle of its region was linked"
 fi
 grep -q 'multiple of its size' "$scratch/said"

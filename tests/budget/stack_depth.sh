@@ -5,6 +5,7 @@
 # in the image's own code, one through a pointer going to any function of which the image holds the address. Exits 1 for
 # recursion, a frame of unknown size, or where less than PERCENT of the stack's reserve stays free.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 (($# == 3)) || { sed -n '2,6s/^# //p' "$0" >&2; exit 2; }
 elf=$1 objects=$2 percent=$3
 scratch=$(mktemp -d)

@@ -3,17 +3,16 @@
 # denoising brings the error against the noise-free truth to at most 0.35 of the noise in soaks and 0.5
 # in ramps, keeps the mean to 1e-5 deg/h, and leaves no outlier. Prints the segments beside the paper's.
 set -euo pipefail
+source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: denoise_worth.sh FOGCOMP}")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 
 "$fogcomp" simulate -o run.csv --profile paper --hide truth.csv >/dev/null
 # Twenty outliers of 0.4 to 0.8 deg/h: 16 to 33 standard deviations of the noise.
 awk -F, -v OFS=, '!/^#/ && ++n > 1 && n % 290 == 17 { $3 += (n % 580 == 17 ? 1 : -1) * (0.4 + n % 5 / 10) }
   { print }' run.csv >spiked.csv
 spikes=$(diff run.csv spiked.csv | grep -c '^>') || true # diff says 1: they differ
-((spikes >= 20)) || { echo "$spikes outliers" >&2; exit 1; }
+((spikes >= 20)) || fail "$spikes outliers"
 "$fogcomp" denoise spiked.csv -o soft.csv >report.txt
 "$fogcomp" denoise spiked.csv -o hard.csv --mode hard >/dev/null
 "$fogcomp" denoise run.csv -o clean.csv >/dev/null

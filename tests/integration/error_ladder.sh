@@ -11,19 +11,16 @@ for seed in 1 2; do "$fogcomp" simulate -o "run$seed.csv" --seed "$seed" >/dev/n
 
 # The rate term is missing: the residual depends on rate and history; with it, far less is left.
 "$fogcomp" compare static.model run1.csv --json >static.json
-[[ $(value static.json runs 0 structure temperature_rate structured) == ON ]] || fail "rate not seen"
-[[ $(value static.json runs 0 structure history structured) == ON ]] || fail "history not seen"
+holds static.json '.runs[0].structure.temperature_rate.structured and .runs[0].structure.history.structured'
 "$fogcomp" compare static.model run1.csv >static.txt
-grep -q 'of what is above the floor: .*temperature rate' static.txt || fail "$(cat static.txt)"
+says static.txt 'of what is above the floor: .*temperature rate'
 
 "$fogcomp" add static.model temperature_rate run1.csv --holdout run2.csv -o rate.model --json >add.json
-[[ $(value add.json accepted) == ON ]] || fail "a true effect refused: $(cat add.json)"
-[[ $(value add.json runs 0 holdout) == OFF && $(value add.json runs 1 holdout) == ON ]] || fail "holdouts"
-awk -v before="$(value add.json runs 1 rms_before_dph)" -v after="$(value add.json runs 1 rms_after_dph)" \
-  'BEGIN { exit !(after < 0.7 * before) }' || fail "little gained: $(cat add.json)"
+holds add.json '.accepted and (.runs[0].holdout | not) and .runs[1].holdout'
+holds add.json '.runs[1].rms_after_dph < 0.7 * .runs[1].rms_before_dph'
 # The same without a holdout: the same model, judged by cross-validation.
 "$fogcomp" add static.model temperature_rate run1.csv -o again.model >again.txt || fail "$(cat again.txt)"
-grep -q '^accepted: helps out of sample.*left out' again.txt || fail "$(cat again.txt)"
+says again.txt '^accepted: helps out of sample.*left out'
 cmp <(grep '^effect' rate.model) <(grep '^effect' again.model) || fail "the judge changed the model"
 
 # An effect that this gyro does not have: refused, exit code 1, nothing written, unless forced.
@@ -32,38 +29,35 @@ for judge in "" "--holdout run2.csv"; do
   # shellcheck disable=SC2086
   "$fogcomp" add rate.model thermal_hysteresis:radius=3 run1.csv -o useless.model $judge >refused.txt || status=$?
   ((status == 1)) || fail "exit code $status: $(cat refused.txt)"
-  [[ ! -e useless.model ]] || fail "written although refused"
-  grep -q '^refused: does not help out of sample' refused.txt || fail "$(cat refused.txt)"
+  [[ ! -e useless.model ]] || fail "useless.model is written although refused"
+  says refused.txt '^refused: does not help out of sample' "judged by '$judge'"
 done
 "$fogcomp" add rate.model thermal_hysteresis:radius=3 run1.csv -o forced.model --force >forced.txt
-grep -q '^written by --force: forced.model' forced.txt || fail "$(cat forced.txt)"
+says forced.txt '^written by --force: forced.model'
 
 # A network is trained anew, of the same size.
 "$fogcomp" fit run1.csv -o network.model --effects bias,bias_temperature --network 4 >/dev/null
 "$fogcomp" add network.model temperature_rate run1.csv -o network2.model >/dev/null
-grep -q '^hidden logsig 4 ' network2.model || fail "no network of 4"
+says network2.model '^hidden logsig 4 '
 
 # A network to which the effects leave nothing is not kept, and that is said; forced, it is.
 complete=bias,bias_temperature,temperature_rate,temperature_rate_product,warm_up,polarization_ripple:period2=?
 "$fogcomp" fit run1.csv -o alone.model --effects "$complete" --network 4 >alone.txt
-grep -q '^  network: nothing left that it can learn.*none kept; --force-network keeps it$' alone.txt ||
-  fail "$(cat alone.txt)"
-grep -q '^hidden' alone.model && fail "a network that does not help was kept"
+says alone.txt '^  network: nothing left that it can learn.*none kept; --force-network keeps it$'
+! grep -q '^hidden' alone.model || fail "a network that does not help is kept: $(cat alone.txt)"
 "$fogcomp" fit run1.csv -o kept.model --effects "$complete" --network 4 --force-network >/dev/null
-grep -q '^hidden logsig 4 ' kept.model || fail "--force-network kept none"
+says kept.model '^hidden logsig 4 ' --force-network
 
 # The ladder.
 "$fogcomp" history forced.model --json >history.json
-[[ $(value history.json steps 0 action) == "fit bias,bias_temperature" ]] || fail "first step"
-[[ $(value history.json steps 1 action) == "add temperature_rate" ]] || fail "second step"
-[[ $(value history.json steps 1 forced) == OFF && $(value history.json steps 2 forced) == ON ]] || fail "forced"
-awk -v ladder="$(value history.json steps 1 holdout_rms_after_dph)" -v add="$(value add.json runs 1 rms_after_dph)" \
-  'BEGIN { exit !(ladder - add < 1e-9 && add - ladder < 1e-9) }' || fail "holdout error: $(cat history.json)"
-[[ $(value history.json steps 1 data_hash) == "$(value history.json steps 0 data_hash)" ]] || fail "data hash"
-awk -v removed="$(value history.json steps 1 excess_removed)" 'BEGIN { exit !(removed > 0.5 && removed <= 1) }' ||
-  fail "excess removed: $(cat history.json)"
+holds history.json '.steps[0].action == "fit bias,bias_temperature" and .steps[1].action == "add temperature_rate"'
+holds history.json '(.steps[1].forced | not) and .steps[2].forced'
+holds history.json ".steps[1].holdout_rms_after_dph - $(value add.json '.runs[1].rms_after_dph') | fabs < 1e-9"
+holds history.json '.steps[1].data_hash == .steps[0].data_hash'
+holds history.json '.steps[1].excess_removed | 0.5 < . and . <= 1'
 "$fogcomp" history forced.model >history.txt
-grep -qE '####.*1 fit bias' history.txt && grep -q 'forced: did not help' history.txt || fail "$(cat history.txt)"
+says history.txt '####.*1 fit bias'
+says history.txt 'forced: did not help'
 
 # The loop's model is what the commands that it prints make, to the byte, on any number of cores.
 one_core=$(taskset -cp $$ | sed 's/.*: *//; s/[,-].*//')
@@ -90,13 +84,8 @@ done
 # On a holdout each step has the error that `history` prints.
 "$fogcomp" diagnose static.model run1.csv --max-effects 2 -o loop.model --holdout run2.csv --json >loop.json
 "$fogcomp" history loop.model --json >loop_history.json
-for step in 0 1; do
-  for when in before after; do
-    key=holdout_rms_${when}_dph
-    [[ $(value loop.json ladder $step $key) == "$(value loop_history.json steps $((step + 1)) $key)" ]] ||
-      fail "$key of step $step: $(cat loop.json)"
-  done
-done
+errors='map([.holdout_rms_before_dph, .holdout_rms_after_dph])'
+holds loop.json "(.ladder[0:2] | $errors) == $(value loop_history.json ".steps[1:3] | $errors")"
 # With nothing to add there is no model to write.
 status=0
 "$fogcomp" diagnose at_once.model run1.csv --max-effects 1 -o none.model >none.txt || status=$?
@@ -106,14 +95,13 @@ status=0
 for seed in 1 2; do
   "$fogcomp" fit "run$seed.csv" -o cubic.model --effects bias,bias_temperature:order=3 >/dev/null
   "$fogcomp" diagnose cubic.model "run$seed.csv" --max-effects 6 -o whole.model >whole.txt
-  grep -q '^  at the end: nothing is missing' whole.txt || fail "seed $seed: $(cat whole.txt)"
-  grep -qx '  next: fogcomp export whole.model -o fog_model.h' whole.txt || fail "seed $seed: $(cat whole.txt)"
+  says whole.txt '^  at the end: nothing is missing' "seed $seed"
+  says whole.txt '^  next: fogcomp export whole.model -o fog_model.h$' "seed $seed"
   for effect in temperature_rate temperature_rate_product polarization_ripple warm_up; do
     grep -q "^effect $effect " whole.model || fail "seed $seed: $effect is not found: $(cat whole.txt)"
   done
   "$fogcomp" compare whole.model "run$seed.csv" --json >whole.json
-  awk -v left="$(value whole.json runs 0 residual_rms_dph)" -v floor="$(value whole.json runs 0 noise_floor_dph)" \
-    'BEGIN { exit !(left < 1.03 * floor) }' || fail "seed $seed: more than the noise is left: $(cat whole.json)"
+  holds whole.json '.runs[0].residual_rms_dph < 1.03 * .runs[0].noise_floor_dph'
 done
 
 # What is proposed can be typed as it stands, whatever a file is called and however it was read.
@@ -128,24 +116,22 @@ done
 # Two models and two runs side by side: every segment has a figure of each.
 "$fogcomp" compare static.model run1.csv run2.csv --model rate.model >both.txt
 [[ $(grep -c '^  all ' both.txt) == 2 ]] || fail "$(cat both.txt)"
-grep -qE 'by a constant alone +by rate\.model +by static\.model' both.txt || fail "$(cat both.txt)"
+says both.txt 'by a constant alone +by rate\.model +by static\.model'
 "$fogcomp" compare static.model run1.csv run2.csv --model rate.model --json >both.json
-[[ $(value both.json models 1 model) == rate.model ]] || fail "second model"
+holds both.json '.models[1].model == "rate.model"'
 for run in 0 1; do
-  awk -v a="$(value both.json models 0 runs "$run" drift_left_dph)" \
-    -v b="$(value both.json models 1 runs "$run" drift_left_dph)" 'BEGIN { exit !(b < a) }' || fail "run $run"
+  holds both.json ".models[1].runs[$run].drift_left_dph < .models[0].runs[$run].drift_left_dph"
 done
-[[ $(value both.json models 0 runs 1 residual_rms_dph) == "$(value both.json runs 1 residual_rms_dph)" ]] ||
-  fail "the contract's keys are not those of the first model"
+holds both.json '.models[0].runs[1].residual_rms_dph == .runs[1].residual_rms_dph' # the contract's: the first model's
 
 # A run that leaves the training: faster ramps, later begin.
 awk -F, -v OFS=, 'NR > 1 && $1 !~ /^#/ && $1 + 0 == $1 { $1 = $1 / 4 } { print }' run1.csv >fast.csv
 "$fogcomp" compare rate.model fast.csv >fast.txt
-grep -q 'warning: .*ramps beyond the trained' fast.txt || fail "$(cat fast.txt)"
-grep -q warning static.txt && fail "warns on its own training run"
+says fast.txt 'warning: .*ramps beyond the trained'
+! grep warning static.txt || fail "warns on its own training run"
 awk -F, 'NR == 1 || $1 !~ /^[0-9]/ || $1 >= 7200' run1.csv >late.csv
 "$fogcomp" fit late.csv -o late.model --effects bias,bias_temperature >/dev/null
-"$fogcomp" compare late.model run1.csv | grep 'warning: .*sooner after power-on' >/dev/null ||
-  fail "no warning of warm-up"
-echo "ladder: static -> rate term, drift left $(value both.json models 0 runs 1 drift_left_dph) ->" \
-  "$(value both.json models 1 runs 1 drift_left_dph) deg/h on the run held out"
+"$fogcomp" compare late.model run1.csv >late.txt
+says late.txt 'warning: .*sooner after power-on'
+echo "ladder: static -> rate term, drift left $(value both.json '.models[0].runs[1].drift_left_dph') ->" \
+  "$(value both.json '.models[1].runs[1].drift_left_dph') deg/h on the run held out"

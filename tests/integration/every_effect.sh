@@ -4,10 +4,9 @@
 # time and its place; a recording whose
 # time begins late gives a warm-up of the same size.
 set -euo pipefail
+source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: every_effect.sh FOGCOMP}")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 
 "$fogcomp" simulate -o cycle.csv --columns all --latitude 34 >/dev/null
 "$fogcomp" simulate -o field.csv --profile field_and_vibration --columns all --latitude 34 >/dev/null
@@ -25,7 +24,7 @@ for effect in $("$fogcomp" effects | awk '/^[a-z0-9_]+ - / { print $1 }'); do
   [[ $effect == bias ]] || list=bias,$list
   # Field, vibration and input rate stand still in a chamber cycle.
   "$fogcomp" fit cycle.csv field.csv table.csv -o one.model --effects "$list" >fit.txt
-  grep -q "^  $effect " fit.txt || { echo "$effect: not in the printed model" >&2; exit 1; }
+  grep -q "^  $effect " fit.txt || fail "$effect is not in the printed model: $(cat fit.txt)"
   "$fogcomp" compare one.model cycle.csv >/dev/null
   allowed=()
   if grep -q '^  export     refuses it' entry.txt; then
@@ -33,25 +32,25 @@ for effect in $("$fogcomp" effects | awk '/^[a-z0-9_]+ - / { print $1 }'); do
     "$fogcomp" export one.model -o refused.h --extension 2>export.txt || status=$?
     ((status == 2)) && grep -q "^one.model: effect '$effect' goes on while the power is off" export.txt &&
       [[ ! -e refused.h ]] ||
-      { echo "$effect: exported" >&2; cat export.txt >&2; exit 1; }
+      fail "$effect: exit code $status: $(cat export.txt)"
     allowed=(--allow-error)
     refused+=" $effect"
   fi
-  "$fogcomp" export one.model -o fog_model.h --extension "${allowed[@]}" >export.txt || { cat export.txt >&2; exit 1; }
+  "$fogcomp" export one.model -o fog_model.h --extension "${allowed[@]}" >export.txt || fail "$effect: $(cat export.txt)"
   if grep -q '^  host only' entry.txt; then
-    grep -q "^note: $effect is left out: " export.txt
-    grep -q "define FOG_MODEL_EFFECTS 0x1u" fog_model.h
+    says export.txt "^note: $effect is left out: "
+    says fog_model.h "define FOG_MODEL_EFFECTS 0x1u"
   fi
   count=$((count + 1))
 done
-((count > 0)) || { echo "no effect in the list of effects" >&2; exit 1; }
+((count > 0)) || fail "no effect in the list of effects"
 
 # The same warm-up in a recording that begins an hour late: the amplitude is that at power-on, not at its first row.
 {
   echo "time_s,temperature_degc,rate_dph"
-  awk 'BEGIN {
-    srand(1)
-    for (t = 0; t < 43200; t += 10) print t ",20," 1 + 5 * exp(-t / 3600) + 0.05 * (rand() - 0.5)
+  random_awk 'BEGIN {
+    seed_draws(1)
+    for (t = 0; t < 43200; t += 10) print t ",20," 1 + 5 * exp(-t / 3600) + 0.05 * (uniform() - 0.5)
   }'
 } >warm.csv
 awk -F, 'NR == 1 || $1 >= 3600' warm.csv >late.csv
@@ -60,23 +59,21 @@ amplitude() {
 }
 early=$(amplitude warm.csv) late=$(amplitude late.csv)
 awk -v early="$early" -v late="$late" 'BEGIN { exit !(early > 4.95 && early < 5.05 && late > 4.95 && late < 5.05) }' ||
-  { echo "a warm-up of 5 deg/h became $early, and $late in a recording that begins late" >&2; exit 1; }
+  fail "a warm-up of 5 deg/h became $early, and $late in a recording that begins late"
 # A step that nobody gave the time of.
 awk -F, -v OFS=, '/^[0-9]/ && $1 >= 26000 { $3 += 0.3 } { print }' warm.csv >step.csv
 "$fogcomp" fit step.csv -o step.model --effects bias,warm_up:tau=3600,bias_step >step.txt
-grep -Eq "^  bias step of \+0\.(29|30|31)[0-9]* \+- 0\.0[0-9]+ deg/h at (259|260)[0-9]{2}" step.txt ||
-  { cat step.txt >&2; exit 1; }
-grep -q "(step.csv, soak 20); the model's bias is that after it$" step.txt
+says step.txt "^  bias step of \+0\.(29|30|31)[0-9]* \+- 0\.0[0-9]+ deg/h at (259|260)[0-9]{2}"
+says step.txt "\(step.csv, soak 20\); the model's bias is that after it$"
 # Whose bias a board will have is said wherever a step is added.
 "$fogcomp" fit step.csv -o stepless.model --effects bias,warm_up:tau=3600 >/dev/null
 "$fogcomp" add stepless.model bias_step step.csv -o added.model >added.txt
 "$fogcomp" diagnose stepless.model step.csv --max-effects 1 -o ladder.model >ladder.txt
 for said in added.txt ladder.txt; do
-  grep -Eq "^  bias step of \+0\.[0-9]+ .* s( \(step\.csv\))?; the model's bias is that after it$" "$said" ||
-    { cat "$said" >&2; exit 1; }
+  says "$said" "^  bias step of \+0\.[0-9]+ .* s( \(step\.csv\))?; the model's bias is that after it$"
 done
 "$fogcomp" export step.model -o fog_model.h >export.txt
-grep -Eq "^note: bias_step is left out: .*; the board has the bias after the step of \+0\.[0-9]+ deg/h at [0-9]+ s$" \
-  export.txt || { cat export.txt >&2; exit 1; }
-[[ $refused == " aging" ]] || { echo "refused:$refused" >&2; exit 1; }
+says export.txt \
+  "^note: bias_step is left out: .*; the board has the bias after the step of \+0\.[0-9]+ deg/h at [0-9]+ s$"
+[[ $refused == " aging" ]] || fail "export refuses$refused"
 echo "$count effects fitted, printed, compared and exported; warm-up $early deg/h, begun late $late deg/h"

@@ -15,19 +15,20 @@ done
 "$fogcomp" fit reversed.csv -o gyro.model --effects bias,bias_temperature:order=2,temperature_rate >/dev/null
 "$fogcomp" diagnose gyro.model reversed.csv >said.txt
 cat said.txt
-grep -q 'outside the catalogue it looks like highest(T)' said.txt || fail "the form"
-grep -q "which physics gives such a form: a coil's first heat" said.txt || fail "the physics"
-grep -q 'the same programme once more would tell' said.txt || fail "the experiment"
+says said.txt 'outside the catalogue it looks like highest\(T\)'
+says said.txt "which physics gives such a form: a coil's first heat"
+says said.txt 'the same programme once more would tell'
 eval "\"\$fogcomp\" $(sed -n 's/^  next: fogcomp //p' said.txt)" >added.txt || fail "refused: $(cat added.txt)"
 
-left() { "$fogcomp" compare "$1" ramp_rates.csv --json >compare.json && value compare.json runs 0 residual_rms_dph; }
+left() { "$fogcomp" compare "$1" ramp_rates.csv --json >compare.json && value compare.json '.runs[0].residual_rms_dph'; }
 before=$(left gyro.model) after=$(left NEW.model)
 echo "another programme: $before -> $after deg/h"
-awk -v before="$before" -v after="$after" 'BEGIN { exit !(after < before / 2) }' || fail "another programme"
+awk -v before="$before" -v after="$after" 'BEGIN { exit !(after < before / 2) }' ||
+  fail "another programme: $before -> $after deg/h"
 
 "$fogcomp" compare NEW.model ramp_rates.csv >compare.txt
-grep -q 'warning: T_highest begins anew here' compare.txt || fail "no word of an earlier heat: $(cat compare.txt)"
+says compare.txt 'warning: T_highest begins anew here'
 
 "$fogcomp" export NEW.model -o fog_model.h --sample-rate 0.1 >export.txt
 cat export.txt
-grep -q '^note: T_highest is taken at .* degC, the highest trained temperature' export.txt || fail "the note"
+says export.txt '^note: T_highest is taken at .* degC, the highest trained temperature'

@@ -10,9 +10,9 @@ enter_scratch
 # gyro NAME SEED RATES TEMPERATURES SETTLING ASYMMETRY: 1 Hz; RATES: deg/s, 60 s each, again and again; TEMPERATURES:
 # degC:hours, ramps; ppm at power-on, ppm/K.
 gyro() {
-  awk_normal -v seed="$2" -v rates="$3" -v temperatures="$4" -v settling="$5" -v asymmetry="$6" '
+  random_awk -v seed="$2" -v rates="$3" -v temperatures="$4" -v settling="$5" -v asymmetry="$6" '
     BEGIN {
-      srand(seed)
+      seed_draws(seed)
       print "time_s,temperature_degc,rate_dph,input_rate_dph"
       holds = split(rates, rate, " "); ramps = split(temperatures, ramp, " ")
       degc = coil = 20
@@ -37,11 +37,10 @@ found() {
   "$fogcomp" fit "$1.csv" -o gyro.model --effects bias,bias_temperature >/dev/null
   "$fogcomp" diagnose gyro.model "$1.csv" --max-effects 4 -o end.model >ladder.txt || fail "$(cat ladder.txt)"
   sed -n '/^Error ladder/,/the end/p' ladder.txt
-  grep -qF -- "$2" ladder.txt || fail "$1: $2 is not found"
+  grep -qF -- "$2" ladder.txt || fail "$1: $2 is not in $(cat ladder.txt)"
   "$fogcomp" compare end.model "$1_other.csv" --json >compare.json
-  left=$(value compare.json runs 0 residual_rms_dph)
-  echo "$1, another programme: $left deg/h"
-  awk -v left="$left" 'BEGIN { exit !(left < 1.2 * 0.6 / sqrt(10)) }' || fail "$left deg/h left"
+  echo "$1, another programme: $(value compare.json '.runs[0].residual_rms_dph') deg/h"
+  holds compare.json '.runs[0].residual_rms_dph < 1.2 * 0.6 / (10 | sqrt)'
 }
 
 rates="0 20 -20 10 0 -10" other_rates="-15 0 15 -5 18" degc="20:0.4 50:1.2 -30:2 20:0.9" other_degc="20:0.2 -25:1 45:1.5"

@@ -1,21 +1,19 @@
 #!/usr/bin/env bash
 # json_output.sh FOGCOMP: --json prints exactly one JSON object with the documented keys and nothing else.
 set -euo pipefail
+source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: json_output.sh FOGCOMP}")
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+enter_scratch
 
-# has_keys FILE KEY...: FILE is one line that CMake's JSON parser accepts, with these members.
+# has_keys FILE KEY...: FILE is one line, one object, and has these members: names and numbers of elements.
 has_keys() {
-  local file=$1
-  shift
-  [[ $(wc -l <"$file") == 1 ]] || { echo "$file: not one line" >&2; exit 1; }
-  for key in "$@"; do
-    printf 'file(READ "%s" text)\nstring(JSON value GET "${text}" %s)\n' "$file" "$key" >check.cmake
-    cmake -P check.cmake >/dev/null || { echo "$file: no $key in $(cat "$file")" >&2; exit 1; }
-  done
-  echo "$file: ok"
+  local lacks
+  [[ $(wc -l <"$1") == 1 ]] || fail "$1 has $(wc -l <"$1") lines"
+  jq -es 'length == 1 and (.[0] | type == "object")' "$1" >lacks.txt || fail "$1 is not one object: $(cat "$1")"
+  lacks=$(jq -r '. as $all | $ARGS.positional[] | select(split(" ") | map(tonumber? // .) as $path |
+    try ($all | getpath($path[:-1]) | has($path[-1]) | not) catch true)' "$1" --args "${@:2}")
+  [[ -z $lacks ]] || fail "$1 lacks $lacks: $(cat "$1")"
+  echo "$1: ok"
 }
 
 "$fogcomp" simulate -o run.csv --json >simulate.json
@@ -68,7 +66,7 @@ has_keys paper.json gyros rows raw_std_dph noise_floor_dph std_cut_bound "tables
   "tables 6 pso_bp_std_dph" "tables 0 denoised_mean_dph" "denoisers 5 truth_error_rms_dph" \
   "medians 0 std_cut_of_bound" "medians 2 held_out 1 truth_error_rms_dph"
 for figure in 1 3 4 8 9 10; do
-  [[ $(wc -l <figures/figure_$figure.csv) == 5956 ]] || { echo "figure $figure is not 5955 rows" >&2; exit 1; }
+  [[ $(wc -l <figures/figure_$figure.csv) == 5956 ]] || fail "figure $figure is $(wc -l <figures/figure_$figure.csv) lines"
 done
 "$fogcomp" paper --gyros 2 --models polynomial --epochs 200 --iterations 5 --json | cmp - paper.json
 "$fogcomp" effects --json >effects.json

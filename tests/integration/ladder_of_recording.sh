@@ -23,7 +23,5 @@ fi
 
 "$fogcomp" fit "$recording" -o gyro.model --effects bias,bias_temperature:order=3 >/dev/null
 "$fogcomp" diagnose gyro.model "$recording" --max-effects 4 -o ladder.model --json >ladder.json
-first=$(value ladder.json residual_rms_dph) last=$(value ladder.json last residual_rms_dph)
-echo "$first -> $last deg/h rms"
-awk -v first="$first" -v last="$last" -v max="$max_left" \
-  'BEGIN { exit !(first > 0 && last > 0 && last <= max * first) }' || fail "it ends at $last of $first"
+value ladder.json '"\(.residual_rms_dph) -> \(.last.residual_rms_dph) deg/h rms"'
+holds ladder.json ".last.residual_rms_dph > 0 and .last.residual_rms_dph <= $max_left * .residual_rms_dph"

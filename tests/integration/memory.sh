@@ -7,12 +7,12 @@ source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: memory.sh FOGCOMP}")
 enter_scratch
 
-awk 'BEGIN {
-  srand(1)
+random_awk 'BEGIN {
+  seed_draws(1)
   print "time_s,temperature_degc,rate_dph"
   for (i = 0; i < 1000000; ++i) {
     degc = 20 + 30 * sin(i / 5000)
-    printf "%d,%.3f,%.5f\n", i, degc, 0.5 + 0.002 * degc + 0.2 * (rand() - rand())
+    printf "%d,%.3f,%.5f\n", i, degc, 0.5 + 0.002 * degc + 0.2 * (uniform() - uniform())
   }
 }' >long.csv
 (ulimit -v 420000 && "$fogcomp" fit long.csv -o long.model --effects bias,bias_temperature --average 10) >said.txt ||

@@ -65,7 +65,7 @@ ended_by() {
   done
   named=$(find . -name 'kept.part-*')
   kill -"$signal" "$tool"
-  wait "$tool" 2>/dev/null && fail "SIG$signal does not end it"
+  ! wait "$tool" 2>/dev/null || fail "SIG$signal does not end it"
   [[ $(cat kept) == kept ]] || fail "SIG$signal: the old file is gone"
 }
 signals=(INT TERM HUP QUIT PIPE ALRM XCPU USR1 USR2 ABRT SEGV BUS)

@@ -22,8 +22,7 @@ grep -qF 'it looks like lag(lag(dTdt,tau),tau)^2' alone.txt || fail "the form: $
 grep -q 'this describes it, it does not say what it is' alone.txt || fail "a description: $(cat alone.txt)"
 eval "\"$fogcomp\" $(sed -n 's/^  next: fogcomp //p' alone.txt)" >described.txt || fail "refused: $(cat described.txt)"
 "$fogcomp" diagnose gyro.model run.csv --json >alone.json
-[[ $(value alone.json forms 0 name) == 'lag(lag(dTdt,tau),tau)^2' &&
-  $(value alone.json forms 1 name) == 'lag(dTdt,tau)^2' ]] || fail "forms: $(cat alone.json)"
+holds alone.json '.forms[0].name == "lag(lag(dTdt,tau),tau)^2" and .forms[1].name == "lag(dTdt,tau)^2"'
 
 # What does not describe it is not named.
 "$fogcomp" diagnose gyro.model run.csv --effect-expr 'burst = T*T*dTdt' >wrong.txt
@@ -35,27 +34,25 @@ stress='stress = lag(dTdt^2, ?tau[60,3000])'
 head -n 6 named.txt
 grep -qF 'missing effect: stress (lag(dTdt^2, ?tau[60,3000]))' named.txt || fail "$(cat named.txt)"
 "$fogcomp" diagnose gyro.model run.csv --effect-expr "$stress" --json >named.json
-[[ $(value named.json verdict) == missing_effect && $(value named.json effect) == stress ]] || fail 'verdict'
-[[ $(value named.json candidates 0 effect) == stress ]] || fail 'candidates'
-awk -v tau="$(value named.json candidates 0 parameters tau)" -v k="$(value named.json candidates 0 parameters k)" \
-  'BEGIN { exit !(tau > 1000 && tau < 2200 && k > 0.2 && k < 0.5) }' || fail "parameters: $(cat named.json)"
+holds named.json '.verdict == "missing_effect" and .effect == "stress" and .candidates[0].effect == "stress"'
+holds named.json '.candidates[0].parameters.tau | 1000 < . and . < 2200'
+holds named.json '.candidates[0].parameters.k | 0.2 < . and . < 0.5'
 
 # The command that it says, as it says it.
 next=$(sed -n 's/^  next: fogcomp //p' named.txt)
 [[ $next == "add gyro.model run.csv --effect-expr '$stress' -o NEW.model" ]] || fail "next: $next"
 eval "\"\$fogcomp\" $next --holdout second.csv --json" >add.json
-[[ $(value add.json accepted) == ON && $(value add.json effect) == stress ]] || fail "$(cat add.json)"
-awk -v before="$(value add.json runs 1 rms_before_dph)" -v after="$(value add.json runs 1 rms_after_dph)" \
-  'BEGIN { print "held out: " before " -> " after " deg/h rms"; exit !(after < 0.8 * before) }' ||
-    fail "$(cat add.json)"
-awk -v tau="$(value add.json parameters tau)" 'BEGIN { exit !(tau > 1300 && tau < 1700) }' || fail "$(cat add.json)"
+holds add.json '.accepted and .effect == "stress"'
+value add.json '.runs[1] | "held out: \(.rms_before_dph) -> \(.rms_after_dph) deg/h rms"'
+holds add.json '.runs[1].rms_after_dph < 0.8 * .runs[1].rms_before_dph'
+holds add.json '.parameters.tau | 1300 < . and . < 1700'
 "$fogcomp" history NEW.model --json >history.json
-[[ $(value history.json steps 1 action) == "add $stress" ]] || fail "$(cat history.json)"
-grep -q '^expression stress ' NEW.model || fail 'not in the model'
+holds history.json ".steps[1].action == \"add $stress\""
+says NEW.model '^expression stress '
 
 # A model with an expression in it is diagnosed like any other.
 "$fogcomp" diagnose NEW.model second.csv --json >again.json
-[[ $(value again.json verdict) == none ]] || fail "$(cat again.json)"
+holds again.json '.verdict == "none"'
 
 # Two things missing: the ladder takes the catalogue's and the expression.
 "$fogcomp" fit run.csv -o less.model --effects ${known/,temperature_rate,/,} >/dev/null

@@ -18,10 +18,9 @@ echo "at, w: $values; k: $size"
 awk -v values="$values" -v size="$size" 'BEGIN {
   split(values, v, " ")
   exit !(v[1] > 4.5 && v[1] < 5.5 && v[2] > 7.5 && v[2] < 8.5 && size > 0.098 && size < 0.102)
-}'
+}' || fail "at, w: $values, not 5 and 8; k: $size, not 0.1"
 "$fogcomp" compare gyro.model run.csv --json >compare.json
-awk -v rms="$(value compare.json runs 0 residual_rms_dph)" 'BEGIN { exit !(rms > 0 && rms < 0.05) }' ||
-  fail "residual: $(cat compare.json)"
+holds compare.json '0 < .runs[0].residual_rms_dph and .runs[0].residual_rms_dph < 0.05'
 
 "$fogcomp" export gyro.model -o fog_model.h --sample-rate 0.1 --output both >export.txt
 cat export.txt

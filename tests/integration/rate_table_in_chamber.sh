@@ -10,9 +10,9 @@ enter_scratch
 
 # gyro NAME SEED RATES TEMPERATURES: 10 Hz; RATES: deg/s:seconds, again and again; TEMPERATURES: degC:hours, ramps.
 gyro() {
-  awk_normal -v seed="$2" -v rates="$3" -v temperatures="$4" '
+  random_awk -v seed="$2" -v rates="$3" -v temperatures="$4" '
     BEGIN {
-      srand(seed)
+      seed_draws(seed)
       print "time_s,temperature_degc,rate_dph,input_rate_dph"
       holds = split(rates, rate, " "); ramps = split(temperatures, ramp, " ")
       degc = coil = source = 22; fine = 0.01; late = 15
@@ -46,12 +46,11 @@ gyro down 2 "-84:27 0:13.4 84:26.3 -35:32.9 0:19.5 35:35.8" "22:0.3 -30:0.9 60:1
 
 "$fogcomp" fit up.csv -o gyro.model --effects bias,bias_temperature:order=2,temperature_rate >/dev/null 2>said.txt
 cat said.txt
-grep -q 'at 5[0-9][0-9] changes, which it shows 15[0-9].* ms later than the gyro' said.txt || fail "the delay"
+says said.txt 'at 5[0-9][0-9] changes, which it shows 15[0-9].* ms later than the gyro'
 "$fogcomp" diagnose gyro.model up.csv --max-effects 8 -o end.model >ladder.txt
 sed -n '/^Error ladder/,/the end/p' ladder.txt
-grep -q '+ scale_factor_temperature:order=2' ladder.txt || fail "the order"
-grep -q '+ scale_factor_temperature:lag=? (a refinement)' ladder.txt || fail "the lag"
+says ladder.txt '\+ scale_factor_temperature:order=2'
+says ladder.txt '\+ scale_factor_temperature:lag=\? \(a refinement\)'
 "$fogcomp" compare end.model down.csv --json >compare.json
-left=$(value compare.json runs 0 residual_rms_dph)
-echo "another programme: $left deg/h"
-awk -v left="$left" 'BEGIN { exit !(left < 1.5) }' || fail "$left deg/h left"
+echo "another programme: $(value compare.json '.runs[0].residual_rms_dph') deg/h"
+holds compare.json '.runs[0].residual_rms_dph < 1.5'

@@ -4,6 +4,7 @@
 # replay; and the model brings the rms of the drift (about its mean) down by at least MIN_GAIN.
 # Exit code 77, "skipped", where the recording is not there.
 set -euo pipefail
+source "$(dirname "$0")/common.sh"
 fogcomp=$1 source=$2 images=$3 recording=$4 folder=$5 effects=$6 min_gain=$7
 [[ -f $recording ]] || { echo "skipped: no recording at $recording"; exit 77; }
 mkdir -p "$folder"
@@ -14,11 +15,10 @@ mkdir -p "$folder"
 "$fogcomp" compare "$folder/gyro.model" "$recording" | tee "$folder/compare.txt"
 # The line "all" ends with mean and std of the residual, mean and std of the raw rate, rows.
 awk -v min="$min_gain" '$1 == "all" { gain = $(NF - 1) / $(NF - 3); printf "std before / after: %.2f\n", gain }
-  END { exit !(gain >= min) }' "$folder/compare.txt"
+  END { exit !(gain >= min) }' "$folder/compare.txt" || fail "the drift's std falls by less than $min_gain: $(cat "$folder/compare.txt")"
 
 # One sample per row, as the recording has them.
-rate=$("$fogcomp" info "$recording" --json | sed 's/.*"period_s":\([0-9.e+-]*\).*/\1/' |
-  awk '{ printf "%.9g", 1 / $1 }')
+rate=$("$fogcomp" info "$recording" --json | jq .period_s | awk '{ printf "%.9g", 1 / $1 }')
 "$fogcomp" export "$folder/gyro.model" -o "$folder/fog_model.h" --sample-rate "$rate" --output both
 "$fogcomp" replay "$folder/fog_model.h" "$recording" -o "$folder/expected.bin"
 "$fogcomp" stream "$folder/fog_model.h" "$recording" -o "$folder/in.bin"

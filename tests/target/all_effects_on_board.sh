@@ -3,6 +3,7 @@
 # expressions of every operation and a network of four inputs, boot on both machines and send for a recording with
 # all inputs what this computer predicts: the sensor stream with its extension records, once as it is and once damaged.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 images=$1 fogcomp=$2 make_model=$3 folder=$4
 mkdir -p "$folder"
 

@@ -2,6 +2,7 @@
 # any_denoiser_on_board.sh IMAGES FOGCOMP DIR: images whose header asks for other denoisers than sym8 x 5 (short and
 # long filters, one level and many, each rule, soft and hard, none at all) send what this computer predicts.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 images=$1 fogcomp=$2 folder=$3
 mkdir -p "$folder"
 printf 'start 20 degC\nsoak 30 min\nramp to 50 degC at 1 degC/min\nsoak 30 min\n' >"$folder/warmer.profile"

@@ -5,13 +5,13 @@
 # USART 6 it believes. Another board with the same chip, and with a clock for resets, sends the same bytes, on its
 # own port; a board that is not there is refused.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 source=$1 images=$2 fogcomp=$3 ds18b20=$4 input=$5 folder=$6
 mkdir -p "$folder"
 
 symbols=$(arm-none-eabi-nm -C "$images/stm32f405/fogcomp.elf")
 if grep -iE 'thermometer|ds18b20|platinum|crc8|lasting' <<<"$symbols"; then
-  echo "the default image holds a thermometer or a clock" >&2
-  exit 1
+  fail "the default image holds a thermometer or a clock"
 fi
 
 # build OUTPUT TEMPERATURE: an image with these choices.
@@ -55,16 +55,14 @@ echo "temperatures of valid frames with a sensor of 42 degC: $temperatures"
 [[ $temperatures =~ ^\ *[0-9]+\ 42$ ]]
 
 if cmake -S "$source" -B "$folder/refused" --preset mps2_an386 -DFOG_OUTPUT=dma >"$folder/refused.log" 2>&1; then
-  echo "a board without DMA was built for it" >&2
-  exit 1
+  fail "a board without DMA was built for it"
 fi
 grep -q "has no output_dma" "$folder/refused.log"
 
 for platform in stm32f405 mps2_an386; do
   if cmake -S "$source" -B "$folder/refused_$platform" --preset "$platform" -DFOG_BOARD=none >"$folder/refused.log" \
     2>&1; then
-    echo "$platform was built for a board that is not there" >&2
-    exit 1
+    fail "$platform was built for a board that is not there"
   fi
   grep -q "no board with a $platform" "$folder/refused.log"
 done

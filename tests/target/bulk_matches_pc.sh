@@ -3,6 +3,7 @@
 # sends for IN.bin what fogcomp replay predicts from the header it was built with, to the byte, and
 # keeps to its stack budget, if it is for a board.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 machine=$1 images=$2 fogcomp=$3 input=$4 folder=$5
 here=$(realpath "$(dirname "$0")")
 mkdir -p "$folder"

@@ -2,6 +2,7 @@
 # core_check.sh MACHINE ELF MAKE_VECTORS GOLDEN DIR: the image of tests/on_target, run in DIR on QEMU's MACHINE,
 # prints what the golden files hold: the core's checks, the drift of every effect, the pipeline's output.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 machine=$1 elf=$2 make_vectors=$3 golden=$4 folder=$5
 mkdir -p "$folder"
 "$make_vectors" "$folder"

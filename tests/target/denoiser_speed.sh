@@ -3,6 +3,7 @@
 # (QEMU counts one tick of the timer per instruction: exact, and the same on every computer), its RAM
 # and its flash. Exits 1 where a figure is above its limit; limits are for sym8 x 5.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 machine=$1
 elf=$(realpath "$2")
 console=$(timeout --kill-after=1 120 qemu-system-arm -M "$machine" -display none -monitor none \
@@ -24,10 +25,10 @@ within() {
   [[ $line =~ mean\ ([0-9]+)\ worst\ ([0-9]+)\ first\ ([0-9]+)\ RAM\ ([0-9]+) ]]
   ((BASH_REMATCH[1] <= most_mean && BASH_REMATCH[2] <= most_worst && BASH_REMATCH[3] <= most_worst &&
     BASH_REMATCH[4] <= most_ram)) ||
-    { echo "above $most_mean mean, $most_worst worst or $most_ram bytes: $line" >&2; exit 1; }
+    fail "above $most_mean mean, $most_worst worst or $most_ram bytes: $line"
 }
 within fixed 200 940 3072
 within sqtwolog 230 1050 3072
 within heursure 265 1215 3072
 most_flash=2048
-((0 < flash && flash <= most_flash)) || { echo "flash is not within $most_flash bytes" >&2; exit 1; }
+((0 < flash && flash <= most_flash)) || fail "flash is not within $most_flash bytes"

@@ -2,11 +2,11 @@
 # flash_commands.sh TOOL IMAGES: the commands behind the build's flash targets, as the build gives them, are ones that
 # the installed TOOL understands, and write the image to where it runs. No board is touched, even if one is connected.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 tool=$1 images=$2/stm32f405
 command -v "$tool" >/dev/null || { echo "skipped: no $tool"; exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-fail() { echo "$1" >&2; exit 1; }
 
 # The image begins with a stack in RAM and an entry in flash, and loads where its first word runs.
 read -r stack entry < <(od -An -t x4 -N 8 "$images/fogcomp.bin")

@@ -3,6 +3,7 @@
 # the same models: flash, RAM, instructions of 16 bytes of the sensor stream; IN.bin for a small model, a recording
 # with all inputs for one with all effects, a network and expressions.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 images=$1 fogcomp=$2 make_model=$3 folder=$4 input=$5
 here=$(realpath "$(dirname "$0")")
 mkdir -p "$folder"

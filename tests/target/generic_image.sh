@@ -4,6 +4,7 @@
 # does, to the byte: every effect, expression and network input; a denoiser of six levels; none. It uses the newest
 # intact table that it has room for, and with none answers every sample with a rate that is not valid.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 machine=$1 flash=$2 images=$(realpath "$3") fogcomp=$4 make_model=$5 folder=$6
 here=$(realpath "$(dirname "$0")")
 mkdir -p "$folder"

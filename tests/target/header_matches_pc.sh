@@ -2,6 +2,7 @@
 # header_matches_pc.sh IMAGES FOGCOMP HEADER DIR PLATFORMS STREAM.bin...: bulk images built with the model HEADER
 # send for each sensor stream what `fogcomp replay` does. PLATFORMS: words of `stm32f405 mps2_an386`.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 images=$1 fogcomp=$2 header=$(realpath "$3") folder=$4 platforms=$5
 shift 5
 here=$(realpath "$(dirname "$0")")

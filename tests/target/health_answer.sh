@@ -3,6 +3,7 @@
 # while it answers the sensor stream IN.bin, tells how it is, between its frames; and an image with a flipped bit
 # says that it is damaged.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 machine=$1 elf=$2 fogcomp=$3 input=$4 folder=$5
 mkdir -p "$folder"
 source "$(dirname "$0")/board_session.sh"
@@ -27,7 +28,7 @@ grep -q '^image  *intact' "$folder/good.txt"
 grep -q '"healthy":true' <(tr -d ' ' <"$folder/good.json")
 # The checked-in model has no serial: the console names no gyro.
 tr -d '\r' <"$scratch/console" | grep -qxE 'model 0x[0-9a-f]{8}: good' ||
-  { echo "console: $(cat "$scratch/console")" >&2; exit 1; }
+  fail "console: $(cat "$scratch/console")"
 kill "$qemu"
 wait "$qemu" || true
 

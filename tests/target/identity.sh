@@ -3,6 +3,7 @@
 # health` which firmware it runs, which image and whose model; one that is bound to another processor gives no valid
 # rate, and says why.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 machine=$1 platform=$2 board=$3 images=$4 fogcomp=$5 make_model=$6 input=$7 folder=$8
 here=$(realpath "$(dirname "$0")")
 mkdir -p "$folder"
@@ -53,5 +54,5 @@ expect bound.json '"healthy":false'
 expect bound.json '"model_finding":"ofanotherboard"'
 [[ $(sed -nE 's/.*"samples":([0-9]+),"invalid_rates":([0-9]+).*/\1 \2/p' "$folder/bound.json") =~ \
   ^([1-9][0-9]*)\ ([0-9]+)$ ]]
-((BASH_REMATCH[1] == BASH_REMATCH[2])) || { echo "a rate was valid" >&2; exit 1; }
+((BASH_REMATCH[1] == BASH_REMATCH[2])) || fail "a rate was valid"
 ! grep -q "\"image_seal\":\"$seal\"" "$folder/bound.json"

@@ -2,6 +2,7 @@
 # images_are_reproducible.sh PLATFORM IMAGES: product and bulk image built from a copy of the sources in another
 # folder are the same to the byte as in IMAGES/PLATFORM.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 platform=$1 images=$2
 root=$(realpath "$(dirname "$0")/../..")
 copy=$(mktemp -d)

@@ -2,6 +2,7 @@
 # kvh_commands.sh MACHINE PLATFORM IMAGES FOGCOMP MAKE_MODEL IN.bin DIR: an image whose header says so answers the
 # lines that drivers of KVH's gyros send, and sends no frames in the configuration mode.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 machine=$1 platform=$2 images=$3 fogcomp=$4 make_model=$5 input=$6 folder=$7
 here=$(realpath "$(dirname "$0")")
 mkdir -p "$folder"
@@ -33,7 +34,7 @@ say() {
   bytes=$((bytes + ${#2} + 2))
   wait_for has_sent "$bytes"
   [[ $(tail -c "$((${#2} + 2))" "$scratch/sent") == "$2"$'\r' ]] ||
-    { echo "to $1: $(tail -c 40 "$scratch/sent")" >&2; exit 1; }
+    fail "to $1: $(tail -c 40 "$scratch/sent")"
 }
 frames() { wait_for has_sent $((bytes += 36 * $1)); }
 
@@ -50,5 +51,5 @@ say '=CONFIG,0'
 samples 40
 frames 20
 (($(stat -c %s "$scratch/sent") == bytes)) ||
-  { echo "$(stat -c %s "$scratch/sent") bytes sent, not $bytes" >&2; exit 1; }
+  fail "$(stat -c %s "$scratch/sent") bytes sent, not $bytes"
 echo "$machine: $bytes bytes sent as expected"

@@ -2,6 +2,7 @@
 # platform_check.sh MACHINE ELF DIR WATCHDOG_LINE: the self-check image finds start-up, traps and
 # restarts as they must be, and a line of its watchdog step matches WATCHDOG_LINE.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 machine=$1 elf=$2 folder=$3 watchdog_line=$4
 mkdir -p "$folder"
 status=0

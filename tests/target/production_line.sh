@@ -6,6 +6,7 @@
 # another gyro, are refused. The emulated STM32F405 has no flash that can be written: it says so, and its table comes as
 # from a programmer.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 machine=$1 slot=$(($2 + 48 * 1024)) elf=$(realpath "$3") fogcomp=$(realpath "$4") input=$(realpath "$5") folder=$6
 here=$(realpath "$(dirname "$0")")
 rm -rf "$folder"
@@ -50,7 +51,7 @@ mapfile -t commands < <(awk '/the line from the chamber/ { found = 1 }
   found && /^    / { print substr($0, 5); any = 1 }
   any && !/^    / { exit }' \
   "$here/../../firmware/README.md")
-((${#commands[@]} == 5)) || { echo "${#commands[@]} commands in the README" >&2; exit 1; }
+((${#commands[@]} == 5)) || fail "${#commands[@]} commands in the README"
 # run NUMBER: one of them, its output in said.txt.
 run() {
   echo "\$ ${commands[$1]}"

@@ -3,6 +3,7 @@
 # self-test restarts in the middle of a recording goes on as if nothing had happened, but for the samples that it did
 # not see.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 program=$1 machine=$2 platform=$3 images=$4 fogcomp=$5 make_model=$6 folder=$7
 here=$(realpath "$(dirname "$0")")
 mkdir -p "$folder"

@@ -4,6 +4,7 @@
 # elsewhere; a crash ends in a restart that says so. Skipped without the second cross compiler or emulator: it is no
 # board of ours, but what holds on a third instruction set is the code's own doing.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 images=$1 fogcomp=$2 input=$3 make_vectors=$4 golden=$5 folder=$6
 here=$(realpath "$(dirname "$0")")
 for program in riscv64-unknown-elf-g++ qemu-system-riscv32; do

@@ -2,6 +2,7 @@
 # rv32_restarts.sh ELF: the product image for RV32, sent to where there is no memory, records the crash, restarts and
 # says so, with a clock that went on until then.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 elf=$1
 source "$(dirname "$0")/board_session.sh"
 timeout --kill-after=1 60 qemu-system-riscv32 -bios none -M virt -display none -monitor none -serial null \

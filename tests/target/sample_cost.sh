@@ -3,6 +3,7 @@
 # time of a sample, cost the board more than MOST instructions, all stages, frames, health and self-test included.
 # QEMU counts one tick of the timer per instruction; they are not cycles. FOG_TABLE: of the generic image, ADDRESS=FILE.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 elf=$(realpath "$1") folder=$2 max=$3
 shift 3
 mkdir -p "$folder"

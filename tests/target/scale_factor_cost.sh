@@ -3,6 +3,7 @@
 # any rate, in instructions: each by itself 60 at most, all together 90. QEMU counts one tick of the timer per
 # instruction; they are not cycles.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 images=$1 fogcomp=$2 make_model=$3 folder=$4
 here=$(realpath "$(dirname "$0")")
 mkdir -p "$folder"
