@@ -39,4 +39,4 @@ build/host/fogcomp fit build/host/workbench_speed.csv -o build/host/workbench_sp
   --effects bias,bias_temperature:order=2,temperature_rate,temperature_rate_product >/dev/null
 build/host/fogcomp workbench build/host/workbench_speed.model build/host/workbench_speed.csv \
   -o build/host/workbench_speed.html >/dev/null
-node tests/bench/workbench_ticks.mjs chromium build/host/workbench_speed.html
+node tests/bench/workbench_ticks.mjs build/host/tests/report/browser_driver build/host/workbench_speed.html

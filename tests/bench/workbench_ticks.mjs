@@ -1,21 +1,19 @@
-// workbench_ticks.mjs CHROMIUM PAGE.html: time in a headless Chromium, ms, from a click on an effect of the workbench's
+// workbench_ticks.mjs DRIVER PAGE.html: time in a headless Chromium, ms, from a click on an effect of the workbench's
 // catalogue to the painted frame with the new fit: each effect ticked and cleared in turn, with the diagnosis of the
 // state before it done. Median, smallest and largest of five.
-import { resolve } from "node:path";
-import { pathToFileURL } from "node:url";
-import { Browser } from "../report/browser.mjs";
+import { launch, new_page, open, show } from "../report/browser.mjs";
 
 const kRepeats = 5;
-const [program, page] = process.argv.slice(2);
-if (!page) {
-  console.error("usage: workbench_ticks.mjs CHROMIUM PAGE.html");
+const [driver, file] = process.argv.slice(2);
+if (!file) {
+  console.error("usage: workbench_ticks.mjs DRIVER PAGE.html");
   process.exit(2);
 }
 
-const browser = new Browser(program);
-const tab = await browser.tab();
-await tab.show({ width: 1280, dark: false });
-await tab.open(pathToFileURL(resolve(page)).href);
+const browser = await launch(driver);
+const page = await new_page(browser);
+await show(page, { width: 1280, dark: false });
+await open(page, file);
 
 const diagnosed = `(async () => {
   while (document.body.dataset.diagnosed !== "yes") await new Promise((done) => setTimeout(done, 20));
@@ -38,8 +36,8 @@ const numbers = (times) => {
   return `${median.toFixed(0).padStart(4)} (${min.toFixed(0)} to ${max.toFixed(0)})`;
 };
 
-await tab.evaluate(diagnosed);
-const ids = await tab.evaluate(
+await page.evaluate(diagnosed);
+const ids = await page.evaluate(
   `[...document.querySelectorAll('input[type=checkbox][id^="effect_"]')].filter((box) => !box.checked && !box.disabled)
     .map(({ id }) => id)`,
 );
@@ -50,8 +48,8 @@ for (const id of ids) {
   for (let i = 0; i < kRepeats && !refused; ++i) {
     for (const all of [times.ticked, times.cleared]) {
       try {
-        await tab.evaluate(diagnosed);
-        all.push(await tab.evaluate(click(id)));
+        await page.evaluate(diagnosed);
+        all.push(await page.evaluate(click(id)));
       } catch (fault) {
         refused = fault.message.split("\n")[0];
         break;

@@ -1,11 +1,10 @@
-// node check_pages.mjs CHROMIUM FOLDER: compares the pages that in_browser.sh made in FOLDER with the --json of the
+// node check_pages.mjs DRIVER FOLDER: compares the pages that in_browser.sh made in FOLDER with the --json of the
 // same commands: names, order, and the figures of the bars.
 import { readFileSync } from "node:fs";
-import { join, resolve } from "node:path";
-import { pathToFileURL } from "node:url";
-import { Browser } from "./browser.mjs";
+import { join } from "node:path";
+import { launch, new_page, open, show } from "./browser.mjs";
 
-const [program, folder] = process.argv.slice(2);
+const [driver, folder] = process.argv.slice(2);
 const json = (name) => JSON.parse(readFileSync(join(folder, name), "utf8"));
 let failures = 0;
 const check = (name, good, what) => {
@@ -37,12 +36,12 @@ const read = `(() => {
   };
 })()`;
 
-const browser = new Browser(program);
+const browser = await launch(driver);
 const page = async (name) => {
-  const tab = await browser.tab();
-  await tab.show({ width: 1280, dark: false });
-  await tab.open(pathToFileURL(resolve(folder, name)).href);
-  return tab.evaluate(read);
+  const page = await new_page(browser);
+  await show(page, { width: 1280, dark: false });
+  await open(page, join(folder, name));
+  return page.evaluate(read);
 };
 const bars_of = (seen, quantity, row) =>
   seen.bars.find((bars) => bars.quantity === quantity && bars.rows.some(({ name }) => name === row));

@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
-# in_browser.sh FOGCOMP [SHOTS]: a report of every kind opens from its file in Chromium, wide and narrow, light
+# in_browser.sh FOGCOMP DRIVER [SHOTS]: a report of every kind opens from its file in Chromium, wide and narrow, light
 # and dark: curves drawn, nothing wider than the window, zoom linked, printable, a silent console, no request.
 # Screenshots and prints go to the folder SHOTS.
 set -euo pipefail
-fogcomp=$(realpath "${1:?usage: in_browser.sh FOGCOMP [SHOTS]}")
-shots=${2:+$(realpath "$2")}
+source "$(dirname "$0")/../integration/common.sh"
+fogcomp=$(realpath "${1:?usage: in_browser.sh FOGCOMP DRIVER [SHOTS]}")
+driver=$(realpath "${2:?usage: in_browser.sh FOGCOMP DRIVER [SHOTS]}")
+shots=${3:+$(realpath "$3")}
 here=$(realpath "$(dirname "$0")")
-for program in chromium node; do
-  command -v $program >/dev/null || { echo "skipped: no $program here"; exit 77; }
+for program in /usr/bin/chromium node "$driver/node_modules/puppeteer-core/package.json"; do
+  command -v "$program" >/dev/null || [[ -e $program ]] || { echo "skipped: no $program here"; exit 77; }
 done
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -54,13 +56,13 @@ awk -F, -v OFS=, 'NR == 1 { print $0, "input_rate_dph", "light_power_uw"; next }
 for page in *.html; do
   bytes=$(grep -v -e '^<script type="text/plain" data-file=' -e '^<script type="application/json" id="plots">' \
     $page | wc -c)
-  ((bytes < 2500000)) || { echo "$page is $bytes bytes" >&2; exit 1; }
+  ((bytes < 2500000)) || fail "$page is $bytes bytes"
   values=$(grep '^<script type="application/json" id="plots">' $page | wc -c)
-  ((values < 1000000)) || { echo "$page has $values bytes of values to plot" >&2; exit 1; }
+  ((values < 1000000)) || fail "$page has $values bytes of values to plot"
 done
 
 failed=0
-node "$here/check_pages.mjs" chromium . || failed=1
-node "$here/look_at_pages.mjs" chromium "$shots" info.html=4 fit.html=16 compare.html=16 models.html=8 \
+node "$here/check_pages.mjs" "$driver" . || failed=1
+node "$here/look_at_pages.mjs" "$driver" "$shots" info.html=4 fit.html=16 compare.html=16 models.html=8 \
   diagnose.html=6 add.html=8 paper.html=7 batch.html=1 fast.html=5 input.html=10 input_diagnose.html=6 || failed=1
 exit $failed

@@ -1,12 +1,10 @@
-// node look_at_pages.mjs CHROMIUM SHOTS PAGE=PLOTS...: opens each report from its file, wide and narrow, light
+// node look_at_pages.mjs DRIVER SHOTS PAGE=PLOTS...: opens each report from its file, wide and narrow, light
 // and dark, and says what is wrong with it. PLOTS: how many it must have. SHOTS: a folder for screenshots and
 // a print, "" for none.
-import { writeFileSync } from "node:fs";
-import { basename, join, resolve } from "node:path";
-import { pathToFileURL } from "node:url";
-import { Browser } from "./browser.mjs";
+import { basename, join } from "node:path";
+import { address_of, drag, launch, new_page, open, settle, show } from "./browser.mjs";
 
-const [program, shots, ...pages] = process.argv.slice(2);
+const [driver, shots, ...pages] = process.argv.slice(2);
 let failures = 0;
 
 // What is visible: brightness of the page, overflow to the side, and for each plot the number of coloured
@@ -86,10 +84,10 @@ const check = (name, good, what) => {
   console.error(`${name}: ${what}`);
 };
 
-const look_at = async (tab, name, shape, plots) => {
-  await tab.show(shape);
+const look_at = async (page, name, shape, plots) => {
+  await show(page, shape);
   const view = `${name}, ${shape.width} px, ${shape.dark ? "dark" : "light"}`;
-  const seen = await tab.evaluate(look);
+  const seen = await page.evaluate(look);
   check(view, shape.dark ? seen.paper < 60 : seen.paper > 230, `paper of brightness ${seen.paper}`);
   check(view, seen.sideways <= 0, `is ${seen.sideways} px wider than the window`);
   check(view, seen.words > 20, "does not say what was found");
@@ -120,28 +118,24 @@ const look_at = async (tab, name, shape, plots) => {
   check(view, seen.unnamed_axes === 0, `${seen.unnamed_axes} lists of bars do not say what they are of`);
   check(view, seen.help, "does not say that a click in a legend hides a curve");
   check(view, !seen.legends.some(({ text, colon }) => colon || /[–:]\s*$/.test(text)), "a legend waits for a cursor");
-  if (shots) {
-    writeFileSync(
-      join(shots, `${basename(name, ".html")}_${shape.width}_${shape.dark ? "dark" : "light"}.png`),
-      await tab.screenshot(),
-    );
-  }
+  const shot = `${basename(name, ".html")}_${shape.width}_${shape.dark ? "dark" : "light"}.png`;
+  if (shots) await page.screenshot({ path: join(shots, shot), fullPage: true });
 };
 
 // The first two plots share time: a cursor over one shows figures in the legends of both, a drag zooms both, a
 // double click shows all again.
-const zoom = async (tab, name) => {
-  const place = await tab.evaluate(`(() => {
+const zoom = async (page, name) => {
+  const place = await page.evaluate(`(() => {
     const over = document.querySelector("#report .canvas .u-over");
     over.scrollIntoView({ block: "center" });
     const { left, top, width, height } = over.getBoundingClientRect();
     return { left, top: top + height / 2, width };
   })()`);
-  const before = await tab.evaluate(pictures);
-  const at = (share) => place.left + share * place.width;
-  await tab.mouse("mouseMoved", at(0.3), place.top);
-  await tab.settle();
-  const legends = await tab.evaluate(
+  const before = await page.evaluate(pictures);
+  const at = (share) => ({ x: place.left + share * place.width, y: place.top });
+  await page.mouse.move(at(0.3).x, at(0.3).y);
+  await settle(page);
+  const legends = await page.evaluate(
     `[...document.querySelectorAll("#report .canvas .u-legend")].slice(0, 2).map((legend) => legend.textContent)`,
   );
   check(
@@ -149,19 +143,14 @@ const zoom = async (tab, name) => {
     legends.every((legend) => /\d/.test(legend)),
     `the linked cursor shows no figures: ${legends.join(" | ")}`,
   );
-  await tab.mouse("mousePressed", at(0.3), place.top, { button: "left", buttons: 1, clickCount: 1 });
-  await tab.mouse("mouseMoved", at(0.5), place.top, { button: "left", buttons: 1 });
-  await tab.mouse("mouseReleased", at(0.5), place.top, { button: "left", clickCount: 1 });
-  await tab.settle();
-  const zoomed = await tab.evaluate(pictures);
+  await drag(page, at(0.3), at(0.5));
+  await settle(page);
+  const zoomed = await page.evaluate(pictures);
   check(name, zoomed[0] !== before[0], "dragging does not zoom");
   check(name, zoomed[1] !== before[1], "the zoom is not linked to the next plot over time");
-  for (const clickCount of [1, 2]) {
-    await tab.mouse("mousePressed", at(0.4), place.top, { button: "left", buttons: 1, clickCount });
-    await tab.mouse("mouseReleased", at(0.4), place.top, { button: "left", clickCount });
-  }
-  await tab.settle();
-  const after = await tab.evaluate(pictures);
+  await page.mouse.click(at(0.4).x, at(0.4).y, { count: 2 });
+  await settle(page);
+  const after = await page.evaluate(pictures);
   check(
     name,
     after.every((picture, i) => picture === before[i]),
@@ -170,70 +159,65 @@ const zoom = async (tab, name) => {
 };
 
 // A drag upwards zooms this plot's y alone; a click on a name in the legend hides its curve.
-const zoom_y_and_hide = async (tab, name) => {
-  const place = await tab.evaluate(`(() => {
+const zoom_y_and_hide = async (page, name) => {
+  const place = await page.evaluate(`(() => {
     const { left, top, width, height } = document.querySelector("#report .canvas .u-over").getBoundingClientRect();
-    return { x: left + width / 2, top: top + 0.7 * height, to: top + 0.3 * height };
+    return { x: left + width / 2, y: top + 0.7 * height, to: top + 0.3 * height };
   })()`);
-  const before = await tab.evaluate(pictures);
-  await tab.mouse("mouseMoved", place.x, place.top);
-  await tab.mouse("mousePressed", place.x, place.top, { button: "left", buttons: 1, clickCount: 1 });
-  await tab.mouse("mouseMoved", place.x + 3, place.to, { button: "left", buttons: 1 });
-  await tab.mouse("mouseReleased", place.x + 3, place.to, { button: "left", clickCount: 1 });
-  await tab.settle();
-  const zoomed = await tab.evaluate(pictures);
+  const before = await page.evaluate(pictures);
+  await drag(page, place, { x: place.x + 3, y: place.to });
+  await settle(page);
+  const zoomed = await page.evaluate(pictures);
   check(name, zoomed[0] !== before[0], "a drag upwards does not zoom");
   check(
     name,
     zoomed.slice(1).every((picture, i) => picture === before[i + 1]),
     "a drag upwards changes other plots",
   );
-  for (const clickCount of [1, 2]) {
-    await tab.mouse("mousePressed", place.x, place.top, { button: "left", buttons: 1, clickCount });
-    await tab.mouse("mouseReleased", place.x, place.top, { button: "left", clickCount });
-  }
-  await tab.settle();
-  check(name, (await tab.evaluate(pictures))[0] === before[0], "a double click does not undo a drag upwards");
+  await page.mouse.click(place.x, place.y, { count: 2 });
+  await settle(page);
+  check(name, (await page.evaluate(pictures))[0] === before[0], "a double click does not undo a drag upwards");
   const click = 'document.querySelectorAll("#report .canvas .u-legend .u-series")[1].querySelector("th").click()';
-  await tab.evaluate(click);
-  await tab.settle();
-  check(name, (await tab.evaluate(pictures))[0] !== before[0], "a click in the legend does not hide a curve");
-  await tab.evaluate(click);
-  await tab.settle();
+  await page.evaluate(click);
+  await settle(page);
+  check(name, (await page.evaluate(pictures))[0] !== before[0], "a click in the legend does not hide a curve");
+  await page.evaluate(click);
+  await settle(page);
 };
 
-const browser = new Browser(program);
+const browser = await launch(driver);
 try {
   for (const word of pages) {
-    const [page, plots] = word.split("=");
-    const name = basename(page);
-    const url = pathToFileURL(resolve(page)).href;
-    const tab = await browser.tab();
-    await tab.show({ width: 1280, dark: false });
-    await tab.open(url);
+    const [file, plots] = word.split("=");
+    const name = basename(file);
+    const page = await new_page(browser);
+    await show(page, { width: 1280, dark: false });
+    await open(page, file);
     for (const width of [1280, 390]) {
       const themes = shots ? [false, true] : [width === 390]; // wide and light, narrow and dark
-      for (const dark of themes) await look_at(tab, name, { width, dark }, Number(plots));
+      for (const dark of themes) await look_at(page, name, { width, dark }, Number(plots));
     }
-    await tab.show({ width: 1280, dark: false });
+    await show(page, { width: 1280, dark: false });
     if (Number(plots) > 1) {
-      await zoom(tab, name);
-      await zoom_y_and_hide(tab, name);
+      await zoom(page, name);
+      await zoom_y_and_hide(page, name);
     }
-    await tab.show({ width: 1280, dark: true });
-    const before = await tab.evaluate(pictures);
-    const print = await tab.pdf();
-    check(name, await tab.evaluate(fits_the_paper), "a table is wider than the paper");
-    check(name, print.subarray(0, 5).toString() === "%PDF-", "cannot be printed");
-    await tab.settle();
+    await show(page, { width: 1280, dark: true });
+    const before = await page.evaluate(pictures);
+    const print = await page.pdf({
+      preferCSSPageSize: true,
+      path: shots ? join(shots, basename(name, ".html") + ".pdf") : undefined,
+    });
+    check(name, await page.evaluate(fits_the_paper), "a table is wider than the paper");
+    check(name, Buffer.from(print.subarray(0, 5)).toString() === "%PDF-", "cannot be printed");
+    await settle(page);
     check(
       name,
-      (await tab.evaluate(pictures)).every((picture, i) => picture === before[i]),
+      (await page.evaluate(pictures)).every((picture, i) => picture === before[i]),
       "the plots are not as before after printing",
     );
-    if (shots) writeFileSync(join(shots, basename(name, ".html") + ".pdf"), print);
-    check(name, tab.complaints.length === 0, `the console says: ${tab.complaints.join("; ")}`);
-    const others = tab.requests.filter((request) => request !== url);
+    check(name, page.complaints.length === 0, `the console says: ${page.complaints.join("; ")}`);
+    const others = page.requests.filter((request) => request !== address_of(file));
     check(name, others.length === 0, `asks for ${others.join(", ")}`);
     console.log(`${name}: ${plots} plots`);
   }

@@ -2,12 +2,9 @@
 # without_engine.sh FOGCOMP ROOT: a build that is to have the engine is refused where em++ is missing; FOGCOMP, built
 # without the engine, says what is missing, writes nothing for `workbench`, and reports without one.
 set -euo pipefail
+source "$(dirname "$0")/../integration/common.sh"
 fogcomp=$(realpath "${1:?usage: without_engine.sh FOGCOMP ROOT}")
 root=$(realpath "${2:?usage: without_engine.sh FOGCOMP ROOT}")
-fail() {
-  echo "$*" >&2
-  exit 1
-}
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"

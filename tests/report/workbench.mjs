@@ -1,128 +1,103 @@
-// node workbench.mjs CHROMIUM SHOTS [PART]: what workbench.sh says, on its pages in this folder; leaves the page's first
+// node workbench.mjs DRIVER SHOTS [PART]: what workbench.sh says, on its pages in this folder; leaves the page's first
 // diagnosis, that of two runs, the commands of a random session and the model that the page made of it.
 import { writeFileSync } from "node:fs";
-import { join, resolve } from "node:path";
-import { pathToFileURL } from "node:url";
+import { join } from "node:path";
 import { trapping, with_memory } from "./altered_module.mjs";
-import { Browser } from "./browser.mjs";
+import { address_of, drag, launch, new_page, open, settle, show, until } from "./browser.mjs";
 
-const [program, shots, only] = process.argv.slice(2);
+const [driver, shots, only] = process.argv.slice(2);
 let failures = 0;
 const check = (name, good, what) => {
   if (good) return;
   ++failures;
   console.error(`${name}: ${what}`);
 };
+const picture = async (page, name) => {
+  if (shots) await page.screenshot({ path: join(shots, `${name}.png`), fullPage: true });
+};
 
-// A page in a tab, with the actions of a user.
+// A page with the actions of a user.
 class Bench {
-  static async open(browser, name, shape = { width: 1280, dark: false }, first = "") {
+  static async open(browser, name, first = "") {
     const bench = new Bench();
     bench.name = name;
-    bench.tab = await browser.tab();
+    bench.page = await new_page(browser);
     // Tests record the workers and what is saved or copied.
-    await bench.tab.send("Page.addScriptToEvaluateOnNewDocument", {
-      source:
-        first +
+    await bench.page.evaluateOnNewDocument(
+      first +
         `
       window.workers = [];
       window.Worker = class extends Worker { constructor(...all) { super(...all); workers.push(this); } };
       const address_of = URL.createObjectURL;
       URL.createObjectURL = (blob) => { if (blob.type === "") window.saved = blob; return address_of(blob); };
       if (navigator.clipboard) navigator.clipboard.writeText = async (text) => { window.copied = text; };`,
-    });
-    await bench.tab.show(shape);
-    await bench.tab.open(pathToFileURL(resolve(name)).href);
+    );
+    await show(bench.page, { width: 1280, dark: false });
+    await open(bench.page, name);
     return bench;
   }
 
-  async until(expression, what, seconds = 60) {
-    const end = Date.now() + 1000 * seconds;
-    while (Date.now() < end) {
-      if (await this.tab.evaluate(expression)) return;
-      await new Promise((done) => setTimeout(done, 25));
-    }
-    throw new Error(
-      `${this.name}: ${what} does not come; ${await this.tab.evaluate("document.body.innerText.slice(0, 600)")}`,
-    );
+  until(expression) {
+    return until(this.page, expression);
   }
   state(index) {
-    return this.until(`document.body.dataset.state === "${index}"`, `state ${index}`);
+    return this.until(`document.body.dataset.state === "${index}"`);
   }
   diagnosed() {
-    return this.until(`document.body.dataset.diagnosed === "yes"`, "the diagnosis");
+    return this.until(`document.body.dataset.diagnosed === "yes"`);
   }
   text(selector) {
-    return this.tab.evaluate(`document.querySelector(${JSON.stringify(selector)})?.textContent ?? ""`);
+    return this.page.evaluate(`document.querySelector(${JSON.stringify(selector)})?.textContent ?? ""`);
   }
 
-  async middle(selector) {
-    return this.tab.evaluate(`(() => {
-      const element = document.querySelector(${JSON.stringify(selector)});
+  // A place on an element, brought into view: `share` of its width.
+  async place(selector, share = 0.5) {
+    const { left, top, width, height } = await this.page.$eval(selector, (element) => {
       element.scrollIntoView({ block: "center" });
-      const { left, top, width, height } = element.getBoundingClientRect();
-      return { x: left + width / 2, y: top + height / 2, left, width };
-    })()`);
+      return element.getBoundingClientRect().toJSON();
+    });
+    return { x: left + share * width, y: top + height / 2 };
   }
   async hover(selector) {
-    const { x, y } = await this.middle(selector);
-    await this.tab.mouse("mouseMoved", x, y);
+    const { x, y } = await this.place(selector);
+    await this.page.mouse.move(x, y);
   }
   async click(selector) {
-    const { x, y } = await this.middle(selector);
-    await this.tab.mouse("mouseMoved", x, y);
-    await this.tab.mouse("mousePressed", x, y, { button: "left", buttons: 1, clickCount: 1 });
-    await this.tab.mouse("mouseReleased", x, y, { button: "left", clickCount: 1 });
+    const { x, y } = await this.place(selector);
+    await this.page.mouse.click(x, y);
   }
-  // `cancelled`: Esc before the button is let go.
-  async drag(selector, from, to, cancelled = false) {
-    const { left, width, y } = await this.middle(selector);
-    await this.tab.mouse("mouseMoved", left + from * width, y);
-    await this.tab.mouse("mousePressed", left + from * width, y, { button: "left", buttons: 1, clickCount: 1 });
-    await this.tab.mouse("mouseMoved", left + to * width, y, { button: "left", buttons: 1 });
-    if (cancelled) await this.key("Escape", "Escape");
-    await this.tab.mouse("mouseReleased", left + to * width, y, { button: "left", clickCount: 1 });
+  // `meanwhile`: what happens before the button is let go.
+  async drag(selector, from, to, meanwhile) {
+    await drag(this.page, await this.place(selector, from), await this.place(selector, to), meanwhile);
   }
-  async key(key, code, modifiers = 0) {
-    const text = key === "Enter" ? { text: "\r" } : key.length === 1 && modifiers === 0 ? { text: key } : {};
-    const number = { Tab: 9, Enter: 13, Escape: 27, " ": 32, z: 90, y: 89 }[key];
-    await this.tab.send("Input.dispatchKeyEvent", {
-      type: "keyDown",
-      key,
-      code,
-      modifiers,
-      windowsVirtualKeyCode: number,
-      ...text,
-    });
-    await this.tab.send("Input.dispatchKeyEvent", {
-      type: "keyUp",
-      key,
-      code,
-      modifiers,
-      windowsVirtualKeyCode: number,
-    });
+  key(name) {
+    return this.page.keyboard.press(name);
+  }
+  async undo() {
+    await this.page.keyboard.down("Control");
+    await this.key("z");
+    await this.page.keyboard.up("Control");
   }
 
   async write(selector, text) {
     await this.click(selector);
-    await this.tab.send("Input.insertText", { text });
+    await this.page.keyboard.sendCharacter(text);
   }
   async choose_file(file) {
-    const { root } = await this.tab.send("DOM.getDocument");
-    const { nodeId } = await this.tab.send("DOM.querySelector", { nodeId: root.nodeId, selector: "#chosen" });
-    await this.tab.send("DOM.setFileInputFiles", { nodeId, files: [resolve(file)] });
+    await (await this.page.$("#chosen")).uploadFile(file);
   }
   async save(button) {
-    await this.tab.evaluate("window.saved = null");
+    await this.page.evaluate("window.saved = null");
     await this.click(button);
-    await this.until("window.saved", `what ${button} saves`);
-    return this.tab.evaluate("window.saved.text()");
+    await this.until("window.saved");
+    return this.page.evaluate("window.saved.text()");
   }
 
   // The accessibility tree: every control has a name, and contents that change by themselves are announced.
   async listen(label, { announced = [] } = {}) {
-    await this.tab.send("Accessibility.enable");
-    const { nodes } = await this.tab.send("Accessibility.getFullAXTree");
+    const protocol = await this.page.createCDPSession(); // puppeteer's own tree does not say what is announced
+    const { nodes } = await protocol.send("Accessibility.getFullAXTree");
+    await protocol.detach();
     const seen = nodes.filter((node) => !node.ignored);
     const operated = [
       "button",
@@ -160,7 +135,6 @@ class Bench {
     announced.forEach((one) =>
       check(label, live.includes(one), `nothing of the role ${one} is announced, but ${live}`),
     );
-    await this.tab.send("Accessibility.disable");
   }
 
   // The error of the state that is shown, from the ladder.
@@ -172,9 +146,9 @@ class Bench {
   async look(label) {
     for (const width of [1280, 390]) {
       for (const dark of [false, true]) {
-        await this.tab.show({ width, dark });
-        await this.tab.evaluate("scrollTo(0, 0)");
-        const seen = await this.tab.evaluate(`(() => {
+        await show(this.page, { width, dark });
+        await this.page.evaluate("scrollTo(0, 0)");
+        const seen = await this.page.evaluate(`(() => {
           const [r, g, b] = getComputedStyle(document.body).backgroundColor.match(/\\d+/g).map(Number);
           const named = (element) =>
             element.ariaLabel || element.labels?.[0]?.textContent.trim() || element.textContent.trim();
@@ -206,21 +180,20 @@ class Bench {
           seen.coloured.length === 3 && seen.coloured.every((count) => count > 40),
           `coloured pixels: ${seen.coloured}`,
         );
-        if (shots)
-          writeFileSync(join(shots, `${label}_${width}_${dark ? "dark" : "light"}.png`), await this.tab.screenshot());
+        await picture(this.page, `${label}_${width}_${dark ? "dark" : "light"}`);
       }
     }
-    await this.tab.show({ width: 1280, dark: false });
+    await show(this.page, { width: 1280, dark: false });
   }
   silent() {
-    check(this.name, this.tab.complaints.length === 0, `the console says: ${this.tab.complaints.join("; ")}`);
-    const others = this.tab.requests.filter(
+    check(this.name, this.page.complaints.length === 0, `the console says: ${this.page.complaints.join("; ")}`);
+    const others = this.page.requests.filter(
       (request) => !request.startsWith("file://") && !request.startsWith("blob:"),
     );
     check(this.name, others.length === 0, `asks for ${others.join(", ")}`);
     check(
       this.name,
-      this.tab.requests.filter((request) => request.startsWith("file://")).length === 1,
+      this.page.requests.filter((request) => request.startsWith("file://")).length === 1,
       "reads another file",
     );
   }
@@ -241,25 +214,22 @@ const loop = async (browser) => {
     (await bench.text("#diagnosis .verdict")).startsWith("thermal_lag is missing"),
     await bench.text("#diagnosis"),
   );
-  const diagnosis = await bench.tab.evaluate("JSON.stringify(states.now.diagnosis.diagnosis, null, 1)");
+  const diagnosis = await bench.page.evaluate("JSON.stringify(states.now.diagnosis.diagnosis, null, 1)");
   writeFileSync("page_diagnosis.json", diagnosis);
   await bench.look("before");
   await bench.listen("loop", { announced: ["status"] });
   await bench.hover("#diagnosis tbody tr");
-  await bench.until(
-    `document.getElementById("candidate").textContent.startsWith("with ")`,
-    "the candidate under the mouse",
-  );
-  if (shots) writeFileSync(join(shots, "candidate.png"), await bench.tab.screenshot());
+  await bench.until(`document.getElementById("candidate").textContent.startsWith("with ")`);
+  await picture(bench.page, "candidate");
   const before = await bench.error();
   // An effect that does not help is refused with the reason, and added on request.
   await bench.click(`#diagnosis [aria-label="Add aging"]`);
-  await bench.until(`document.querySelector(".judged button")`, "a refusal");
+  await bench.until(`document.querySelector(".judged button")`);
   check("loop", (await bench.text(".judged")).startsWith("Not added. "), await bench.text(".judged"));
   await bench.click(".judged button");
   await bench.state(1);
   check("loop", (await bench.text("#commands")).includes("--force"), "the command does not force it");
-  await bench.key("z", "KeyZ", 2);
+  await bench.undo();
   await bench.state(0);
   await bench.diagnosed();
   await bench.click("#add_missing");
@@ -277,7 +247,7 @@ const loop = async (browser) => {
   );
   await bench.diagnosed();
   await bench.look("after");
-  await bench.key("z", "KeyZ", 2);
+  await bench.undo();
   await bench.state(1);
   check("loop", (await bench.error()) === between, "Ctrl+Z does not undo");
   await bench.click("#redo");
@@ -294,8 +264,8 @@ const loop = async (browser) => {
   await bench.diagnosed();
   // A formula says what is wrong with it as it is typed.
   await bench.click("#expression");
-  await bench.tab.send("Input.insertText", { text: "x = T*T*" });
-  await bench.until(`/column 9/.test(document.getElementById("formula_error").textContent)`, "the formula's error");
+  await bench.page.keyboard.sendCharacter("x = T*T*");
+  await bench.until(`/column 9/.test(document.getElementById("formula_error").textContent)`);
   bench.silent();
 };
 
@@ -304,7 +274,7 @@ const two_runs = async (browser) => {
   const bench = await Bench.open(browser, "two_runs.html");
   await bench.state(0);
   await bench.diagnosed();
-  const diagnosis = await bench.tab.evaluate("JSON.stringify(states.now.diagnosis.diagnosis, null, 1)");
+  const diagnosis = await bench.page.evaluate("JSON.stringify(states.now.diagnosis.diagnosis, null, 1)");
   writeFileSync("page_two_runs.json", diagnosis);
   bench.silent();
 };
@@ -314,19 +284,19 @@ const keyboard = async (browser) => {
   const bench = await Bench.open(browser, "loop.html");
   await bench.state(0);
   await bench.diagnosed();
-  const focus = () => bench.tab.evaluate("document.activeElement.id");
+  const focus = () => bench.page.evaluate("document.activeElement.id");
   for (let presses = 0; presses < 60 && (await focus()) !== "effect_temperature_rate"; ++presses)
-    await bench.key("Tab", "Tab");
+    await bench.key("Tab");
   check(
     "keyboard",
     (await focus()) === "effect_temperature_rate",
     `Tab does not come to the effects but to ${await focus()}`,
   );
-  await bench.key(" ", "Space");
+  await bench.key("Space");
   await bench.state(1);
   check(
     "keyboard",
-    await bench.tab.evaluate(`document.getElementById("effect_temperature_rate").checked`),
+    await bench.page.evaluate(`document.getElementById("effect_temperature_rate").checked`),
     "Space does not tick",
   );
   bench.silent();
@@ -351,9 +321,8 @@ const session = async (browser) => {
       await bench.click("#effect_polarization_ripple");
       await bench.until(
         `document.querySelector("#effect_polarization_ripple").checked && document.body.dataset.state === "1"`,
-        "the ripple",
       );
-      await bench.tab.evaluate(
+      await bench.page.evaluate(
         `document.getElementById("effect_polarization_ripple").closest("li").querySelector(".name").click()`,
       );
     },
@@ -362,7 +331,7 @@ const session = async (browser) => {
     free: () => bench.click(`${ripple} + button`), // fixed where it was free
     formula: async () => {
       await bench.write("#expression", formulas[chance(formulas.length)]);
-      await bench.key("Enter", "Enter");
+      await bench.key("Enter");
     },
     mask: async () => {
       await bench.click("#mask_mode");
@@ -383,23 +352,17 @@ const session = async (browser) => {
   for (const act of order) {
     ++step;
     await acts[act]();
-    await bench.until(
-      `document.body.dataset.state === "${step}" || !document.getElementById("trouble").hidden`,
-      `step ${step}, ${act}`,
-    );
+    await bench.until(`document.body.dataset.state === "${step}" || !document.getElementById("trouble").hidden`);
     check(
       "session",
-      await bench.tab.evaluate(`document.getElementById("trouble").hidden`),
+      await bench.page.evaluate(`document.getElementById("trouble").hidden`),
       `${act}: ${await bench.text("#trouble")}`,
     );
   }
   await bench.diagnosed();
-  if (await bench.tab.evaluate(`Boolean(document.getElementById("add_missing"))`)) {
+  if (await bench.page.evaluate(`Boolean(document.getElementById("add_missing"))`)) {
     await bench.click("#add_missing");
-    await bench.until(
-      `document.body.dataset.state === "${step + 1}" || document.querySelector(".judged")`,
-      "a judgement",
-    );
+    await bench.until(`document.body.dataset.state === "${step + 1}" || document.querySelector(".judged")`);
   }
   for (const [button, file] of [
     ["#save_model", "page.model"],
@@ -410,22 +373,20 @@ const session = async (browser) => {
     writeFileSync(file, await bench.save(button));
   }
   await bench.click("#copy_commands");
-  await bench.until("window.copied", "the commands");
-  writeFileSync("commands.txt", (await bench.tab.evaluate("window.copied")) + "\n");
+  await bench.until("window.copied");
+  writeFileSync("commands.txt", (await bench.page.evaluate("window.copied")) + "\n");
   const error = await bench.error();
   await bench.look("session");
   // The same state from its link.
-  await bench.tab.evaluate("window.copied = ''");
+  await bench.page.evaluate("window.copied = ''");
   await bench.click("#link");
-  await bench.until("window.copied", "the link");
-  const link = await bench.tab.evaluate("window.copied");
+  await bench.until("window.copied");
+  const link = await bench.page.evaluate("window.copied");
   const count = (await bench.text("#commands")).split("$ ").length - 1;
-  const other = await browser.tab();
-  await other.open("about:blank");
   const again = new Bench();
   again.name = "link";
-  again.tab = other;
-  await other.open(link);
+  again.page = await new_page(browser);
+  await again.page.goto(link);
   await again.state(count - 1);
   check("link", (await again.error()) === error, `leaves ${await again.error()}, not ${error}`);
   bench.silent();
@@ -437,24 +398,21 @@ const trouble = async (browser) => {
   await bench.state(0);
   check(
     "hostile",
-    await bench.tab.evaluate(`document.querySelectorAll("img, main b").length === 0 && document.title !== "gone"`),
+    await bench.page.evaluate(`document.querySelectorAll("img, main b").length === 0 && document.title !== "gone"`),
     "a name became markup",
   );
   check("hostile", (await bench.text("header .subject")).includes("<img src=x"), "the name is not shown as it is");
   // Replaces the engine's module by one that traps.
   const trap = trapping("hostile.html", "fogcomp_call");
-  await bench.tab.evaluate(`WebAssembly.compile(Uint8Array.from(atob("${trap}"), (letter) => letter.charCodeAt(0)))
+  await bench.page.evaluate(`WebAssembly.compile(Uint8Array.from(atob("${trap}"), (letter) => letter.charCodeAt(0)))
     .then((module) => { workers[0].postMessage({ module }); })`);
   await bench.click("#effect_bias_temperature");
-  await bench.until(
-    `/engine stopped \\(unreachable\\)/.test(document.getElementById("trouble").textContent)`,
-    "the reason",
-  );
+  await bench.until(`/engine stopped \\(unreachable\\)/.test(document.getElementById("trouble").textContent)`);
   await bench.listen("hostile", { announced: ["alert", "status"] });
-  check("hostile", await bench.tab.evaluate(`document.body.dataset.state === "0"`), "what was shown is lost");
+  check("hostile", await bench.page.evaluate(`document.body.dataset.state === "0"`), "what was shown is lost");
   await bench.click("#effect_bias_temperature");
   await bench.state(1);
-  check("hostile", await bench.tab.evaluate(`document.getElementById("trouble").hidden`), "the page does not go on");
+  check("hostile", await bench.page.evaluate(`document.getElementById("trouble").hidden`), "the page does not go on");
   bench.silent();
 };
 
@@ -463,14 +421,11 @@ const steady = async (browser) => {
   const bench = await Bench.open(browser, "steady.html");
   await bench.state(0);
   await bench.click("#effect_bias_step");
-  await bench.until(
-    `/^No bias step stands out/.test(document.getElementById("trouble").textContent)`,
-    "that there is no step",
-  );
-  check("steady", await bench.tab.evaluate(`document.body.dataset.state === "0"`), "a state without a change");
+  await bench.until(`/^No bias step stands out/.test(document.getElementById("trouble").textContent)`);
+  check("steady", await bench.page.evaluate(`document.body.dataset.state === "0"`), "a state without a change");
   await bench.click("#effect_warm_up");
   await bench.state(1);
-  check("steady", await bench.tab.evaluate(`document.getElementById("trouble").hidden`), "the page does not go on");
+  check("steady", await bench.page.evaluate(`document.getElementById("trouble").hidden`), "the page does not go on");
   bench.silent();
 };
 
@@ -482,7 +437,7 @@ const stepped = async (browser) => {
   await bench.state(1);
   const side = "; the model's bias is that after it.";
   for (const place of ["notes", "effects"]) {
-    const text = await bench.tab.evaluate(`document.getElementById("${place}").textContent`);
+    const text = await bench.page.evaluate(`document.getElementById("${place}").textContent`);
     check("stepped", text.includes(side), `${place} say nothing of the model's bias: ${text}`);
   }
   bench.silent();
@@ -493,17 +448,16 @@ const memory = async (browser) => {
   const bench = await Bench.open(
     browser,
     "empty.html",
-    undefined,
     `
     const bytes = Uint8Array.from(atob("${with_memory("empty.html", 290)}"), (letter) => letter.charCodeAt(0));
     const compile = WebAssembly.compile;
     WebAssembly.compile = () => compile(bytes);`,
   );
-  await bench.until(`!document.getElementById("opening").hidden`, "the question for files");
+  await bench.until(`!document.getElementById("opening").hidden`);
   await bench.choose_file("fast.csv");
-  await bench.until(`/out of memory|engine stopped/.test(document.body.innerText)`, "the reason");
+  await bench.until(`/out of memory|engine stopped/.test(document.body.innerText)`);
   await bench.choose_file("mems.csv");
-  await bench.until(`/8399 samples/.test(document.getElementById("dropped").textContent)`, "the next recording");
+  await bench.until(`/8399 samples/.test(document.getElementById("dropped").textContent)`);
 };
 
 // Esc cancels a drag across a plot and one of a slider.
@@ -512,24 +466,24 @@ const escape = async (browser) => {
   await bench.state(0);
   await bench.diagnosed();
   await bench.click("#mask_mode");
-  await bench.drag("#residual_plot .u-over", 0.2, 0.4, true);
+  await bench.drag("#residual_plot .u-over", 0.2, 0.4, () => bench.key("Escape"));
   await bench.click("#effect_thermal_lag");
   await bench.state(1);
   check("escape", (await bench.text("#masks")) === "", "a drag that was cancelled masks");
   await bench.diagnosed();
-  await bench.tab.evaluate(
+  await bench.page.evaluate(
     `document.getElementById("effect_thermal_lag").closest("li").querySelector(".name").click()`,
   );
   const slider = "[aria-label='tau of thermal_lag']";
   const shape = () => bench.text(`.shape:has(${slider}) .figure`);
   const before = await shape();
   check("escape", /^tau \d/.test(before), `the shape is "${before}"`);
-  await bench.drag(slider, 0.3, 0.8, true);
-  await bench.tab.settle();
+  await bench.drag(slider, 0.3, 0.8, () => bench.key("Escape"));
+  await settle(bench.page);
   check("escape", (await shape()) === before, `a shape that was let go is ${await shape()}, not ${before}`);
   check(
     "escape",
-    (await bench.tab.evaluate("document.body.dataset.state")) === "1",
+    (await bench.page.evaluate("document.body.dataset.state")) === "1",
     "a slider that was cancelled refits",
   );
   await bench.drag(slider, 0.3, 0.8);
@@ -544,7 +498,7 @@ const rate_table = async (browser) => {
   const bench = await Bench.open(browser, "table.html");
   await bench.state(0);
   await bench.diagnosed();
-  const options = await bench.tab.evaluate(
+  const options = await bench.page.evaluate(
     `[...document.querySelectorAll("#variable option")].map((option) => option.textContent)`,
   );
   check(
@@ -553,27 +507,27 @@ const rate_table = async (browser) => {
     `axes: ${options}`,
   );
   for (const variable of ["input_rate", "play(T, 5 degC)"]) {
-    await bench.tab.evaluate(`(() => {
+    await bench.page.evaluate(`(() => {
       const select = document.getElementById("variable");
       select.value = ${JSON.stringify(variable)};
       select.dispatchEvent(new Event("change"));
     })()`);
-    await bench.tab.settle();
-    const axis = await bench.tab.evaluate(
+    await settle(bench.page);
+    const axis = await bench.page.evaluate(
       `[document.getElementById("variable").value, document.querySelectorAll("#variable_plot canvas").length]`,
     );
     check("table", axis[0] === variable && axis[1] === 1, `the axis is ${axis}`);
-    const range = await bench.tab.evaluate(`plots.variable.u.data[0]`);
+    const range = await bench.page.evaluate(`plots.variable.u.data[0]`);
     check(
       "table",
       variable === "input_rate" || range.every((value) => Math.abs(value) < 5.001),
       `${variable} goes from ${range[0]} to ${range[1]}`,
     );
-    if (shots) writeFileSync(join(shots, `over_${variable.replace(/\W+/g, "_")}.png`), await bench.tab.screenshot());
+    await picture(bench.page, `over_${variable.replace(/\W+/g, "_")}`);
   }
   const before = await bench.error();
   let state = 0;
-  for (; state < 6 && (await bench.tab.evaluate(`Boolean(document.getElementById("add_missing"))`)); ++state) {
+  for (; state < 6 && (await bench.page.evaluate(`Boolean(document.getElementById("add_missing"))`)); ++state) {
     await bench.click("#add_missing");
     await bench.state(state + 1);
     await bench.diagnosed();
@@ -583,7 +537,7 @@ const rate_table = async (browser) => {
   check("table", /scale_factor/.test(await bench.text("#commands")), `adds ${await bench.text("#commands")}`);
   check(
     "table",
-    !(await bench.tab.evaluate(`Boolean(document.getElementById("add_missing"))`)),
+    !(await bench.page.evaluate(`Boolean(document.getElementById("add_missing"))`)),
     "something is still missing",
   );
   await bench.look("table");
@@ -595,7 +549,7 @@ const report = async (browser) => {
   const bench = await Bench.open(browser, "report.html");
   check(
     "report",
-    await bench.tab.evaluate(
+    await bench.page.evaluate(
       `getComputedStyle(document.getElementById("workbench")).display === "none" && workers.length === 0`,
     ),
     "the engine starts unasked",
@@ -616,32 +570,26 @@ const report = async (browser) => {
   await bench.click("#show_report");
   check(
     "report",
-    await bench.tab.evaluate(
+    await bench.page.evaluate(
       `document.getElementById("report").checkVisibility() && !document.getElementById("bench").checkVisibility()`,
     ),
     "does not go back to what was found",
   );
   bench.silent();
-  const plain = await browser.tab();
-  await plain.send("Emulation.setScriptExecutionDisabled", { value: true });
-  await plain.load(pathToFileURL(resolve("report.html")).href);
-  const { nodes } = await (await plain.send("Accessibility.enable"), plain.send("Accessibility.getFullAXTree"));
-  const words = nodes
-    .filter((node) => !node.ignored)
-    .map((node) => node.name?.value || "")
-    .join(" ");
+  const plain = await new_page(browser);
+  await plain.setJavaScriptEnabled(false);
+  await plain.goto(address_of("report.html"));
+  const words = await plain.evaluate("document.body.innerText");
   check(
     "report",
     /Accepted: helps out of sample/.test(words) && /Before and after/.test(words),
     "cannot be read without scripts",
   );
   check("report", !/Which recordings|What is missing\?/.test(words), "shows a dead workbench without scripts");
-  const { root } = await plain.send("DOM.getDocument");
-  const count = async (selector) =>
-    (await plain.send("DOM.querySelectorAll", { nodeId: root.nodeId, selector })).nodeIds.length;
+  const count = async (selector) => (await plain.$$(selector)).length;
   const [plots, stills] = [await count("figure.plot"), await count("figure.plot svg.still path")];
   check("report", plots > 0 && stills > 3 * plots, `draws ${stills} lines in ${plots} plots without scripts`);
-  if (shots) writeFileSync(join(shots, "without_scripts.png"), await plain.screenshot());
+  await picture(plain, "without_scripts");
 };
 
 // A run of 60,000 rows fits into 200 MB.
@@ -655,9 +603,7 @@ const long = async (browser) => {
     (await bench.text("#notes")).includes("59550 means over 1 s"),
     "the page does not say that it has means",
   );
-  await bench.tab.send("Performance.enable");
-  const { metrics } = await bench.tab.send("Performance.getMetrics");
-  const megabytes = metrics.find(({ name }) => name === "JSHeapUsedSize").value / 1e6;
+  const megabytes = (await bench.page.metrics()).JSHeapUsedSize / 1e6;
   check("long", megabytes < 200, `takes ${megabytes.toFixed(0)} MB`);
   bench.silent();
 };
@@ -665,13 +611,13 @@ const long = async (browser) => {
 // A page without recordings takes files and asks about columns that are not clear.
 const files = async (browser) => {
   const bench = await Bench.open(browser, "empty.html");
-  await bench.until(`!document.getElementById("opening").hidden`, "the question for files");
+  await bench.until(`!document.getElementById("opening").hidden`);
   await bench.choose_file("foreign.csv");
-  await bench.until(`document.getElementById("columns").open`, "the dialog");
+  await bench.until(`document.getElementById("columns").open`);
   check("files", /Gyro_X.*or.*Gyro_Y/.test(await bench.text("#columns_said")), await bench.text("#columns_said"));
   check(
     "files",
-    await bench.tab.evaluate(`document.getElementById("columns_take").disabled`),
+    await bench.page.evaluate(`document.getElementById("columns_take").disabled`),
     "takes what is not clear",
   );
   check(
@@ -682,45 +628,38 @@ const files = async (browser) => {
   await bench.listen("dialog", { announced: ["status"] });
   for (const width of [1280, 390]) {
     for (const dark of [false, true]) {
-      await bench.tab.show({ width, dark });
-      if (shots)
-        writeFileSync(join(shots, `dialog_${width}_${dark ? "dark" : "light"}.png`), await bench.tab.screenshot());
+      await show(bench.page, { width, dark });
+      await picture(bench.page, `dialog_${width}_${dark ? "dark" : "light"}`);
     }
   }
-  await bench.tab.show({ width: 1280, dark: false });
-  await bench.key("Escape", "Escape");
-  await bench.until(`!document.getElementById("columns").open`, "the end of the dialog by Esc");
+  await show(bench.page, { width: 1280, dark: false });
+  await bench.key("Escape");
+  await bench.until(`!document.getElementById("columns").open`);
   check(
     "files",
-    await bench.tab.evaluate(`document.getElementById("begin").disabled`),
+    await bench.page.evaluate(`document.getElementById("begin").disabled`),
     "begins with columns that are not clear",
   );
   await bench.click(`[aria-label="columns of foreign.csv"]`);
-  await bench.until(`document.getElementById("columns").open`, "the dialog by its button");
+  await bench.until(`document.getElementById("columns").open`);
   const choose = (label, text) =>
-    bench.tab.evaluate(`(() => {
+    bench.page.evaluate(`(() => {
     const select = document.querySelector('[aria-label="${label}"]');
     select.value = [...select.options].find((option) => option.textContent === "${text}").value;
     select.dispatchEvent(new Event("change"));
   })()`);
   await choose("column of rate", "Gyro_Y");
-  await bench.until(`/no unit/.test(document.getElementById("columns_said").textContent)`, "the question for the unit");
+  await bench.until(`/no unit/.test(document.getElementById("columns_said").textContent)`);
   await choose("unit of rate", "deg/h");
-  await bench.until(
-    `/no column 'time_s'/.test(document.getElementById("columns_said").textContent)`,
-    "the question for the time",
-  );
+  await bench.until(`/no column 'time_s'/.test(document.getElementById("columns_said").textContent)`);
   await choose("column of time", "Stamp");
   await choose("unit of time", "s");
-  await bench.until(`!document.getElementById("columns_take").disabled`, "what is clear now");
+  await bench.until(`!document.getElementById("columns_take").disabled`);
   check("files", /read as .*Gyro_Y/.test(await bench.text("#columns_said")), await bench.text("#columns_said"));
   await bench.click("#columns_take");
-  await bench.until(
-    `/8399 samples/.test(document.getElementById("dropped").textContent)`,
-    "what was understood of the file",
-  );
-  await bench.until(`!document.getElementById("begin").disabled`, "the button");
-  if (shots) writeFileSync(join(shots, "files.png"), await bench.tab.screenshot());
+  await bench.until(`/8399 samples/.test(document.getElementById("dropped").textContent)`);
+  await bench.until(`!document.getElementById("begin").disabled`);
+  await picture(bench.page, "files");
   await bench.listen("files");
   await bench.click("#begin");
   await bench.state(0);
@@ -747,7 +686,7 @@ const parts = {
   long,
   files,
 };
-const browser = new Browser(program);
+const browser = await launch(driver);
 try {
   for (const part of only ? [parts[only]] : Object.values(parts)) {
     const begin = Date.now();

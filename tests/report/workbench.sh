@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
-# workbench.sh FOGCOMP [SHOTS]: the workbench's page in Chromium, with a mouse and a keyboard: the README's loop, a
+# workbench.sh FOGCOMP DRIVER [SHOTS]: the workbench's page in Chromium, with a mouse and a keyboard: the README's loop, a
 # random session whose commands make the same files in a shell, masked rows, hostile names, an engine that traps, 60,000
 # rows, a rate table, columns that are not clear, a screen reader, a narrow window. Screenshots go to the folder SHOTS.
 set -euo pipefail
-fogcomp=$(realpath "${1:?usage: workbench.sh FOGCOMP [SHOTS]}")
-shots=${2:+$(realpath "$2")}
+source "$(dirname "$0")/../integration/common.sh"
+fogcomp=$(realpath "${1:?usage: workbench.sh FOGCOMP DRIVER [SHOTS]}")
+driver=$(realpath "${2:?usage: workbench.sh FOGCOMP DRIVER [SHOTS]}")
+shots=${3:+$(realpath "$3")}
 here=$(realpath "$(dirname "$0")")
 example=$here/../../docs/examples/mems_chamber.csv
-for program in chromium node; do
-  command -v $program >/dev/null || { echo "skipped: no $program here"; exit 77; }
+for program in /usr/bin/chromium node "$driver/node_modules/puppeteer-core/package.json"; do
+  command -v "$program" >/dev/null || [[ -e $program ]] || { echo "skipped: no $program here"; exit 77; }
 done
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -45,13 +47,13 @@ awk -F, -v OFS=, '/^time_s/ { print "time_s", "temperature_degc", "<b>rate</b> [
 awk -F, -v OFS=';' '/^#/ { next } /^time_s/ { print "Stamp", "Chamber temperature", "Gyro_X", "Gyro_Y"; next }
   { print $1, $2, $3 / 2, $3 }' mems.csv >foreign.csv
 for page in *.html; do
-  (($(stat -c %s $page) < 2500000)) || { echo "$page is $(stat -c %s $page) bytes" >&2; exit 1; }
+  (($(stat -c %s $page) < 2500000)) || fail "$page is $(stat -c %s $page) bytes"
 done
 
 "$fogcomp" workbench fast.csv -o long.html >/dev/null 2>note.txt
 grep -q "has 297750 samples; the workbench has their 59550 means over 1 s" note.txt
 
-node "$here/workbench.mjs" chromium "$shots"
+node "$here/workbench.mjs" "$driver" "$shots"
 
 in_lines() { node -p 'JSON.stringify(JSON.parse(fs.readFileSync(0)), null, 1)'; }
 # The diagnosis in a shell, of one run and of two, where the verdict hangs on simulated noise.
@@ -61,7 +63,7 @@ in_lines() { node -p 'JSON.stringify(JSON.parse(fs.readFileSync(0)), null, 1)'; 
 # The commands that the session's page shows, in a shell.
 mkdir shell
 cp run.csv other.csv shell
-[[ -s commands.txt ]] || { echo "the page shows no commands" >&2; exit 1; }
+[[ -s commands.txt ]] || fail "the page shows no commands"
 (cd shell && PATH=$(dirname "$fogcomp"):$PATH bash -euo pipefail ../commands.txt >said.txt)
 cd shell
 made=$(sed -n '$ s/.* -o \([^ ]*\).*/\1/p' ../commands.txt)
