@@ -45,6 +45,7 @@ share() {
     if "$@" "$seed"; then good=$((good + 1)); else without+=" $seed"; fi
   done
   ((good >= min)) || fail "$*: $good of $count draws, not $min; not with the seeds$without"
+  echo "$*: $good of $count draws"
 }
 
 # random_awk ARGUMENTS...: awk with seed_draws(SEED), uniform() in (0, 1) and normal(), of a standard normal

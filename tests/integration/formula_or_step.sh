@@ -18,39 +18,48 @@ gyro() {
   "$fogcomp" diagnose "$name.model" "$name.csv" --json >"$name.json"
 }
 
-for case in 902:300:8 904:600:5; do
-  IFS=: read -r seed tau_s scale <<<"$case"
-  gyro late power_cycles "$seed" "squared_lag:tau_s=$tau_s,scale=$scale"
-  likeliest=$(value late.json explanations 0 effects | tr -d '[] \n')
-  [[ $likeliest == '"temperature_rate_product","bias_step"' ]] || fail "no imitation: $(cat late.json)"
-  [[ $(value late.json verdict) == unknown && $(value late.json forms 0 name) == 'lag(lag(dTdt,tau),tau)^2' ]] ||
-    fail "seed $seed: $(cat late.json)"
+# typed FILE: what the diagnosis in FILE proposes can be added.
+typed() {
+  eval "\"\$fogcomp\" $(sed -n 's/^  next: fogcomp //p' "$1")" >added.txt
+}
+
+# TAU SCALE SEED
+finds_strain_where_a_product_and_a_step_imitate_it() {
+  gyro late power_cycles "$3" "squared_lag:tau_s=$1,scale=$2"
   "$fogcomp" diagnose late.model late.csv >late.txt
-  grep -q 'what looks like temperature_rate_product.* needs a bias step beside it, and a formula needs none$' late.txt ||
-    fail "$(cat late.txt)"
-  eval "\"\$fogcomp\" $(sed -n 's/^  next: fogcomp //p' late.txt)" >added.txt || fail "refused: $(cat added.txt)"
-done
+  jq -e '.explanations[0].effects == ["temperature_rate_product", "bias_step"] and .verdict == "unknown" and
+    (.forms[0].name | IN("lag(lag(dTdt,tau),tau)^2", "lag(dTdt,tau)^2"))' late.json >claim.txt &&
+    grep -q 'what looks like temperature_rate_product.* needs a bias step beside it, and a formula needs none$' late.txt &&
+    typed late.txt
+}
+share 4 6 finds_strain_where_a_product_and_a_step_imitate_it 300 8
+share 4 6 finds_strain_where_a_product_and_a_step_imitate_it 600 5
 
-gyro both paper 903 temperature_rate_product:scale=5 bias_step:peak=0.05
-[[ $(value both.json explanations 0 effects | tr -d '[] \n') == '"temperature_rate_product","bias_step"' &&
-  $(value both.json effect) == temperature_rate_product ]] || fail "$(cat both.json)"
+names_product_and_step() { # SEED
+  gyro both paper "$1" temperature_rate_product:scale=5 bias_step:peak=0.05
+  jq -e '.effect == "temperature_rate_product" and .verdict == "missing_effect"' both.json >claim.txt
+}
+share 4 6 names_product_and_step
 
-"$fogcomp" simulate -o size.csv --profile power_cycles --seed 905 --preset none --rate 0.1 --noise white=0.0014 \
-  --effect bias --effect bias_temperature --effect temperature_rate:coefficient=-0.027 \
-  --effect sensor:lag_s=9.7,resolution_k=0.0625 --effect rate_nonlinearity:form=magnitude,scale=6 >/dev/null
-"$fogcomp" fit size.csv -o size.model --effects bias,bias_temperature:order=2,temperature_rate >/dev/null
-"$fogcomp" diagnose size.model size.csv >size.txt
-grep -q 'what looks like bias_step follows a formula that needs no step$' size.txt || fail "$(cat size.txt)"
-grep -q 'outside the catalogue it looks like abs(dTdt)' size.txt || fail "$(cat size.txt)"
-eval "\"\$fogcomp\" $(sed -n 's/^  next: fogcomp //p' size.txt)" >added.txt || fail "refused: $(cat added.txt)"
+finds_a_magnitude_where_a_step_imitates_it() { # SEED
+  "$fogcomp" simulate -o size.csv --profile power_cycles --seed "$1" --preset none --rate 0.1 --noise white=0.0014 \
+    --effect bias --effect bias_temperature --effect temperature_rate:coefficient=-0.027 \
+    --effect sensor:lag_s=9.7,resolution_k=0.0625 --effect rate_nonlinearity:form=magnitude,scale=6 >/dev/null
+  "$fogcomp" fit size.csv -o size.model --effects bias,bias_temperature:order=2,temperature_rate >/dev/null
+  "$fogcomp" diagnose size.model size.csv >size.txt
+  grep -q 'what looks like bias_step follows a formula that needs no step$' size.txt &&
+    grep -qF 'outside the catalogue it looks like abs(dTdt)' size.txt && typed size.txt
+}
+share 4 6 finds_a_magnitude_where_a_step_imitates_it
 
 # A coil's first heat with two rises, which two ripples imitate.
-"$fogcomp" simulate -o ripple.csv --profile power_cycles --seed 906 --preset none --rate 0.1 --noise white=0.0024 \
-  --effect housing:housing_j_per_k=573,to_air_w_per_k=0.833 --effect bias --effect bias_temperature \
-  --effect temperature_rate:coefficient=0.12 --effect warmest_so_far:scale=57.7 >/dev/null
-"$fogcomp" fit ripple.csv -o ripple.model --effects bias,bias_temperature:order=2,temperature_rate >/dev/null
-"$fogcomp" diagnose ripple.model ripple.csv >ripple.txt
-grep -q 'ripple.* would need two parts of one effect, and a formula explains it alone$' ripple.txt ||
-  fail "$(cat ripple.txt)"
-grep -q 'outside the catalogue it looks like highest(T)' ripple.txt || fail "$(cat ripple.txt)"
-eval "\"\$fogcomp\" $(sed -n 's/^  next: fogcomp //p' ripple.txt)" >added.txt || fail "refused: $(cat added.txt)"
+finds_a_first_heat_where_ripples_imitate_it() { # SEED
+  "$fogcomp" simulate -o ripple.csv --profile power_cycles --seed "$1" --preset none --rate 0.1 --noise white=0.0024 \
+    --effect housing:housing_j_per_k=573,to_air_w_per_k=0.833 --effect bias --effect bias_temperature \
+    --effect temperature_rate:coefficient=0.12 --effect warmest_so_far:scale=57.7 >/dev/null
+  "$fogcomp" fit ripple.csv -o ripple.model --effects bias,bias_temperature:order=2,temperature_rate >/dev/null
+  "$fogcomp" diagnose ripple.model ripple.csv >ripple.txt
+  grep -q 'ripple.* would need two parts of one effect, and a formula explains it alone$' ripple.txt &&
+    grep -qF 'outside the catalogue it looks like highest(T)' ripple.txt && typed ripple.txt
+}
+share 4 6 finds_a_first_heat_where_ripples_imitate_it
