@@ -20,7 +20,8 @@ debian() {
   local package missing=()
   for package in "$@"; do installed "$package" || missing+=("$package"); done
   if ((${#missing[@]})); then
-    DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 install -y --no-install-recommends "${missing[@]}" >apt.log 2>&1 || true
+    DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 install -y --no-install-recommends \
+      "${missing[@]}" >apt.log 2>&1 || true
   fi
   for package in "$@"; do
     installed "$package" || { echo "needs the Debian 12 package $package" >&2; exit 2; }

@@ -42,8 +42,11 @@ void start(void) {
 }
 __attribute__((section(".vectors"), used)) void *const vectors[] = {(void *)0x20020000, start};
 C
-echo 'SECTIONS { . = 0x08000000; .text : { KEEP(*(.vectors)) *(.text*) *(.rodata*) } /DISCARD/ : { *(.ARM*) } }' >flash.ld
+cat >flash.ld <<'L'
+SECTIONS { . = 0x08000000; .text : { KEEP(*(.vectors)) *(.text*) *(.rodata*) } /DISCARD/ : { *(.ARM*) } }
+L
 arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -O1 -ffreestanding -nostdlib -T flash.ld timer.c -o timer.elf
 stated 'TIM2 MHz: 1000
 counts when stopped: 1
-beyond auto-reload: 1' "$(timeout 60 qemu-system-arm -M netduinoplus2 -nographic -semihosting -icount shift=0 -kernel timer.elf 2>&1)"
+beyond auto-reload: 1' \
+  "$(timeout 60 qemu-system-arm -M netduinoplus2 -nographic -semihosting -icount shift=0 -kernel timer.elf 2>&1)"
