@@ -88,23 +88,28 @@ case ${1:-} in
     ;;
 esac
 
-# The end: what failed, by name and by what it said, then one plain line of counts.
+# The end: what failed, by name and by what it said, then one plain line of counts. Cases of gtest and the scripts' fail()
+# say it in a line of their own; of other tests it is the last line.
 awk '
   /^ *[0-9]+\/[0-9]+ Test / {
     name = $4
-    ++total
     if (/ Passed /) { ++passed; name = "" }
     else if (/\*\*\*Skipped/) { ++skipped; name = "" }
     else failed[++failures] = name
     next
   }
+  /^ *Start +[0-9]+: |^[0-9]+% tests passed/ { name = "" }
+  name != "" && /[^ ]/ { last[name] = "\n  " $0 }
   name != "" && (/^\[  FAILED  \] [^ ]+[.][^ ]+/ || /^FAILED: /) {
     sub(/^\[  FAILED  \] /, ""); sub(/^FAILED: /, ""); sub(/ \([0-9]+ ms\)$/, "")
     if (!((name, $0) in seen)) said[name] = said[name] "\n  " $0
     seen[name, $0]
   }
   END {
-    for (i = 1; i <= failures; ++i) print "failed: " failed[i] said[failed[i]]
+    for (i = 1; i <= failures; ++i) {
+      name = failed[i]
+      print "failed: " name (said[name] != "" ? said[name] : last[name])
+    }
     printf "%d passed, %d failed, %d skipped\n", passed, failures, skipped
   }' "$results"
 exit "$status"

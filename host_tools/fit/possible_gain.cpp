@@ -16,7 +16,7 @@ double possible_gain(const KnownRegressors& known, const std::vector<model::Effe
     const std::vector<model::ShapeParameter> shapes = model::shape_parameters(terms);
     std::vector<bool> is_left_out;  // before: then nothing is known of its place
     for (const model::ShapeParameter& shape : shapes) {
-      is_left_out.push_back(model::is_left_at_zero(before[shape.term], shape.index));
+      is_left_out.push_back(before[shape.term].parameters[shape.index].is_left_at_zero());
     }
     return first_order_cost(problem, shapes, is_left_out);
   };

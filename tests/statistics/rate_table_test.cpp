@@ -130,7 +130,7 @@ TEST(RateTable, TheLoopEndsAtTheNoiseAndFindsTheLagOfTheSource) {
     EXPECT_LE(ladder.last.residual_rms_dph, 1.2 * kNoiseDph) << seed;
     for (const fogcomp::model::EffectTerm& term : ladder.model.terms) {
       if (term.name == "scale_factor_temperature") {
-        EXPECT_NEAR(term.parameters.back(), 60, 10) << seed;
+        EXPECT_NEAR(term.parameters.back().value, 60, 10) << seed;
       }
     }
   }

@@ -39,7 +39,7 @@ TEST(TrainedRange, WarnsOfLaterTimesOnlyWhereTheyCount) {
   TrainedRange without(model, 10);
   without.count(50000, at(20), 0);
   EXPECT_EQ(without.outside().later, 0);
-  model.terms.push_back({"warm_up", {3600, 0}, {false, false}, {0, 0}, {1}, {0.1}});
+  model.terms.push_back({"warm_up", {{3600}, {0}}, {{1, 0.1}}});
   TrainedRange with(model, 10);
   with.count(50000, at(20), 0);
   EXPECT_EQ(with.outside().later, 1);
