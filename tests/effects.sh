@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # effects.sh [BUILD]: the host tests that go through the catalogue of effects, for whoever adds or changes one.
-# BUILD is configured with FOG_TESTS. tests/run.sh runs these and all others.
+# BUILD is configured with the preset `tests`. tests/run.sh runs these and all others.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-build=${1:-build/host}
+build=${1:-build/tests}
 cmake --build "$build" --target fogcomp golden_effect_outputs fit_sweep test_effects
 "$build/tests/test_effects" --gtest_brief=1
 "$build/tests/fit_sweep" --count 80 --rows 64

@@ -13,7 +13,7 @@ command -v npm >/dev/null || build_packages+=(npm)
 quick_packages=(libgtest-dev ccache jq)
 # What tests/run.sh --all needs besides: the second line builds sanitized, the third compiles and runs the core for
 # another instruction set, the fourth is told how to flash a board, the fifth looks at package and manual, the sixth
-# makes the page that calculates.
+# makes the page that calculates, the last is another awk and another language.
 test_packages=(
   clang-format chromium
   clang libclang-rt-dev
@@ -21,6 +21,7 @@ test_packages=(
   openocd stlink-tools dfu-util
   dpkg-dev man-db
   emscripten
+  gawk locales
 )
 
 # What tests/bench/run.sh needs beside the first.

@@ -8,9 +8,9 @@ source cmake/bootstrap/packages.sh
 require_packages "${build_packages[@]}" "${test_packages[@]}" llvm || exit 2
 
 build=build/coverage
-cmake --preset host -B "$build" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=clang++ \
+cmake --preset host -DFOG_TESTS=ON -B "$build" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_COMPILER=clang++ \
   -DCMAKE_CXX_FLAGS="-O1 -fprofile-instr-generate -fcoverage-mapping" >/dev/null
-tests=(test_core test_acquisition test_thermometer test_platform test_fit property_core
+tests=(test_core test_acquisition test_thermometer test_platform test_fit test_core_properties
        golden_board_output golden_effect_outputs golden_core_checks)
 cmake --build "$build" --target "${tests[@]}" >/dev/null
 programs=() profiles=()

@@ -3,7 +3,7 @@
 # catalogue's document anew, on purpose: when what the board sends is meant to change. The commit shows what did.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-build=${1:-build/host}
+build=${1:-build/tests}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cmake --build "$build" --target fogcomp

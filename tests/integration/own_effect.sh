@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# own_effect.sh SOURCE BUILD: carries out firmware/core/effects/TUTORIAL.md in a copy of the tree, block by block:
-# ```cpp file=PATH is written to PATH, ```sh is run. The copy is in BUILD, where a compiler cache that knows the tree by
-# relative paths (tests/run.sh) has all objects that do not depend on the effects.
+# own_effect.sh SOURCE BUILD: carries out firmware/core/effects/TUTORIAL.md in a copy of the sources, block by block:
+# ```cpp file=PATH is written to PATH, ```sh is run. The copy is in BUILD, and as deep in it as BUILD in SOURCE: a
+# compiler cache that knows the tree by relative paths (tests/run.sh) has all objects that do not depend on the effects.
 set -euo pipefail
+source "$(dirname "$0")/common.sh"
 source=${1:?usage: own_effect.sh SOURCE BUILD} build=${2:?usage: own_effect.sh SOURCE BUILD}
 page=$source/firmware/core/effects/TUTORIAL.md
 copy=$build/own_effect
@@ -12,8 +13,12 @@ trap 'rm -rf "$copy"' EXIT
 cp -r "$source"/{CMakeLists.txt,CMakePresets.json,cmake,firmware,host_tools,linker,tests} "$copy"
 cd "$copy"
 export CCACHE_BASEDIR=$source
-cmake --preset host -DFOG_TESTS=ON -DFOG_WORKBENCH=OFF >log 2>&1 ||
-  { cat log; exit 1; } # the page's engine is for others
+# What npm has installed for BUILD.
+for folder in host_tools/report_library tests/checks/page_format tests/report/browser_driver; do
+  [[ -d $build/$folder ]] || continue
+  mkdir -p "build/tests/$(dirname "$folder")"
+  ln -s "$build/$folder" "build/tests/$folder"
+done
 
 # Blocks become numbered files, with their first line's words beside them.
 awk '/^```/ { if (inside) { inside = 0; next } inside = 1; n++; print substr($0, 4) > ("block" n ".kind"); next }
@@ -28,16 +33,15 @@ for kind in $(ls block*.kind | sort -V); do
       clang-format --dry-run --Werror --style="file:$source/.clang-format" "${target#file=}"
       ;;
     sh)
-      bash -euo pipefail "$text" >log 2>&1 || { cat log; exit 1; }
+      bash -euo pipefail "$text" >log 2>&1 || fail "$(cat "$text"): $(tail -n 20 log)"
       grep -E "temperature_rate_squared|K2|PASSED" log || true
       ;;
     *)
-      echo "a block of kind '$language' in $page" >&2
-      exit 1
+      fail "a block of kind '$language' in $page"
       ;;
   esac
   blocks=$((blocks + 1))
 done
-[[ -f build/stm32f405/fogcomp.bin ]] || { echo "the page built no image" >&2; exit 1; }
-grep -q temperature_rate_squared fog_model.h
+[[ -f build/stm32f405/fogcomp.bin ]] || fail "the page built no image"
+says fog_model.h temperature_rate_squared
 echo "$blocks blocks carried out"
