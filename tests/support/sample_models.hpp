@@ -43,10 +43,9 @@ inline fogcomp::model::Model paper_like_model() {
   model.max_degc = 61;
   model.noise_dph_rthz = 0.075;
   model.residual_rms_dph = 0.024;
-  model.terms = {
-      {"bias", {}, {{0.7197, 0.0005}}},
-      {"bias_temperature", {{3}}, {{-0.0113, 1e-4}, {-0.129, 1e-4}, {0.021, 1e-4}}},
-      {"temperature_rate", {}, {{0.44, 0.004}}}};
+  model.terms = {{"bias", {}, {{0.7197, 0.0005}}},
+                 {"bias_temperature", {{3}}, {{-0.0113, 1e-4}, {-0.129, 1e-4}, {0.021, 1e-4}}},
+                 {"temperature_rate", {}, {{0.44, 0.004}}}};
   model.network.inputs = {{fog::NetworkInput::temperature, 10, 51, 0},
                           {fog::NetworkInput::temperature_rate, 0, 0.6, 0}};
   model.network.hidden.activation = fog::Activation::logsig;
