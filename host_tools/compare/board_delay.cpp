@@ -23,7 +23,7 @@ struct Drift {
 };
 
 // One after the other, because the signals of a long recording are large.
-Drift drift_of(const model::Model& model, const RunInBlocks& run, series::Phase phase) {
+Drift drift_of(const model::Model& model, const runs::Run& run, series::Phase phase) {
   series::SignalSeries series(model, phase);
   series.add(run.blocks);
   const series::Rows& rows = series.rows();
@@ -31,7 +31,7 @@ Drift drift_of(const model::Model& model, const RunInBlocks& run, series::Phase 
 }
 
 // After a start or a gap the two have different rows, which are matched by their times.
-Delay delay_of(const model::Model& model, const RunInBlocks& run) {
+Delay delay_of(const model::Model& model, const runs::Run& run) {
   const Drift coil = drift_of(model, run, series::Phase::zero);
   const Drift board = drift_of(model, run, series::Phase::board);
   Delay delay{board.dph, board.weights};
@@ -46,10 +46,10 @@ Delay delay_of(const model::Model& model, const RunInBlocks& run) {
 
 }  // namespace
 
-double delay_error_dph(const model::Model& model, const std::vector<RunInBlocks>& runs) {
+double delay_error_dph(const model::Model& model, const std::vector<runs::Run>& runs) {
   double square = 0;
   double weight = 0;
-  for (const RunInBlocks& run : runs) {
+  for (const runs::Run& run : runs) {
     const Delay delay = delay_of(model, run);
     square += delay.drift_dph.cwiseAbs2().dot(delay.weights);
     weight += delay.weights.sum();
@@ -78,10 +78,10 @@ std::string delay_words(const BoardError& error) {
       error.rms_dph, error.without_delay_dph);
 }
 
-BoardError board_error(const model::Model& model, const RunInBlocks& run,
+BoardError board_error(const model::Model& model, const runs::Run& run,
                        const Comparison& comparison) {
   model::Model averaging = model;
-  averaging.average_s = run.average_s;
+  averaging.average_s = comparison.rows.row_s;
   const Delay delay = delay_of(averaging, run);
   BoardError error{comparison.whole.rms_dph, 0, 0};
   double square = 0;

@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "compare/comparison.hpp"
-#include "compare/run_in_blocks.hpp"
 #include "model/model.hpp"
+#include "runs/run.hpp"
 
 namespace fogcomp::compare {
 
 /// Error due to the board's delay: rms over all rows, deg/h, of the effects' drift for the board's
 /// signals (means of the preceding block, causal derivative) less the drift for signals without
 /// delay (zero_phase.hpp).
-double delay_error_dph(const model::Model& model, const std::vector<RunInBlocks>& runs);
+double delay_error_dph(const model::Model& model, const std::vector<runs::Run>& runs);
 
 /// Error of a model as the board computes it, and without the board's delay with the same
 /// coefficients: rms of the rows that count, deg/h.
@@ -32,7 +32,7 @@ struct BoardError {
 std::string delay_words(const BoardError& error);
 
 /// `comparison`: of this model on this run.
-BoardError board_error(const model::Model& model, const RunInBlocks& run,
+BoardError board_error(const model::Model& model, const runs::Run& run,
                        const Comparison& comparison);
 
 }  // namespace fogcomp::compare

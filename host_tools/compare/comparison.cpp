@@ -26,13 +26,13 @@ struct ModelledRows {
   std::vector<std::vector<double>> parts_dph;  // [part][row]
 };
 
-ModelledRows modelled_rows(const model::Model& model, const RunInBlocks& run, double average_s,
+ModelledRows modelled_rows(const model::Model& model, const runs::Run& run, double row_s,
                            std::size_t parts) {
   series::require_inputs(model, run.blocks);
   const model::Model acting = model::as_it_acts_on(model, run.blocks.recordings);
   model::RealDriftModel drift(acting, run.blocks.block_s);
   ModelledRows result;
-  series::RowAverager averager(run.blocks, average_s, result.rows, 1 + parts);
+  series::RowAverager averager(run.blocks, row_s, result.rows, 1 + parts);
   std::vector<double> values(1 + parts);
   series::run_blocks(run.blocks, drift, [&](const series::BlockSeries::Block& block) {
     values[0] = drift.drift_dph();
@@ -108,36 +108,6 @@ OutsideTraining outside_training(const model::Model& model, const series::Rows& 
   return range.outside();
 }
 
-Comparison compare_in_rows(const model::Model& model, const RunInBlocks& run, double average_s) {
-  const std::vector<std::string> parts = names_of_parts(model);
-  ModelledRows modelled = modelled_rows(model, run, average_s, parts.size());
-  Comparison comparison;
-  comparison.file = run.file;
-  comparison.files = run.files;
-  if (average_s == run.average_s) comparison.noise_floor_dph = run.noise_floor_dph;
-  comparison.rows = std::move(modelled.rows);
-  comparison.modelled_dph = std::move(modelled.drift_dph);
-  const Eigen::VectorXd counts = noise::counted_rows(comparison.rows);
-  for (const double count : counts) comparison.outlier.push_back(count == 0);
-  comparison.outliers = static_cast<std::size_t>((counts.array() == 0).count());
-  const recording::RowRange all{0, comparison.size()};
-  for (const recording::Segment& segment :
-       recording::segments_on(run.segments, comparison.rows.time_s, all)) {
-    comparison.segments.push_back(error_in(comparison, segment));
-  }
-  comparison.whole = error_in(comparison, {"all", recording::SegmentKind::soak, 0, 0, all});
-  const std::vector<double> residual = comparison.counted(comparison.residuals_dph());
-  const std::vector<double> measured = comparison.counted(comparison.measured_dph());
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    comparison.effects.push_back(
-        share_of(parts[i], comparison.counted(modelled.parts_dph[i]), residual, measured));
-  }
-  comparison.parts_dph = std::move(modelled.parts_dph);
-  comparison.inputs = varying(comparison.rows);
-  comparison.outside = outside_training(model, comparison.rows);
-  return comparison;
-}
-
 }  // namespace
 
 bool varies(const std::vector<double>& values) {
@@ -202,12 +172,34 @@ std::vector<double> Comparison::counted(const std::vector<double>& values) const
   return counted;
 }
 
-Comparison compare_with(const model::Model& model, const RunInBlocks& run) {
-  return compare_in_rows(model, run, run.average_s);
-}
-
-Comparison compare_in_own_rows(const model::Model& model, const RunInBlocks& run) {
-  return compare_in_rows(model, run, model.average_s);
+Comparison compare_with(const model::Model& model, const runs::Run& run, double row_s) {
+  const std::vector<std::string> parts = names_of_parts(model);
+  ModelledRows modelled = modelled_rows(model, run, row_s, parts.size());
+  Comparison comparison;
+  comparison.file = run.file;
+  comparison.files = run.files;
+  comparison.noise_floor_dph = run.noise_floor_dph(row_s);
+  comparison.rows = std::move(modelled.rows);
+  comparison.modelled_dph = std::move(modelled.drift_dph);
+  const Eigen::VectorXd counts = noise::counted_rows(comparison.rows);
+  for (const double count : counts) comparison.outlier.push_back(count == 0);
+  comparison.outliers = static_cast<std::size_t>((counts.array() == 0).count());
+  const recording::RowRange all{0, comparison.size()};
+  for (const recording::Segment& segment :
+       recording::segments_on(run.segments, comparison.rows.time_s, all)) {
+    comparison.segments.push_back(error_in(comparison, segment));
+  }
+  comparison.whole = error_in(comparison, {"all", recording::SegmentKind::soak, 0, 0, all});
+  const std::vector<double> residual = comparison.counted(comparison.residuals_dph());
+  const std::vector<double> measured = comparison.counted(comparison.measured_dph());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    comparison.effects.push_back(
+        share_of(parts[i], comparison.counted(modelled.parts_dph[i]), residual, measured));
+  }
+  comparison.parts_dph = std::move(modelled.parts_dph);
+  comparison.inputs = varying(comparison.rows);
+  comparison.outside = outside_training(model, comparison.rows);
+  return comparison;
 }
 
 }  // namespace fogcomp::compare

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "compare/effect_shares.hpp"
-#include "compare/run_in_blocks.hpp"
 #include "compare/trained_range.hpp"
 #include "model/drift_model.hpp"
 #include "model/model.hpp"
 #include "recording/segments.hpp"
+#include "runs/run.hpp"
 #include "series/rows.hpp"
 
 namespace fogcomp::compare {
@@ -42,7 +42,7 @@ struct Comparison {
   std::vector<EffectShare> effects;            ///< in the model's order, then the network
   std::vector<std::vector<double>> parts_dph;  ///< [as effects][row]: contributions to the drift
   std::vector<VaryingInput> inputs;
-  std::optional<double> noise_floor_dph;  ///< RunInBlocks::noise_floor_dph, if it is of such rows
+  std::optional<double> noise_floor_dph;  ///< of such a row; nothing if it is unknown
   OutsideTraining outside;
 
   std::size_t size() const { return outlier.size(); }
@@ -58,10 +58,9 @@ struct Comparison {
 /// Whether an input varies by more than the rounding of its means.
 bool varies(const std::vector<double>& values);
 
-/// In rows of RunInBlocks::average_s, or of Model::average_s. Throws InputError if the run lacks a
-/// column that the model needs.
-Comparison compare_with(const model::Model& model, const RunInBlocks& run);
-Comparison compare_in_own_rows(const model::Model& model, const RunInBlocks& run);
+/// In rows of `row_s` seconds, or the whole number of blocks nearest to it. Throws InputError if
+/// the run lacks a column that the model needs.
+Comparison compare_with(const model::Model& model, const runs::Run& run, double row_s);
 
 /// Rms of a segment, deg/h, about the model's mean over the whole run: the residual of a constant.
 /// Comparable with SegmentError::rms_dph, because an offset of the run counts in both.

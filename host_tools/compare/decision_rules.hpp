@@ -52,11 +52,4 @@ constexpr std::size_t kMinRowsOnBranch = 3;
 constexpr double kRateMargin = 0.05;
 constexpr double kMinRateMarginDegcPerMin = 0.02;
 
-// ---- Are rows short enough? -------------------------------------------------------------------
-/// Fraction of the time in segments of less than so many rows above which a note says that rows
-/// average soaks and ramps together: a segment of two rows always contains a whole one.
-/// tests/integration/bad_input.sh.
-constexpr double kMinShareOfShortSegments = 0.1;
-constexpr double kShortSegmentRows = 2;
-
 }  // namespace fogcomp::compare::rules

@@ -8,8 +8,8 @@
 
 namespace fogcomp::compare {
 
-ModelOnRun try_model(const model::Model& model, const RunInBlocks& run) {
-  Comparison comparison = compare_with(model, run);
+ModelOnRun try_model(const model::Model& model, const runs::Run& run, double row_s) {
+  Comparison comparison = compare_with(model, run, row_s);
   ResidualAnalysis analysis = analyse_residual(comparison);
   const BoardError error = board_error(model, run, comparison);
   return {std::move(comparison), std::move(analysis), error};

@@ -15,8 +15,8 @@ struct ModelOnRun {
   BoardError error;  ///< of the whole run
 };
 
-/// Throws InputError if the run lacks a column that the model needs.
-ModelOnRun try_model(const model::Model& model, const RunInBlocks& run);
+/// In rows of `row_s` seconds. Throws InputError if the run lacks a column that the model needs.
+ModelOnRun try_model(const model::Model& model, const runs::Run& run, double row_s);
 
 /// Bias of a power-on less that of the first, with the model's drift refitted to all of them:
 /// change from one power-on to the next (fit/turn_on_bias.hpp).

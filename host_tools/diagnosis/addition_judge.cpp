@@ -74,9 +74,8 @@ TriedAddition with_second_try(AdditionRequest request, const Judge& judge) {
 }
 
 fit::Addition judged(const model::Model& model, const AdditionRequest& request,
-                     const JudgingRuns& runs, const fit::RefittedModel* before = nullptr) {
-  return fit::judge_addition(model, change_of(request, model), runs.training, runs.holdouts,
-                             settings_of(request, before));
+                     const runs::Runs& runs, const fit::RefittedModel* before = nullptr) {
+  return fit::judge_addition(model, change_of(request, model), runs, settings_of(request, before));
 }
 
 // Whether the entry added something to the model; an event only masks rows.
@@ -128,29 +127,9 @@ bool AdditionRequest::is_network() const {
   return names() == std::vector<std::string>{fit::kNetworkName};
 }
 
-bool JudgingRuns::have_several_power_ons() const {
-  return compare::have_several_power_ons(training.runs) ||
-         (!holdouts.empty() && !training.runs.empty());
-}
-
-std::vector<compare::RunInBlocks> JudgingRuns::all() const {
-  std::vector<compare::RunInBlocks> all = training.runs;
-  all.insert(all.end(), holdouts.begin(), holdouts.end());
-  return all;
-}
-
-JudgingRuns JudgingRuns::without(std::size_t run) const {
-  JudgingRuns others = *this;
-  const auto left_out = others.training.runs.begin() + static_cast<std::ptrdiff_t>(run);
-  others.holdouts = {std::move(*left_out)};
-  others.training.runs.erase(left_out);
-  return others;
-}
-
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
-                         const JudgingRuns& runs) {
-  return fit::add_effect(model, change_of(request, model), runs.training, runs.holdouts,
-                         settings_of(request));
+                         const runs::Runs& runs) {
+  return fit::add_effect(model, change_of(request, model), runs, settings_of(request));
 }
 
 bool is_worth_adding(const model::Model& model, double before_dph, double after_dph) {
@@ -159,7 +138,7 @@ bool is_worth_adding(const model::Model& model, double before_dph, double after_
          after_dph <= (1 - rules::kHardlyHelps) * before_dph;
 }
 
-AdditionJudge::AdditionJudge(const model::Model& model, const JudgingRuns& runs, bool run_offsets)
+AdditionJudge::AdditionJudge(const model::Model& model, const runs::Runs& runs, bool run_offsets)
     : runs_(runs), bias_of_(run_offsets ? series::BiasOf::power_on : series::BiasOf::recording) {
   go_on_from(model);
 }
@@ -182,7 +161,7 @@ void AdditionJudge::prepare() {
   try {
     fit::AddSettings settings;
     settings.run_offsets = has_own_biases();
-    refitted_ = fit::refitted(model_, runs_.training, settings, series_);
+    refitted_ = fit::refitted(model_, runs_, settings, series_);
     series_ = refitted_->series;
   } catch (const InputError& error) {
     failure_ = error.what();
@@ -205,9 +184,9 @@ bool AdditionJudge::may_help(const AdditionRequest& request) {
   prepare();
   if (!refitted_) return false;
   const std::vector<model::EffectTerm>& before = refitted_->model.terms;
-  const double gain = fit::possible_gain(
-      series_->known(), before, fit::change_effects(before, request.effects).terms,
-      {refitted_->noise, refitted_->row_weights, has_own_biases()});
+  const double gain =
+      fit::possible_gain(*series_, before, fit::change_effects(before, request.effects).terms,
+                         {refitted_->noise, refitted_->row_weights, has_own_biases()});
   return gain >= fit::rules::kVisible * fit::rules::kVisible;
 }
 
@@ -252,7 +231,7 @@ std::string AdditionJudge::objection_of_biases(const fit::Addition& addition) co
     return "what differs between recordings alone needs another to judge it";
   }
   const double chance =
-      fit::chance_of_biases(series_->known(), refitted_->model.terms, addition.model.terms,
+      fit::chance_of_biases(*series_, refitted_->model.terms, addition.model.terms,
                             {refitted_->noise, refitted_->row_weights, false});
   if (chance < fit::rules::kFalseTurnOn) return "";
   return format(
@@ -265,8 +244,8 @@ std::string AdditionJudge::objection_of_biases(const fit::Addition& addition) co
 void AdditionJudge::take_model(std::optional<fit::Addition>& addition, TriedAddition& trial) const {
   if (!trial.accepted) return;
   try {
-    fit::take_own_rows(model_, change_of(trial.request, model_), runs_.training, runs_.holdouts,
-                       settings_of(trial.request), *addition);
+    fit::take_own_rows(model_, change_of(trial.request, model_), runs_, settings_of(trial.request),
+                       *addition);
     trial.model = std::move(addition->model);
   } catch (const InputError& error) {
     trial.accepted = false;
@@ -282,7 +261,7 @@ TriedAddition AdditionJudge::of_description(AdditionRequest request) {
 TriedAddition AdditionJudge::description_as_it_is(AdditionRequest request) {
   std::optional<fit::Addition> addition;
   TriedAddition trial = tried(std::move(request), addition);
-  const std::size_t count = runs_.holdouts.empty() ? runs_.training.runs.size() : 0;
+  const std::size_t count = runs_.holdouts.empty() ? runs_.training.size() : 0;
   std::vector<std::string> objections(count < 2 || !trial.accepted ? 0 : count);
   for_each_index(objections.size(), [&](std::size_t run) {
     objections[run] = objection_of_run(trial.request, run, *addition);
@@ -303,8 +282,8 @@ std::string AdditionJudge::objection_of_far_rows(const fit::Addition& addition) 
   if (!runs_.holdouts.empty() || !addition.out_of_sample || addition.changed.empty()) return "";
   const fit::Identification& fit = addition.fit.identified;
   const fit::JudgedWith with{fit.noise, fit.row_weights, has_own_biases()};
-  const fit::CrossValidation validation(series_->known(), refitted_->model.terms,
-                                        addition.model.terms, addition.changed, with);
+  const fit::CrossValidation validation(*series_, refitted_->model.terms, addition.model.terms,
+                                        addition.changed, with);
   const auto directions = validation.on_far_rows(fit::FarRows::directions);
   if (directions && directions->harms()) return fit::harm_words(*directions);
   const fit::TemperatureTest temperatures = validation.on_temperatures();
@@ -327,7 +306,7 @@ std::string AdditionJudge::objection_of_run(const AdditionRequest& request, std:
     if (is_physics && std::abs(judged->chi2_drop) <= fit::rules::kMaxUselessDrop) return "";
     if (!others_show(on_all, run)) return "";
     return format("it does not hold on %s when that run is left out: %s -> %s deg/h",
-                  runs_.training.runs[run].file.c_str(), rounded(judged->rms_before_dph).c_str(),
+                  runs_.training[run].file.c_str(), rounded(judged->rms_before_dph).c_str(),
                   rounded(judged->rms_after_dph).c_str());
   } catch (const InputError&) {
     return "";
@@ -343,7 +322,7 @@ bool AdditionJudge::others_show(const fit::Addition& on_all, std::size_t run) co
   }
   if (of_own_input.empty()) return true;
   const fit::Identification& fit = on_all.fit.identified;
-  return fit::others_determine(series_->known(), on_all.model.terms, of_own_input, run,
+  return fit::others_determine(*series_, on_all.model.terms, of_own_input, run,
                                {fit.noise, fit.row_weights, has_own_biases()});
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fit/add_effect.hpp"
-#include "fit/training_runs.hpp"
+#include "runs/runs.hpp"
 
 namespace fogcomp::diagnosis {
 
@@ -44,23 +44,10 @@ struct TriedAddition {
   double left() const { return rms_before_dph > 0 ? rms_after_dph / rms_before_dph : 1; }
 };
 
-/// Runs that judge additions: runs to be fitted and, optionally, holdouts that decide.
-struct JudgingRuns {
-  fit::TrainingRuns training;
-  std::vector<compare::RunInBlocks> holdouts;
-
-  /// Whether the gyro was switched on more than once.
-  bool have_several_power_ons() const;
-  /// Runs to be fitted, then holdouts.
-  std::vector<compare::RunInBlocks> all() const;
-  /// With one of the training runs as the holdout.
-  JudgingRuns without(std::size_t run) const;
-};
-
 /// Runs the command `add`, network included, and returns verdict and model. Throws InputError like
 /// fit::add_effect().
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
-                         const JudgingRuns& runs);
+                         const runs::Runs& runs);
 
 /// Whether an addition to `model`, with the error before and after in rows of one length, takes out
 /// enough of what has been taken out since the fit (rules::kWorthAdding). One that removes very
@@ -74,9 +61,9 @@ bool is_worth_adding(const model::Model& model, double before_dph, double after_
 class AdditionJudge {
  public:
   /// `runs` must outlive the judge. `run_offsets`: with a bias of its own for each power-on.
-  AdditionJudge(const model::Model& model, const JudgingRuns& runs, bool run_offsets);
+  AdditionJudge(const model::Model& model, const runs::Runs& runs, bool run_offsets);
 
-  const JudgingRuns& runs() const { return runs_; }
+  const runs::Runs& runs() const { return runs_; }
   series::BiasOf bias_of() const { return bias_of_; }
   /// What has one bias in the next trials: each power-on, or all recordings. With `all`, other
   /// recordings than those fitted must judge: rows left out of one say nothing of the others.
@@ -118,9 +105,9 @@ class AdditionJudge {
   bool others_show(const fit::Addition& on_all, std::size_t run) const;
 
   model::Model model_;
-  const JudgingRuns& runs_;
+  const runs::Runs& runs_;
   series::BiasOf bias_of_;
-  std::shared_ptr<const fit::TrainingSeries> series_;  // of runs_, once it is needed
+  std::shared_ptr<const fit::KnownRegressors> series_;  // of runs_, once it is needed
   std::optional<fit::RefittedModel> refitted_;
   std::string failure_;  // why there is none
 };

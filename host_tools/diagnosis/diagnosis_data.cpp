@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "recording/rate_resolution.hpp"
 #include "series/required_inputs.hpp"
@@ -10,25 +11,30 @@
 
 namespace fogcomp::diagnosis {
 
-std::string DiagnosisData::add(const compare::RunInBlocks& run) {
-  std::string same = known_.file_with(run.blocks.recordings[0]);
-  if (!same.empty()) return same;
-  known_.add(run.blocks.recordings, run.files);
-  series::require_inputs(offered_, run.blocks);
-  const std::size_t first_row = series_.rows().time_s.size();
-  series_.add(run.blocks);
-  inputs_ &= run.blocks.inputs;
+DiagnosisData::DiagnosisData(const model::Model& model, const std::vector<runs::Run>& runs,
+                             std::vector<model::EffectTerm> offered)
+    : series_(model, series::Phase::zero), offered_(std::move(offered)) {
+  series_.share_bias(series::BiasOf::recording);
   const series::Rows& rows = series_.rows();
-  for (recording::Segment& segment :
-       recording::segments_on(run.segments, rows.time_s, {first_row, rows.time_s.size()})) {
-    if (segment.rows.size() > 0) segments_.push_back(std::move(segment));
+  double square = 0;
+  double count = 0;
+  for (const runs::Run& run : runs) {
+    known_.add(run.blocks.recordings, run.files);
+    series::require_inputs(offered_, run.blocks);
+    const std::size_t first_row = rows.time_s.size();
+    series_.add(run.blocks);
+    inputs_ &= run.blocks.inputs;
+    for (recording::Segment& segment :
+         recording::segments_on(run.segments, rows.time_s, {first_row, rows.time_s.size()})) {
+      if (segment.rows.size() > 0) segments_.push_back(std::move(segment));
+    }
+    const std::optional<double> floor_dph = run.noise_floor_dph(model.average_s);
+    if (!floor_dph) continue;
+    const auto own = static_cast<double>(rows.time_s.size() - first_row);
+    square += *floor_dph * *floor_dph * own;
+    count += own;
   }
-  if (run.noise_floor_dph) {
-    const auto count = static_cast<double>(rows.time_s.size() - first_row);
-    floor_square_rows_ += *run.noise_floor_dph * *run.noise_floor_dph * count;
-    floor_rows_ += count;
-  }
-  return "";
+  if (count > 0) noise_floor_dph_ = std::sqrt(square / count);
 }
 
 DiagnosisData DiagnosisData::with_offered(const std::vector<model::EffectTerm>& more) const {
@@ -37,9 +43,10 @@ DiagnosisData DiagnosisData::with_offered(const std::vector<model::EffectTerm>& 
   return data;
 }
 
-std::optional<double> DiagnosisData::noise_floor_dph() const {
-  if (floor_rows_ == 0) return std::nullopt;
-  return std::sqrt(floor_square_rows_ / floor_rows_);
+DiagnosisData DiagnosisData::with_bias_of(series::BiasOf of) const {
+  DiagnosisData data = *this;
+  data.series_.share_bias(of);
+  return data;
 }
 
 noise::NoiseModel noise_of_static(const model::Model& model, const recording::Recording& recording,

@@ -3,58 +3,46 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "compare/run_in_blocks.hpp"
 #include "model/model.hpp"
 #include "noise/noise_model.hpp"
 #include "recording/data_hash.hpp"
 #include "recording/recording.hpp"
+#include "runs/run.hpp"
 #include "series/signal_series.hpp"
 
 namespace fogcomp::diagnosis {
 
-/// Recordings prepared for a diagnosis: signals without delay, named segments, and expressions to
-/// be tried beside the catalogue.
+/// Runs prepared for a diagnosis: signals without delay, named segments, and expressions to be
+/// tried beside the catalogue.
 class DiagnosisData {
  public:
-  /// `model` defines averaging and derivative; it must outlive this object. `offered`: expressions
-  /// without coefficients, with names that the model does not use.
-  explicit DiagnosisData(const model::Model& model, std::vector<model::EffectTerm> offered = {})
-      : average_s_(model.average_s),
-        series_(model, series::Phase::zero),
-        offered_(std::move(offered)) {
-    share_bias(series::BiasOf::recording);
-  }
+  /// In rows of the model's length, each run with one bias. `offered`: expressions without
+  /// coefficients, with names that the model does not use. Throws InputError if a run lacks an
+  /// input of the model or of an offered expression.
+  DiagnosisData(const model::Model& model, const std::vector<runs::Run>& runs,
+                std::vector<model::EffectTerm> offered = {});
 
-  /// Throws InputError if a recording lacks an input of the model or of an offered expression.
-  /// Returns the file added before that has the same rows (then only that one counts), or "".
-  std::string add(const compare::RunInBlocks& run);
-  std::string add(const recording::Recording& recording) {
-    return add(compare::run_in_blocks(recording, average_s_));
-  }
-  /// The same recordings with further expressions, whose inputs the recordings must have.
+  /// The same runs with further expressions, whose inputs they must have.
   DiagnosisData with_offered(const std::vector<model::EffectTerm>& more) const;
-  /// What has one bias: at first each recording.
-  void share_bias(series::BiasOf of) { series_.share_bias(of); }
-  const recording::KnownRows& known() const { return known_; }
+  /// The same runs with another part of them having one bias.
+  DiagnosisData with_bias_of(series::BiasOf of) const;
 
+  const recording::KnownRows& known() const { return known_; }
   const series::SignalSeries& series() const { return series_; }
   const std::vector<model::EffectTerm>& offered() const { return offered_; }
   const std::vector<recording::Segment>& segments() const { return segments_; }
   fog::InputMask inputs() const { return inputs_; }
   /// Noise of a row from the recordings alone, rms over all, deg/h; none if they are too short.
-  std::optional<double> noise_floor_dph() const;
+  std::optional<double> noise_floor_dph() const { return noise_floor_dph_; }
 
  private:
-  double average_s_;
   series::SignalSeries series_;
   std::vector<model::EffectTerm> offered_;
   std::vector<recording::Segment> segments_;
   fog::InputMask inputs_ = ~fog::InputMask{0};
-  double floor_square_rows_ = 0;
-  double floor_rows_ = 0;
+  std::optional<double> noise_floor_dph_;
   recording::KnownRows known_;
 };
 

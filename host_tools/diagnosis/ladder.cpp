@@ -27,7 +27,7 @@ Ladder::Step step_of(const NextStep& next, const Diagnosis& before) {
 
 // A trial excludes the network.
 model::Model with_network(const model::Model& before, const TriedAddition& addition,
-                          const JudgingRuns& runs) {
+                          const runs::Runs& runs) {
   if (!before.network.present()) return *addition.model;
   return try_to_add(before, addition.request, runs).model;
 }
@@ -35,32 +35,13 @@ model::Model with_network(const model::Model& before, const TriedAddition& addit
 // The line in time for which an effect was refused, if it is significant. Several runs show by
 // themselves whether it goes on from one to the next.
 std::optional<LineInTime> refused_line(const model::Model& model, const DiagnosisData& data,
-                                       const JudgingRuns& runs, const NextStep& next,
+                                       const runs::Runs& runs, const NextStep& next,
                                        const std::optional<noise::NoiseModel>& noise) {
-  const std::size_t count = runs.training.runs.size() + runs.holdouts.size();
+  const std::size_t count = runs.training.size() + runs.holdouts.size();
   if (count > 1 || !next.refused_line()) return std::nullopt;
   const auto line = find_line_in_time(data, fit_for_diagnosis(model, data, noise));
   return line && line->is_significant() ? line : std::nullopt;
 }
-
-// The rows of the data given, by what has one bias in them.
-class RowsOfLadder {
- public:
-  explicit RowsOfLadder(const DiagnosisData& given) : given_(given) {}
-
-  const DiagnosisData& with(series::BiasOf bias_of) {
-    const series::Rows& rows = given_.series().rows();
-    const bool same = bias_of == series::BiasOf::power_on && rows.restart_rows.empty();
-    if (same || bias_of == rows.bias_of) return given_;
-    if (!other_ || other_->series().rows().bias_of != bias_of)
-      other_.emplace(given_).share_bias(bias_of);
-    return *other_;
-  }
-
- private:
-  const DiagnosisData& given_;
-  std::optional<DiagnosisData> other_;
-};
 
 // A diagnosis of a model and, if that is wanted, what to do next.
 struct Look {
@@ -70,10 +51,10 @@ struct Look {
 
 enum class Wanted { diagnosis, refinement, next_step };
 
-// In the rows whose biases are as the judge has them.
-Look look_once(const model::Model& model, RowsOfLadder& rows, AdditionJudge& judge,
+// With biases as the judge has them.
+Look look_once(const model::Model& model, const DiagnosisData& given, AdditionJudge& judge,
                const DiagnosisSettings& settings, Wanted wanted) {
-  const DiagnosisData& data = rows.with(judge.bias_of());
+  const DiagnosisData data = given.with_bias_of(judge.bias_of());
   Look look;
   judge.go_on_from(model);
   std::atomic<bool> is_complete{false};
@@ -100,7 +81,7 @@ bool finds_no_name(const Look& look) {
          (!look.next.addition || look.next.describes);
 }
 
-bool biases_differ(const model::Model& model, const JudgingRuns& runs) {
+bool biases_differ(const model::Model& model, const runs::Runs& runs) {
   return fit::turn_on_biases(model, runs.all()).differs;
 }
 
@@ -110,13 +91,13 @@ bool biases_differ(const model::Model& model, const JudgingRuns& runs) {
 // something. Errors out of sample do not decide: those about a bias of each power-on are smaller in
 // any case.
 std::optional<Look> with_own_biases(const Look& common, const model::Model& model,
-                                    RowsOfLadder& rows, AdditionJudge& judge,
+                                    const DiagnosisData& data, AdditionJudge& judge,
                                     const DiagnosisSettings& settings) {
   const bool differ =
       common.next.addition && biases_differ(*common.next.addition->model, judge.runs());
   if (!differ && !finds_no_name(common)) return std::nullopt;
   judge.share_bias(series::BiasOf::power_on);
-  Look own = look_once(model, rows, judge, settings, Wanted::next_step);
+  Look own = look_once(model, data, judge, settings, Wanted::next_step);
   own.next.only_with_own_biases =
       own.next.addition &&
       (differ || !common.next.addition || biases_differ(*own.next.addition->model, judge.runs()));
@@ -128,28 +109,28 @@ std::optional<Look> with_own_biases(const Look& common, const model::Model& mode
 // A bias for each recording hides what differs between recordings alone: what the gyro does with a
 // temperature of which each has one. With one bias for all it shows; biases of power-ons do too,
 // but they do not follow an effect from one recording to another that it was not fitted to.
-std::optional<Look> between_recordings(const model::Model& model, RowsOfLadder& rows,
+std::optional<Look> between_recordings(const model::Model& model, const DiagnosisData& data,
                                        AdditionJudge& judge, const DiagnosisSettings& settings) {
   const series::BiasOf before = judge.bias_of();
   judge.share_bias(series::BiasOf::all);
-  Look look = look_once(model, rows, judge, settings, Wanted::next_step);
+  Look look = look_once(model, data, judge, settings, Wanted::next_step);
   look.next.only_between_recordings = look.next.addition.has_value();
   judge.share_bias(look.next.addition ? series::BiasOf::recording : before);
   if (look.next.addition) return look;
   return std::nullopt;
 }
 
-Look look_at(const model::Model& model, RowsOfLadder& rows, AdditionJudge& judge,
+Look look_at(const model::Model& model, const DiagnosisData& data, AdditionJudge& judge,
              const DiagnosisSettings& settings, Wanted wanted) {
-  Look look = look_once(model, rows, judge, settings, wanted);
+  Look look = look_once(model, data, judge, settings, wanted);
   if (wanted != Wanted::next_step || !judge.runs().have_several_power_ons()) return look;
   if (judge.bias_of() != series::BiasOf::power_on) {
-    if (auto own = with_own_biases(look, model, rows, judge, settings)) return std::move(*own);
+    if (auto own = with_own_biases(look, model, data, judge, settings)) return std::move(*own);
   }
   if (look.next.addition) return look;
   const compare::TurnOn turn_on = fit::turn_on_biases(model, judge.runs().all());
   if (!turn_on.differs) return look;
-  if (auto between = between_recordings(model, rows, judge, settings)) return std::move(*between);
+  if (auto between = between_recordings(model, data, judge, settings)) return std::move(*between);
   std::string& blind_spot = look.diagnosis.blind_spot;
   if (blind_spot.empty() && turn_on.first_certain() == nullptr) blind_spot = turn_on.doubt_words();
   return look;
@@ -169,7 +150,7 @@ std::vector<std::string> Ladder::names(bool described) const {
 }
 
 Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
-                          const JudgingRuns& runs, int max_steps,
+                          const runs::Runs& runs, int max_steps,
                           const DiagnosisSettings& settings) {
   int added = 0;
   double shown = 0;  // a refinement takes the time of a step and is none
@@ -181,8 +162,7 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
   Ladder ladder;
   ladder.model = model;
   AdditionJudge judge(model, runs, settings.run_offsets);
-  RowsOfLadder rows(data);
-  Look look = look_at(model, rows, judge, each, Wanted::next_step);
+  Look look = look_at(model, data, judge, each, Wanted::next_step);
   ladder.first = std::move(look.diagnosis);
   ladder.next = std::move(look.next);
   ladder.last = ladder.first;
@@ -194,7 +174,7 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
     if (!addition.request.refines) ++added;
     ladder.model = with_network(ladder.model, addition, runs);
     ladder.is_cut_off = !is_network && added == max_steps;
-    look = look_at(ladder.model, rows, judge, each,
+    look = look_at(ladder.model, data, judge, each,
                    is_network          ? Wanted::diagnosis
                    : ladder.is_cut_off ? Wanted::refinement
                                        : Wanted::next_step);

@@ -40,7 +40,7 @@ struct Ladder {
 /// each step is made and judged by `add`
 /// on `runs`. Ends when nothing is proposed. Throws InputError like add().
 Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
-                          const JudgingRuns& runs, int max_steps,
+                          const runs::Runs& runs, int max_steps,
                           const DiagnosisSettings& settings = {});
 
 }  // namespace fogcomp::diagnosis

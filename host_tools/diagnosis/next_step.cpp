@@ -89,7 +89,7 @@ bool try_higher_orders(const Diagnosis& diagnosis, const std::vector<std::string
 // as a description.
 bool try_rivals(const Diagnosis& diagnosis, const std::vector<std::string>& named,
                 AdditionJudge& judge, NextStep& next) {
-  if (diagnosis.verdict != Verdict::ambiguous || judge.runs().training.runs.size() < 2) {
+  if (diagnosis.verdict != Verdict::ambiguous || judge.runs().training.size() < 2) {
     return false;
   }
   for (const std::string& rival : diagnosis.confusable) {
@@ -112,16 +112,16 @@ bool try_sets(std::vector<Description> sets, AdditionJudge& judge, NextStep& nex
 }
 
 // Whether no other description could leave clearly less than this one.
-bool leaves_noise(const TriedAddition& tried, double noise_floor_dph, const JudgingRuns& runs) {
+bool leaves_noise(const TriedAddition& tried, double noise_floor_dph, const runs::Runs& runs) {
   return tried.accepted && runs.holdouts.empty() &&
          rules::kClearlyLess * tried.rms_after_dph <= noise_floor_dph;
 }
 
 // Whether trials side by side would take too much memory: each needs a hundred columns.
-bool is_large(const JudgingRuns& runs) {
+bool is_large(const runs::Runs& runs) {
   constexpr std::size_t kMaxBlocks = 20'000;
   std::size_t blocks = 0;
-  for (const compare::RunInBlocks& run : runs.training.runs) blocks += run.blocks.blocks.size();
+  for (const runs::Run& run : runs.training) blocks += run.blocks.blocks.size();
   return blocks > kMaxBlocks;
 }
 
@@ -140,7 +140,7 @@ void refuse_if_little(double noise_floor_dph, TriedAddition& tried) {
 // Refuses a description by an effect that goes on while the power is off if there is one power-on:
 // all stretches of it share its time, so that none shows what is left at the next. A name has
 // physics for it.
-void refuse_if_of_one_power_on(const JudgingRuns& runs, TriedAddition& tried) {
+void refuse_if_of_one_power_on(const runs::Runs& runs, TriedAddition& tried) {
   if (!tried.accepted || runs.have_several_power_ons()) return;
   for (const std::string& effect : tried.request.effects) {
     const model::EffectTerm term = model::parse_effects(effect).front();
@@ -291,8 +291,8 @@ bool refutes_name(const Diagnosis& diagnosis, bool described, const NextStep& ne
 
 // Whether a network may learn what is missing. Within one run the inputs follow a single path, so
 // it is undetermined beside it.
-bool may_learn(const model::Model& model, const Diagnosis& diagnosis, const JudgingRuns& runs) {
-  const bool has_other_runs = runs.training.runs.size() > 1 || !runs.holdouts.empty();
+bool may_learn(const model::Model& model, const Diagnosis& diagnosis, const runs::Runs& runs) {
+  const bool has_other_runs = runs.training.size() > 1 || !runs.holdouts.empty();
   return has_other_runs && is_function_of_signals(diagnosis) && !model.network.present();
 }
 

@@ -5,7 +5,7 @@
 
 #include "fit/addition_verdict.hpp"
 #include "fit/rise_test.hpp"
-#include "fit/row_length.hpp"
+#include "runs/row_length.hpp"
 #include "series/required_inputs.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -15,17 +15,17 @@ namespace {
 
 // A model without and with a change, fitted in rows of its average_s.
 struct Refits {
-  std::shared_ptr<const TrainingSeries> series;
+  std::shared_ptr<const KnownRegressors> series;
   model::Model before;
   Addition after;
 };
 
 // That of the refitted model, if `model` can be fitted to it.
-std::shared_ptr<const TrainingSeries> series_for(const model::Model& model,
-                                                 const TrainingRuns& training,
-                                                 const RefittedModel* before) {
-  if (before == nullptr) return std::make_shared<TrainingSeries>(model, training);
-  for (const compare::RunInBlocks& run : training.runs) series::require_inputs(model, run.blocks);
+std::shared_ptr<const KnownRegressors> series_for(const model::Model& model,
+                                                  const std::vector<runs::Run>& training,
+                                                  const RefittedModel* before) {
+  if (before == nullptr) return std::make_shared<KnownRegressors>(model, training);
+  for (const runs::Run& run : training) series::require_inputs(model, run.blocks);
   return before->series;
 }
 
@@ -50,34 +50,32 @@ void fit_both(int network_hidden, const AddSettings& settings, const KnownSteps*
     refits.before = settings.before->model;
     refits.after.soak_sigma_before_dph = settings.before->soak_sigma_dph;
   } else {
-    const FitResult before = fit_model(refits.before, refits.series->known(), fitting);
+    const FitResult before = fit_model(refits.before, *refits.series, fitting);
     refits.after.soak_sigma_before_dph = before.identified.soak_sigma_dph;
   }
   half = 1;
   if (steps != nullptr) fitting.identify.steps = steps->after;
   if (network_hidden > 0) fitting.network.hidden = network_hidden;
-  refits.after.fit = fit_model(refits.after.model, refits.series->known(), fitting);
+  refits.after.fit = fit_model(refits.after.model, *refits.series, fitting);
   refits.after.soak_sigma_after_dph = refits.after.fit.identified.soak_sigma_dph;
 }
 
-using Runs = std::vector<compare::RunInBlocks>;
-
 // Errors on all runs, the holdouts last, in the models' rows. Returns the change on the holdouts.
-RiseTest compare_on_runs(const Runs& training, const Runs& holdouts, const AddSettings& settings,
-                         Refits& refits) {
+RiseTest compare_on_runs(const runs::Runs& runs, const AddSettings& settings, Refits& refits) {
   RiseTest on_holdouts(settings.run_offsets);
-  const auto compare = [&](const compare::RunInBlocks& run, bool holdout) {
-    compare::Comparison without = compare::compare_in_own_rows(refits.before, run);
-    compare::Comparison with = compare::compare_in_own_rows(refits.after.model, run);
+  const auto compare = [&](const runs::Run& run, bool holdout) {
+    const double row_s = refits.before.average_s;
+    compare::Comparison without = compare::compare_with(refits.before, run, row_s);
+    compare::Comparison with = compare::compare_with(refits.after.model, run, row_s);
     if (holdout) on_holdouts.add(without, with);
     refits.after.runs.push_back({run.file, holdout, without.whole.rms_dph, with.whole.rms_dph,
-                                 run.noise_floor_dph, with.outside.temperature, std::move(without),
-                                 std::move(with)});
+                                 without.noise_floor_dph, with.outside.temperature,
+                                 std::move(without), std::move(with)});
   };
   if (!settings.verdict_only) {
-    for (const compare::RunInBlocks& run : training) compare(run, false);
+    for (const runs::Run& run : runs.training) compare(run, false);
   }
-  for (const compare::RunInBlocks& run : holdouts) compare(run, true);
+  for (const runs::Run& run : runs.holdouts) compare(run, true);
   return on_holdouts;
 }
 
@@ -105,13 +103,13 @@ bool is_event(const EffectChange& change) {
 }
 
 // Both models, fitted to the runs.
-Refits refit(model::Model model, const EffectChange& change, const TrainingRuns& training,
+Refits refit(model::Model model, const EffectChange& change, const runs::Runs& runs,
              const AddSettings& settings, const KnownSteps* steps = nullptr) {
-  model.noise_dph_rthz = training.noise_dph_rthz;
+  model.noise_dph_rthz = runs.noise_dph_rthz;
   Refits refits{nullptr, model, {}};
   refits.after.model = std::move(model);
   refits.after.model.terms = change.terms;
-  refits.series = series_for(refits.after.model, training, settings.before);
+  refits.series = series_for(refits.after.model, runs.training, settings.before);
   fit_both(change.network_hidden, settings, steps, refits);
   refits.after.changed =
       is_event(change)
@@ -121,11 +119,12 @@ Refits refit(model::Model model, const EffectChange& change, const TrainingRuns&
 }
 
 // Appends the change and what it brought to the model's history.
-void record(const EffectChange& change, const TrainingRuns& training, const RiseTest& on_holdouts,
+void record(const EffectChange& change, const runs::Runs& runs, const RiseTest& on_holdouts,
             Refits& refits) {
   Addition& after = refits.after;
-  model::HistoryEntry step{"add " + change.what, training.data_hash, refits.before.residual_rms_dph,
-                           after.model.residual_rms_dph, training.noise_floor_dph};
+  model::HistoryEntry step{"add " + change.what, runs.data_hash, refits.before.residual_rms_dph,
+                           after.model.residual_rms_dph,
+                           runs.noise_floor_dph(after.model.average_s)};
   if (after.holdouts) step.holdout = on_holdouts.rms_dph();
   step.forced = !after.accepted;
   after.model.history.push_back(std::move(step));
@@ -141,12 +140,12 @@ void accept_steps(Addition& after) {
 }
 
 // The steps of a model in these runs.
-std::vector<FoundStep> steps_of(const model::Model& model, const TrainingRuns& training) {
+std::vector<FoundStep> steps_of(const model::Model& model, const std::vector<runs::Run>& training) {
   std::vector<FoundStep> steps;
   for (const model::EffectTerm& term : model.terms) {
     if (!searches_steps({term})) continue;
-    for (std::size_t run = 0; run < training.runs.size(); ++run) {
-      if (training.runs[run].blocks.recordings.front() != term.recording) continue;
+    for (std::size_t run = 0; run < training.size(); ++run) {
+      if (training[run].blocks.recordings.front() != term.recording) continue;
       const model::Parameter& time_s = term.parameters[0];
       steps.push_back({run, time_s.value, time_s.sigma, 0, 0, term.others_part});
     }
@@ -169,14 +168,14 @@ std::vector<std::string> Addition::names() const {
   return names;
 }
 
-RefittedModel refitted(const model::Model& model, const TrainingRuns& training,
-                       const AddSettings& settings, std::shared_ptr<const TrainingSeries> series) {
+RefittedModel refitted(const model::Model& model, const runs::Runs& runs,
+                       const AddSettings& settings, std::shared_ptr<const KnownRegressors> series) {
   RefittedModel result{std::move(series),
-                       in_rows(model, row_length(training.runs, model.average_s).row_s)};
-  if (!result.series) result.series = std::make_shared<TrainingSeries>(result.model, training);
-  result.model.noise_dph_rthz = training.noise_dph_rthz;
-  FitResult fit =
-      fit_model(result.model, result.series->known(), fit_settings(result.model, settings));
+                       in_rows(model, runs::row_length(runs.training, model.average_s).row_s)};
+  if (!result.series)
+    result.series = std::make_shared<KnownRegressors>(result.model, runs.training);
+  result.model.noise_dph_rthz = runs.noise_dph_rthz;
+  FitResult fit = fit_model(result.model, *result.series, fit_settings(result.model, settings));
   result.noise = fit.identified.noise;
   result.row_weights = std::move(fit.identified.row_weights);
   result.soak_sigma_dph = fit.identified.soak_sigma_dph;
@@ -184,54 +183,53 @@ RefittedModel refitted(const model::Model& model, const TrainingRuns& training,
 }
 
 Addition judge_addition(const model::Model& model, const EffectChange& change,
-                        const TrainingRuns& training, const Runs& holdouts,
-                        const AddSettings& settings) {
-  const double row_s = row_length(training.runs, model.average_s).row_s;
-  Refits refits = refit(in_rows(model, row_s), change, training, settings);
-  const RiseTest on_holdouts = compare_on_runs(training.runs, holdouts, settings, refits);
+                        const runs::Runs& runs, const AddSettings& settings) {
+  const double row_s = runs::row_length(runs.training, model.average_s).row_s;
+  Refits refits = refit(in_rows(model, row_s), change, runs, settings);
+  const RiseTest on_holdouts = compare_on_runs(runs, settings, refits);
   Addition& after = refits.after;
   after.row_s = row_s;
   after.fitted_before_dph = refits.before.residual_rms_dph;
   after.fitted_after_dph = after.model.residual_rms_dph;
-  if (!holdouts.empty()) after.holdouts = on_holdouts.rms_dph();
+  const bool is_judged = !runs.holdouts.empty();
+  if (is_judged) after.holdouts = on_holdouts.rms_dph();
   if (is_event(change)) {
     accept_steps(after);
   } else {
-    const FittedPair pair{model.terms,   change,   refits.series->known(),
-                          refits.before, holdouts, settings};
+    const FittedPair pair{model.terms,   change,        *refits.series,
+                          refits.before, runs.holdouts, settings};
     change.network_hidden > 0 ? judge_network(pair, after) : judge_effects(pair, after);
-    decide(refits.before, !holdouts.empty() && on_holdouts.rose(), after);
+    decide(refits.before, is_judged && on_holdouts.rose(), after);
   }
-  record(change, training, on_holdouts, refits);
+  record(change, runs, on_holdouts, refits);
   return std::move(after);
 }
 
-void take_own_rows(const model::Model& model, const EffectChange& change,
-                   const TrainingRuns& training, const Runs& holdouts, const AddSettings& settings,
-                   Addition& addition) {
+void take_own_rows(const model::Model& model, const EffectChange& change, const runs::Runs& runs,
+                   const AddSettings& settings, Addition& addition) {
   if (addition.row_s == model.average_s) return;
   AddSettings anew = settings;
   anew.before = nullptr;
-  const KnownSteps steps{steps_of(model, training), addition.fit.identified.steps};
-  Refits refits = refit(model, change, training, anew, &steps);
+  const KnownSteps steps{steps_of(model, runs.training), addition.fit.identified.steps};
+  Refits refits = refit(model, change, runs, anew, &steps);
   static_cast<AdditionVerdict&>(refits.after) = addition;
-  const RiseTest on_holdouts = compare_on_runs(training.runs, holdouts, settings, refits);
-  record(change, training, on_holdouts, refits);
+  const RiseTest on_holdouts = compare_on_runs(runs, settings, refits);
+  record(change, runs, on_holdouts, refits);
   addition = std::move(refits.after);
 }
 
-Addition add_effect(const model::Model& model, const EffectChange& change,
-                    const TrainingRuns& training, const Runs& holdouts,
+Addition add_effect(const model::Model& model, const EffectChange& change, const runs::Runs& runs,
                     const AddSettings& settings) {
-  const bool has_own_rows = row_length(training.runs, model.average_s).row_s != model.average_s;
+  const bool has_own_rows =
+      runs::row_length(runs.training, model.average_s).row_s != model.average_s;
   AddSettings half = settings;
   double begun = 0;
   half.progress = [&](double done) {
     if (settings.progress) settings.progress(has_own_rows ? (begun + done) / 2 : done);
   };
-  Addition addition = judge_addition(model, change, training, holdouts, half);
+  Addition addition = judge_addition(model, change, runs, half);
   begun = 1;
-  take_own_rows(model, change, training, holdouts, half, addition);
+  take_own_rows(model, change, runs, half, addition);
   return addition;
 }
 

@@ -9,15 +9,15 @@
 #include "compare/comparison.hpp"
 #include "fit/cross_validation.hpp"
 #include "fit/fit_model.hpp"
+#include "fit/known_regressors.hpp"
 #include "fit/out_of_sample.hpp"
-#include "fit/training_series.hpp"
 
 namespace fogcomp::fit {
 
 /// The model without the change, refitted to the training runs in the rows in which additions are
 /// judged.
 struct RefittedModel {
-  std::shared_ptr<const TrainingSeries> series;  ///< of these runs
+  std::shared_ptr<const KnownRegressors> series;  ///< of these runs
   model::Model model;
   noise::NoiseModel noise{};  ///< as Identification has them
   Eigen::VectorXd row_weights{};
@@ -44,7 +44,7 @@ struct AdditionVerdict {
     std::optional<OutOfSample> alone;   ///< without the others; nothing if not determined
     std::optional<OutOfSample> beside;  ///< when the others are already there
   };
-  double row_s = 0;  ///< rows in which it was judged (row_length.hpp)
+  double row_s = 0;  ///< rows in which it was judged (runs/row_length.hpp)
   /// In these rows, of the whole model: rms of the training runs, and of the holdouts together.
   double fitted_before_dph = 0;
   double fitted_after_dph = 0;

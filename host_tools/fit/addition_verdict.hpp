@@ -22,7 +22,7 @@ struct FittedPair {
   const EffectChange& change;
   const KnownRegressors& known;  ///< of these rows
   const model::Model& before;
-  const std::vector<compare::RunInBlocks>& holdouts;
+  const std::vector<runs::Run>& holdouts;
   const AddSettings& settings;
 };
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 
 /// All thresholds of a fit: unit, origin, and the test that examines the decision (in
@@ -57,16 +56,6 @@ constexpr double kMinLevelGain = 1;
 constexpr double kMaxGradualGain = 9;
 /// Seconds: slower changes are drift, not steps. bias_steps_test.
 constexpr double kSlowSeconds = 3600;
-
-// ---- In which rows? ---------------------------------------------------------------------------
-/// Row lengths of verdicts, seconds: the first with at most kMaxRowsToJudge rows is used. Means
-/// over 10 s preserve all temperature effects of the catalogue; the thresholds of fit and diagnosis
-/// were set with such rows (tests/bench/hidden_effects). row_length_test.
-constexpr std::array<double, 4> kRowLengths_s{10, 20, 30, 60};
-constexpr double kMaxRowsToJudge = 12000;
-/// Two rows for each of the 50 stretches that a cross-validation may leave out: with fewer the
-/// model's own rows are used, if they are shorter. row_length_test.
-constexpr double kMinRowsToJudge = 100;
 
 // ---- Does it help out of sample? --------------------------------------------------------------
 /// Ratio of an error that rises at temperatures not fitted to what the uncertainty of the fit

@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
-#include "compare/run_in_blocks.hpp"
 #include "denoise/denoise.hpp"
 #include "fit/identify.hpp"
 #include "fit/known_regressors.hpp"
 #include "fit/residual_network.hpp"
+#include "runs/run.hpp"
 
 namespace fogcomp::fit {
 

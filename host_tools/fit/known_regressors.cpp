@@ -33,6 +33,9 @@ std::vector<model::EffectTerm> parts_of(const model::EffectTerm& term) {
 
 }  // namespace
 
+KnownRegressors::KnownRegressors(const model::Model& model, const std::vector<runs::Run>& runs)
+    : own_(std::make_unique<series::SignalSeries>(runs::series_of(model, runs))), series_(*own_) {}
+
 KnownRegressors::Columns KnownRegressors::operator()(const model::EffectTerm& term,
                                                      series::Reading reading) const {
   const std::vector<model::EffectTerm> parts = parts_of(term);

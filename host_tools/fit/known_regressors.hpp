@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "runs/run.hpp"
 #include "series/signal_series.hpp"
 
 namespace fogcomp::fit {
@@ -23,6 +24,8 @@ class KnownRegressors {
 
   // NOLINTNEXTLINE(google-explicit-constructor): see above
   KnownRegressors(const series::SignalSeries& series) : series_(series) {}
+  /// Of runs::series_of(), for several fits of one set of runs.
+  KnownRegressors(const model::Model& model, const std::vector<runs::Run>& runs);
 
   const series::SignalSeries& series() const { return series_; }
   /// As SignalSeries::regressors().
@@ -36,6 +39,7 @@ class KnownRegressors {
 
   Columns of_part(const model::EffectTerm& term, series::Reading reading) const;
 
+  std::unique_ptr<const series::SignalSeries> own_;  // of which nobody else takes care
   const series::SignalSeries& series_;
   mutable std::mutex mutex_;  // guards all below
   mutable Known known_;

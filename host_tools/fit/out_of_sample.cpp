@@ -14,11 +14,11 @@
 namespace fogcomp::fit {
 namespace {
 
-Eigen::VectorXd residual_on(const model::Model& model,
-                            const std::vector<compare::RunInBlocks>& runs, bool run_offsets) {
+Eigen::VectorXd residual_on(const model::Model& model, const std::vector<runs::Run>& runs,
+                            bool run_offsets) {
   std::vector<double> residual;
-  for (const compare::RunInBlocks& run : runs) {
-    const compare::Comparison comparison = compare::compare_in_own_rows(model, run);
+  for (const runs::Run& run : runs) {
+    const compare::Comparison comparison = compare::compare_with(model, run, model.average_s);
     const std::vector<double> of_run =
         run_offsets ? comparison.residuals_about_bias_dph() : comparison.residuals_dph();
     residual.insert(residual.end(), of_run.begin(), of_run.end());
@@ -77,10 +77,9 @@ OutOfSample judge_residuals(const series::Rows& rows, const Eigen::VectorXd& bef
 }
 
 OutOfSample judge_on_holdouts(const model::Model& before, const model::Model& after,
-                              const std::vector<compare::RunInBlocks>& holdouts,
+                              const std::vector<runs::Run>& holdouts,
                               const noise::NoiseModel& noise, bool run_offsets) {
-  series::SignalSeries series(after);
-  for (const compare::RunInBlocks& run : holdouts) series.add(run.blocks);
+  const series::SignalSeries series = runs::series_of(after, holdouts);
   const series::Rows& rows = series.rows();
   OutOfSample result = judge_residuals(rows, residual_on(before, holdouts, run_offsets),
                                        residual_on(after, holdouts, run_offsets), noise,

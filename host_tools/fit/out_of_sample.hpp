@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "compare/run_in_blocks.hpp"
 #include "fit/decision_rules.hpp"
 #include "fit/identify.hpp"
 #include "model/model.hpp"
+#include "runs/run.hpp"
 #include "series/signal_series.hpp"
 
 namespace fogcomp::fit {
@@ -54,7 +54,7 @@ OutOfSample judge_residuals(const series::Rows& rows, const Eigen::VectorXd& bef
 /// evaluated like on the board, clamped to the trained range. With run_offsets the mean of every
 /// run is removed.
 OutOfSample judge_on_holdouts(const model::Model& before, const model::Model& after,
-                              const std::vector<compare::RunInBlocks>& holdouts,
+                              const std::vector<runs::Run>& holdouts,
                               const noise::NoiseModel& noise, bool run_offsets);
 
 }  // namespace fogcomp::fit

@@ -30,15 +30,13 @@ bool free_lags(std::vector<model::EffectTerm>& terms) {
 }  // namespace
 
 std::vector<PhysicalLag> physical_lags(const model::Model& model,
-                                       const std::vector<compare::RunInBlocks>& runs,
-                                       bool run_offsets) {
+                                       const std::vector<runs::Run>& runs, bool run_offsets) {
   std::vector<PhysicalLag> lags;
   std::vector<model::EffectTerm> terms = model.terms;
   if (!free_lags(terms)) return lags;
   model::Model sharper = model;
   sharper.derivative_tau_s /= rules::kSharperDerivative;
-  series::SignalSeries series(sharper, series::Phase::zero);
-  for (const compare::RunInBlocks& run : runs) series.add(run.blocks);
+  const series::SignalSeries series = runs::series_of(sharper, runs, series::Phase::zero);
   constexpr bool kShapesFound = true;  // the same minimum, not a better one elsewhere
   const NoiseWeightedFit fit =
       fit_rows(series, terms, run_offset_columns(series.rows(), run_offsets),

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "compare/run_in_blocks.hpp"
 #include "model/model.hpp"
+#include "runs/run.hpp"
 
 namespace fogcomp::fit {
 
@@ -21,8 +21,7 @@ struct PhysicalLag {
 /// for it: a coil's lag of 300 s becomes about 190 s. Here they are identified again on signals
 /// without that delay, starting from the fitted values. Empty if the data do not determine them.
 std::vector<PhysicalLag> physical_lags(const model::Model& model,
-                                       const std::vector<compare::RunInBlocks>& runs,
-                                       bool run_offsets);
+                                       const std::vector<runs::Run>& runs, bool run_offsets);
 
 /// "shupe   tau without the lags of the board's derivative, the gyro's own: 301 +- 4 s".
 std::string physical_lag_words(const PhysicalLag& lag);

@@ -74,16 +74,12 @@ std::vector<bool> certain_ones(const std::vector<Offset>& offsets) {
   return certain;
 }
 
-series::SignalSeries series_of(const model::Model& model,
-                               const std::vector<compare::RunInBlocks>& runs) {
+// The rows of the runs less the drift of the network.
+series::SignalSeries rows_of_effects(const model::Model& model,
+                                     const std::vector<runs::Run>& runs) {
+  if (!model.network.present()) return runs::series_of(model, runs);
   series::SignalSeries series(model);
-  for (const compare::RunInBlocks& run : runs) {
-    if (model.network.present()) {
-      series.add(without_network(model, run.blocks));
-    } else {
-      series.add(run.blocks);
-    }
-  }
+  for (const runs::Run& run : runs) series.add(without_network(model, run.blocks));
   return series;
 }
 
@@ -112,11 +108,10 @@ Eigen::MatrixXd smooth_drift(const series::Rows& rows, const Eigen::MatrixXd& ef
 
 }  // namespace
 
-compare::TurnOn turn_on_biases(const model::Model& model,
-                               const std::vector<compare::RunInBlocks>& runs) {
+compare::TurnOn turn_on_biases(const model::Model& model, const std::vector<runs::Run>& runs) {
   compare::TurnOn found;
-  if (!compare::have_several_power_ons(runs)) return found;
-  const series::SignalSeries series = series_of(model, runs);
+  if (!runs::have_several_power_ons(runs)) return found;
+  const series::SignalSeries series = rows_of_effects(model, runs);
   const series::Rows& rows = series.rows();
   const std::vector<recording::RowRange> power_ons = rows.power_ons();
   if (power_ons.size() < 2) return found;

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "compare/model_on_runs.hpp"
-#include "compare/run_in_blocks.hpp"
 #include "model/model.hpp"
+#include "runs/run.hpp"
 
 namespace fogcomp::fit {
 
@@ -16,7 +16,6 @@ namespace fogcomp::fit {
 /// effects, and the error of the formulas (rules::kModelFormTolerance); a bias is certain if it is
 /// so beside any smooth drift with temperature, too. No single biases for one power-on, and if the
 /// runs do not separate a constant from the terms (a temperature that never varies in any).
-compare::TurnOn turn_on_biases(const model::Model& model,
-                               const std::vector<compare::RunInBlocks>& runs);
+compare::TurnOn turn_on_biases(const model::Model& model, const std::vector<runs::Run>& runs);
 
 }  // namespace fogcomp::fit

@@ -109,7 +109,7 @@ class SignalSeries {
   Eigen::MatrixXd row_means(const Make& make, Reading reading = Reading::of_sensor,
                             bool follows_rate = false) const;
 
-  const model::Model& model_;
+  model::Model model_;
   Phase phase_;
   std::vector<Run> runs_;
   Rows rows_;

@@ -169,12 +169,9 @@ Json Session::fit(const Words& words) {
                                   call.fit.limits.given_words()});
   auto known = judging_.find(key);
   if (known == judging_.end()) {
-    known =
-        judging_
-            .emplace(key, diagnosis::JudgingRuns{workflow::training_runs(request, observer()), {}})
-            .first;
+    known = judging_.emplace(key, workflow::training_runs(request, observer())).first;
   }
-  const workflow::FitOutcome found = workflow::fit(request, known->second.training, observer());
+  const workflow::FitOutcome found = workflow::fit(request, known->second, observer());
   observer().say(found.result.identified.warnings);
   model::save_model(found.model, call.output.value());
   Json answer = model_json(found.model);
@@ -225,8 +222,8 @@ Json Session::diagnose(const Words& words) {
   cli::DiagnoseCommand call;
   parse_words(call, words);
   const workflow::DiagnoseRequest request = call.request();
-  const workflow::DiagnoseOutcome found =
-      workflow::diagnose(request, judging_runs(request, call.recording.given_words()), observer());
+  const runs::Runs& runs = judging_runs(request, call.recording.given_words(), request.average_s);
+  const workflow::DiagnoseOutcome found = workflow::diagnose(request, runs, observer());
   const findings::DiagnosedFiles files{request.model, found.runs, request.hold_outs,
                                        call.recording.given_words(), ""};
   const diagnosis::Ladder& ladder = found.ladder;
@@ -256,22 +253,22 @@ Json Session::preview(const Words& words) {
   cli::AddCommand call;
   parse_words(call, words);
   const workflow::AddRequest request = call.request();
-  const diagnosis::JudgingRuns& runs = judging_runs(request, call.recording.given_words());
+  const runs::Runs& runs = judging_runs(request, call.recording.given_words());
   const model::Model model = model::load_model(request.model);
   const fit::EffectChange change = request.expression
                                        ? fit::change_expression(model.terms, *request.expression)
                                        : fit::change_effects(model.terms, request.effects);
   model::Model with = model;
   with.terms = change.terms;
-  const fit::TrainingSeries series(with, runs.training);
+  const fit::KnownRegressors known(with, runs.training);
   fit::FitSettings physics_alone;
   physics_alone.network.hidden = 0;
-  const fit::FitResult found = fit::fit_model(with, series.known(), physics_alone);
-  columns_.resize(std::max(columns_.size(), runs.training.runs.size()));
-  for (std::size_t i = 0; i < runs.training.runs.size(); ++i) {
-    const compare::RunInBlocks& run = runs.training.runs[i];
-    const Eigen::VectorXd brought = compare::compare_with(with, run).modelled_dph -
-                                    compare::compare_with(model, run).modelled_dph;
+  const fit::FitResult found = fit::fit_model(with, known, physics_alone);
+  columns_.resize(std::max(columns_.size(), runs.training.size()));
+  for (std::size_t i = 0; i < runs.training.size(); ++i) {
+    const runs::Run& run = runs.training[i];
+    const Eigen::VectorXd brought = compare::compare_with(with, run, model.average_s).modelled_dph -
+                                    compare::compare_with(model, run, model.average_s).modelled_dph;
     columns_[i]["preview"] = {brought.begin(), brought.end()};
   }
   return Json::object()
@@ -297,13 +294,17 @@ Json Session::written(const Words& words) {
   return Json::object().set("text", read_file(output->text()));
 }
 
-template <class Request>
-const diagnosis::JudgingRuns& Session::judging_runs(const Request& request, const Words& reading) {
-  const std::string key =
-      key_of({request.runs, request.hold_outs, reading, rows_of(model::load_model(request.model))});
+const runs::Runs& Session::judging_runs(const workflow::JudgingRequest& request,
+                                        const Words& reading,
+                                        const std::optional<double>& asked_s) {
+  const std::string key = key_of({request.runs,
+                                  request.hold_outs,
+                                  reading,
+                                  rows_of(model::load_model(request.model)),
+                                  {asked_s ? format("%a", *asked_s) : ""}});
   auto known = judging_.find(key);
   if (known == judging_.end()) {
-    known = judging_.emplace(key, workflow::judging_runs(request, observer())).first;
+    known = judging_.emplace(key, workflow::judging_runs(request, asked_s, observer())).first;
   }
   return known->second;
 }

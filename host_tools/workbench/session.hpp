@@ -9,7 +9,7 @@
 #include "diagnosis/next_step.hpp"
 #include "support/json.hpp"
 #include "workbench/run_view.hpp"
-#include "workflow/observer.hpp"
+#include "workflow/reading.hpp"
 
 namespace fogcomp::workbench {
 
@@ -48,15 +48,15 @@ class Session {
   Json written(const Words& words);
 
   /// The runs and holdouts of a command that refits a model; read at its first call.
-  template <class Request>
-  const diagnosis::JudgingRuns& judging_runs(const Request& request, const Words& reading);
+  const runs::Runs& judging_runs(const workflow::JudgingRequest& request, const Words& reading,
+                                 const std::optional<double>& asked_s = {});
   workflow::Observer observer();
 
   workflow::Observer observer_;
   Words notes_;  ///< of the current command, as `fogcomp` prints them
   /// Recordings that were read; key: their names and all that decides how they are read (key_of).
-  std::map<std::string, diagnosis::JudgingRuns> judging_;
-  std::map<std::string, std::vector<compare::RunInBlocks>> compared_;
+  std::map<std::string, runs::Runs> judging_;
+  std::map<std::string, runs::Runs> compared_;
   std::vector<Columns> columns_;  ///< of each run
 };
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/training_runs.hpp"
 #include "fit/turn_on_bias.hpp"
 #include "model/catalogue.hpp"
+#include "runs/runs.hpp"
 #include "support/units.hpp"
 #include "workflow/fit_presets.hpp"
 #include "workflow/reading.hpp"
@@ -90,13 +90,13 @@ void add_board_figures(Figures& figures, const ExportOutcome& board) {
   }
 }
 
-std::vector<compare::RunInBlocks> read_hold_outs(const CalibrationRequest& request,
-                                                 const FitOutcome& fit, const Observer& observer) {
-  const recording::ReadOptions reading = reading_for(fit.model, request.fit.reading, observer);
-  fit::Holdouts hold_outs =
-      fit::read_holdouts(request.hold_outs, reading, fit.model.average_s, fit.runs);
-  observer.say(hold_outs.notes);
-  return std::move(hold_outs.runs);
+std::vector<runs::Run> read_hold_outs(const CalibrationRequest& request, const FitOutcome& fit,
+                                      const Observer& observer) {
+  runs::Runs read =
+      runs::read_holdouts(request.hold_outs, reading_for(fit.model, request.fit.reading, observer),
+                          {fit.model.average_s}, fit.runs);
+  observer.say(read.notes);
+  return std::move(read.holdouts);
 }
 
 // The largest certain difference between runs of this gyro.
@@ -117,10 +117,10 @@ CalibrationOutcome calibrate(const CalibrationRequest& request, const Calibratio
   outcome.fit = fit(request.fit, observer);
   const model::Model& model = outcome.fit.model;
   if (events.fitted) events.fitted(model);
-  std::vector<compare::RunInBlocks> runs = read_hold_outs(request, outcome.fit, observer);
+  std::vector<runs::Run> runs = read_hold_outs(request, outcome.fit, observer);
   outcome.hold_outs = {request.model_file, model, {}};
-  for (const compare::RunInBlocks& run : runs)
-    outcome.hold_outs.runs.push_back(compare::try_model(model, run));
+  for (const runs::Run& run : runs)
+    outcome.hold_outs.runs.push_back(compare::try_model(model, run, model.average_s));
   if (events.judged) events.judged(outcome.hold_outs);
   outcome.board = board_header(model, request.model_file, request.board, false);
   add_fit_figures(outcome.figures, outcome.fit);

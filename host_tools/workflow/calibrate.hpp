@@ -34,7 +34,7 @@ struct CalibrationOutcome {
   compare::TurnOn turn_on;
 };
 
-/// Throws InputError like fit(), read_holdouts() and export_header().
+/// Throws InputError like fit(), runs::read_holdouts() and export_header().
 CalibrationOutcome calibrate(const CalibrationRequest& request,
                              const CalibrationEvents& events = {}, const Observer& observer = {});
 

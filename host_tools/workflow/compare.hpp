@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "compare/model_on_runs.hpp"
-#include "compare/run_in_blocks.hpp"
 #include "recording/recording.hpp"
+#include "runs/runs.hpp"
 #include "workflow/observer.hpp"
 
 namespace fogcomp::workflow {
@@ -20,16 +20,15 @@ struct CompareRequest {
 };
 
 /// Applies every model to every run, in the same rows. A run with the rows of an earlier one is
-/// left out, one that continues another is joined to it (compare/joined_runs.hpp), with a note.
+/// left out, one that continues another is joined to it (runs/joined_runs.hpp), with a note.
 /// Throws InputError if a run lacks an input of a model, and for models of different scale factors
 /// if `reading` has none.
 std::vector<compare::ModelOnRuns> compare(const CompareRequest& request,
                                           const Observer& observer = {});
 /// The same with recordings already read by compared_runs().
-std::vector<compare::ModelOnRuns> compare(const CompareRequest& request,
-                                          const std::vector<compare::RunInBlocks>& runs,
+std::vector<compare::ModelOnRuns> compare(const CompareRequest& request, const runs::Runs& runs,
                                           const Observer& observer = {});
-std::vector<compare::RunInBlocks> compared_runs(const CompareRequest& request,
-                                                const Observer& observer = {});
+/// The runs to be compared with, as Runs::holdouts.
+runs::Runs compared_runs(const CompareRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

@@ -1,13 +1,12 @@
 #include "workflow/diagnose.hpp"
 
 #include <cmath>
+#include <utility>
 
-#include "fit/row_length.hpp"
 #include "fit/turn_on_bias.hpp"
 #include "model/effect_list.hpp"
-#include "model/model_file.hpp"
+#include "runs/row_length.hpp"
 #include "support/text.hpp"
-#include "workflow/reading.hpp"
 
 namespace fogcomp::workflow {
 namespace {
@@ -21,13 +20,13 @@ std::vector<model::EffectTerm> offered(const DiagnoseRequest& request, const mod
 }
 
 // The rows to look in. A ladder's end may not depend on how long they are, one look may.
-double row_length_s(const DiagnoseRequest& request, const fit::RowLength& rows) {
+double row_length_s(const DiagnoseRequest& request, const runs::RowLength& rows) {
   return request.max_steps > 0 ? rows.row_s : request.average_s.value_or(rows.row_s);
 }
 
 // Says where the rows differ from those of `compare`, so that the results do, or from those asked
 // for.
-void note_rows(const DiagnoseRequest& request, const fit::RowLength& rows,
+void note_rows(const DiagnoseRequest& request, const runs::RowLength& rows,
                const model::Model& model, std::vector<std::string>& notes) {
   const double row_s = row_length_s(request, rows);
   if (request.average_s) {
@@ -48,7 +47,7 @@ void note_rows(const DiagnoseRequest& request, const fit::RowLength& rows,
 }
 
 // Whether power-ons have biases of their own; `notes` then says why.
-bool have_own_biases(const model::Model& model, const diagnosis::JudgingRuns& judging,
+bool have_own_biases(const model::Model& model, const runs::Runs& judging,
                      std::vector<std::string>& notes) {
   const compare::TurnOn turn_on = fit::turn_on_biases(model, judging.all());
   if (!turn_on.can_be_own()) return false;
@@ -66,49 +65,41 @@ bool have_own_biases(const model::Model& model, const diagnosis::JudgingRuns& ju
 
 }  // namespace
 
-diagnosis::JudgingRuns judging_runs(const DiagnoseRequest& request, const Observer& observer) {
-  return read_judging_runs(model::load_model(request.model), request.runs, request.hold_outs,
-                           request.reading, observer);
-}
-
 DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observer) {
-  return diagnose(request, judging_runs(request, observer), observer);
+  return diagnose(request, judging_runs(request, request.average_s, observer), observer);
 }
 
-DiagnoseOutcome diagnose(const DiagnoseRequest& request, const diagnosis::JudgingRuns& judging,
+DiagnoseOutcome diagnose(const DiagnoseRequest& request, const runs::Runs& judging,
                          const Observer& observer) {
   model::Model model = model::load_model(request.model);
   const recording::ReadOptions reading = reading_for(model, request.reading, observer);
   if (!reading.columns.empty()) model.columns = reading.columns;
-  observer.say(judging.training.notes);
+  observer.say(judging.notes);
 
-  const fit::RowLength rows = fit::row_length(judging.training.runs, model.average_s);
-  auto in_rows = std::make_unique<model::Model>(model);
-  in_rows->average_s = row_length_s(request, rows);
-  diagnosis::DiagnosisData data(*in_rows, offered(request, model));
-  DiagnoseOutcome outcome{std::move(in_rows), std::move(data), {}, {}};
+  const runs::RowLength rows = runs::row_length(judging.training, model.average_s);
+  model::Model in_rows = model;
+  in_rows.average_s = row_length_s(request, rows);
   compare::BoardError as_given;  // as in `compare`
-  for (const compare::RunInBlocks& run : judging.training.runs) {
-    as_given.add(compare::board_error(model, run, compare::compare_with(model, run)));
-    outcome.runs.insert(outcome.runs.end(), run.files.begin(), run.files.end());
+  std::vector<std::string> files;
+  for (const runs::Run& run : judging.training) {
+    as_given.add(
+        compare::board_error(model, run, compare::compare_with(model, run, model.average_s)));
+    files.insert(files.end(), run.files.begin(), run.files.end());
   }
-  if (outcome.model->average_s == model.average_s) {
-    for (const compare::RunInBlocks& run : judging.training.runs) outcome.data.add(run);
-  } else {
-    const fit::TrainingRuns in_other_rows =
-        fit::read_training_runs(request.runs, reading, outcome.model->average_s);
-    for (const compare::RunInBlocks& run : in_other_rows.runs) outcome.data.add(run);
-  }
+  DiagnoseOutcome outcome{
+      {in_rows, judging.training, offered(request, model)}, std::move(files), {}};
   diagnosis::DiagnosisSettings settings;
   settings.seed = request.seed;
   settings.progress = observer.of_stage("diagnosing");
   if (request.at_rest) {
     settings.noise = diagnosis::noise_of_static(
-        *outcome.model, recording::read_recording(*request.at_rest, reading), outcome.data);
+        in_rows, recording::read_recording(*request.at_rest, reading), outcome.data);
   }
   std::vector<std::string> notes;
-  settings.run_offsets = have_own_biases(*outcome.model, judging, notes);
-  if (settings.run_offsets) outcome.data.share_bias(series::BiasOf::power_on);
+  settings.run_offsets = have_own_biases(in_rows, judging, notes);
+  if (settings.run_offsets) {
+    outcome.data = outcome.data.with_bias_of(series::BiasOf::power_on);
+  }
   outcome.ladder =
       diagnosis::stepwise_selection(model, outcome.data, judging, request.max_steps, settings);
   outcome.ladder.first.as_given = as_given;

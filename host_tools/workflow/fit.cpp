@@ -5,9 +5,9 @@
 
 #include "compare/board_delay.hpp"
 #include "fit/network_inputs.hpp"
-#include "fit/training_runs.hpp"
 #include "fit/turn_on_bias.hpp"
 #include "recording/recording_writer.hpp"
+#include "runs/runs.hpp"
 #include "support/text.hpp"
 #include "workflow/fit_presets.hpp"
 #include "workflow/reading.hpp"
@@ -30,7 +30,7 @@ std::optional<denoise::DenoiseMethod> row_denoising(const FitRequest& request) {
 }
 
 // Name of a recording's segment at a time.
-std::string segment_at(const compare::RunInBlocks& run, double time_s) {
+std::string segment_at(const runs::Run& run, double time_s) {
   std::string name;
   for (const recording::Segment& segment : run.segments) {
     if (name.empty() || time_s >= segment.start_s) name = segment.name;
@@ -73,31 +73,32 @@ Plan plan_of(const FitRequest& request) {
 
 // Appends the actions and their results: the effects, then the network.
 void write_history(FitOutcome& outcome, const FitRequest& request, const WantedModel& wanted,
-                   const fit::TrainingRuns& training) {
+                   const runs::Runs& runs) {
   model::Model& model = outcome.model;
   const double effects_rms_dph = outcome.result.effects_rms_dph;
   std::string fitted = wanted.effects;
   for (const std::string& definition : request.expressions) fitted += ", " + definition;
   fitted += mask_words(request.reading);
-  model.history.push_back({"fit " + fitted, training.data_hash, outcome.result.raw_std_dph,
-                           effects_rms_dph, training.noise_floor_dph});
+  const std::optional<double> floor_dph = runs.noise_floor_dph(model.average_s);
+  model.history.push_back(
+      {"fit " + fitted, runs.data_hash, outcome.result.raw_std_dph, effects_rms_dph, floor_dph});
   if (!model.network.present()) return;
   model.history.push_back(
       {format("network %d %s", wanted.network.hidden, wanted.network.trainer.c_str()),
-       training.data_hash, effects_rms_dph, model.residual_rms_dph, training.noise_floor_dph});
+       runs.data_hash, effects_rms_dph, model.residual_rms_dph, floor_dph});
 }
 
 // Each power-on has its own bias if that is asked for, or if they differ: one for all would bend
 // the effects, which then had to make up for it. Sets `settings.run_offsets`, and `turn_on` if it
 // was asked of the model that stays.
 fit::FitResult fit_effects(model::Model& model, const fit::KnownRegressors& known,
-                           fit::IdentifySettings& settings, const fit::TrainingRuns& training,
+                           fit::IdentifySettings& settings, const std::vector<runs::Run>& training,
                            const Observer& observer, std::optional<compare::TurnOn>& turn_on) {
   const model::Model unfitted = model;
   settings.progress = observer.of_stage(kFittingEffects);
   fit::FitResult result = fit::fit_effects(model, known, settings);
   if (settings.run_offsets) return result;
-  turn_on = fit::turn_on_biases(model, training.runs);
+  turn_on = fit::turn_on_biases(model, training);
   if (!turn_on->can_be_own()) return result;
   turn_on.reset();
   model = unfitted;
@@ -110,7 +111,7 @@ fit::FitResult fit_effects(model::Model& model, const fit::KnownRegressors& know
 
 std::size_t FitOutcome::refused_rows() const {
   std::size_t refused = 0;
-  for (const compare::RunInBlocks& run : runs) refused += run.refused_rows;
+  for (const runs::Run& run : runs) refused += run.refused_rows;
   return refused;
 }
 
@@ -125,8 +126,8 @@ bool FitOutcome::network_dropped() const {
 
 compare::ModelOnRuns FitOutcome::on_its_runs(const std::string& file) const {
   compare::ModelOnRuns judged{file, model, {}};
-  for (const compare::RunInBlocks& run : runs)
-    judged.runs.push_back(compare::try_model(model, run));
+  for (const runs::Run& run : runs)
+    judged.runs.push_back(compare::try_model(model, run, model.average_s));
   judged.turn_on = turn_on;
   return judged;
 }
@@ -135,34 +136,34 @@ void check(const FitRequest& request) {
   plan_of(request);
 }
 
-fit::TrainingRuns training_runs(const FitRequest& request, const Observer& observer) {
-  return fit::read_training_runs(request.runs, observer.with_observer(plan_of(request).reading),
-                                 request.average_s);
+runs::Runs training_runs(const FitRequest& request, const Observer& observer) {
+  return runs::read_runs(request.runs, {}, observer.with_observer(plan_of(request).reading),
+                         {request.average_s});
 }
 
 FitOutcome fit(const FitRequest& request, const Observer& observer) {
   return fit(request, training_runs(request, observer), observer);
 }
 
-FitOutcome fit(const FitRequest& request, fit::TrainingRuns training, const Observer& observer) {
+FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& observer) {
   auto [wanted, settings, wanted_terms, reading] = plan_of(request);
   FitOutcome outcome;
   model::Model& model = outcome.model;
   model = std::move(wanted_terms);
   outcome.searched_steps = fit::searches_steps(model.terms);
-  observer.say(training.notes);
-  observer.say(training.doubts);
-  model.noise_dph_rthz = training.noise_dph_rthz;
+  observer.say(runs.notes);
+  observer.say(runs.doubts);
+  model.noise_dph_rthz = runs.noise_dph_rthz;
+  const std::vector<runs::Run>& training = runs.training;
   std::optional<compare::TurnOn> turn_on;
   {
     // destroyed before the comparison below builds its own: it is large
-    series::SignalSeries series(model);
-    for (const compare::RunInBlocks& run : training.runs) series.add(run.blocks);
-    outcome.rows = series.rows().size();
-    outcome.row_s = series.rows().row_s;
-    if (wanted.order_by_validation) choose_order(model.terms, series.rows());
+    const fit::KnownRegressors known(model, training);
+    const series::Rows& rows = known.series().rows();
+    outcome.rows = rows.size();
+    outcome.row_s = rows.row_s;
+    if (wanted.order_by_validation) choose_order(model.terms, rows);
     observer.tell(kFittingEffects, 0);
-    const fit::KnownRegressors known(series);
     outcome.result = fit_effects(model, known, settings.identify, training, observer, turn_on);
     if (observer.progress) {
       settings.network.training.go_on = [&](double done) {
@@ -173,16 +174,16 @@ FitOutcome fit(const FitRequest& request, fit::TrainingRuns training, const Obse
   }
   observer.should_continue("judging",
                            0);  // the result is kept even if the user has ended the training
-  outcome.delay_rms_dph = compare::delay_error_dph(model, training.runs);
-  outcome.physical_lags = fit::physical_lags(model, training.runs, settings.identify.run_offsets);
+  outcome.delay_rms_dph = compare::delay_error_dph(model, training);
+  outcome.physical_lags = fit::physical_lags(model, training, settings.identify.run_offsets);
   const bool is_known = turn_on && !model.network.present();
-  outcome.turn_on = is_known ? std::move(*turn_on) : fit::turn_on_biases(model, training.runs);
+  outcome.turn_on = is_known ? std::move(*turn_on) : fit::turn_on_biases(model, training);
   for (const fit::FoundStep& step : outcome.result.identified.steps) {
-    const compare::RunInBlocks& run = training.runs[step.run];
+    const runs::Run& run = training[step.run];
     outcome.step_places.push_back(run.file + ", " + segment_at(run, step.time_s));
   }
-  write_history(outcome, request, wanted, training);
-  outcome.runs = std::move(training.runs);
+  write_history(outcome, request, wanted, runs);
+  outcome.runs = std::move(runs.training);
   return outcome;
 }
 

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "compare/model_on_runs.hpp"
-#include "compare/run_in_blocks.hpp"
 #include "fit/fit_model.hpp"
 #include "fit/physical_lags.hpp"
-#include "fit/training_runs.hpp"
+#include "runs/run.hpp"
+#include "runs/runs.hpp"
 #include "workflow/observer.hpp"
 
 namespace fogcomp::workflow {
@@ -45,7 +45,7 @@ struct FitOutcome {
   model::Model model;  ///< with its history
   Eigen::Index rows = 0;
   double row_s = 0;
-  std::vector<compare::RunInBlocks> runs;
+  std::vector<runs::Run> runs;
   fit::FitResult result;
   double delay_rms_dph = 0;              ///< part of the error due to the board's delay
   std::vector<std::string> step_places;  ///< of each found step: recording and segment
@@ -69,8 +69,7 @@ void check(const FitRequest& request);
 /// and for recordings without an input of an effect.
 FitOutcome fit(const FitRequest& request, const Observer& observer = {});
 /// The same with recordings already read by training_runs().
-FitOutcome fit(const FitRequest& request, fit::TrainingRuns training,
-               const Observer& observer = {});
-fit::TrainingRuns training_runs(const FitRequest& request, const Observer& observer = {});
+FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& observer = {});
+runs::Runs training_runs(const FitRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

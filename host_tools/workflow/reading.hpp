@@ -1,11 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "diagnosis/next_step.hpp"
-#include "model/model.hpp"
+#include "model/model_file.hpp"
+#include "runs/decision_rules.hpp"
+#include "runs/runs.hpp"
 #include "support/text.hpp"
 #include "workflow/observer.hpp"
 
@@ -33,21 +34,25 @@ inline std::string mask_words(const recording::ReadOptions& reading) {
   return words;
 }
 
-/// Reads runs for fitting `model` and runs for judging it, in its rows. Notes of both are in the
-/// notes of the training runs. Throws InputError like read_training_runs() and read_holdouts().
-inline diagnosis::JudgingRuns read_judging_runs(const model::Model& model,
-                                                const std::vector<std::string>& runs,
-                                                const std::vector<std::string>& hold_outs,
-                                                const recording::ReadOptions& options,
-                                                const Observer& observer) {
-  const recording::ReadOptions reading = reading_for(model, options, observer);
-  diagnosis::JudgingRuns judging{fit::read_training_runs(runs, reading, model.average_s), {}};
-  fit::Holdouts read =
-      fit::read_holdouts(hold_outs, reading, model.average_s, judging.training.runs);
-  std::vector<std::string>& notes = judging.training.notes;
-  notes.insert(notes.end(), read.notes.begin(), read.notes.end());
-  judging.holdouts = std::move(read.runs);
-  return judging;
+/// Runs for fitting a model anew, and runs that judge it.
+struct JudgingRequest {
+  std::string model;                   ///< file
+  std::vector<std::string> runs;       ///< recordings to be fitted
+  std::vector<std::string> hold_outs;  ///< runs that judge, instead of cross-validation
+  recording::ReadOptions reading;      ///< model_scale_factor is replaced by the model's
+};
+
+/// Reads them for rows of the model's length, of those of runs::row_length(), and `asked_s`. Throws
+/// InputError like runs::read_runs().
+inline runs::Runs judging_runs(const JudgingRequest& request, const std::optional<double>& asked_s,
+                               const Observer& observer) {
+  const model::Model model = model::load_model(request.model);
+  std::vector<double> row_lengths_s{model.average_s};
+  const auto& usual = runs::rules::kRowLengths_s;
+  row_lengths_s.insert(row_lengths_s.end(), usual.begin(), usual.end());
+  if (asked_s) row_lengths_s.push_back(*asked_s);
+  return runs::read_runs(request.runs, request.hold_outs,
+                         reading_for(model, request.reading, observer), row_lengths_s);
 }
 
 }  // namespace fogcomp::workflow

@@ -5,8 +5,8 @@
 set -euo pipefail
 cd "${1:?usage: host_dependencies.sh ROOT}/host_tools"
 status=0
-order=(support recording simulation model denoise series noise compare fit diagnosis board research batch workflow \
-  findings report cli workbench)
+order=(support recording simulation model denoise series noise runs compare fit diagnosis board research batch \
+  workflow findings report cli workbench)
 known=
 for folder in "${order[@]}"; do
   known+="${known:+|}$folder"

@@ -78,7 +78,7 @@ TEST(Additions, AreJudgedRightlyOnHoldouts) {
   int useful = 0;
   Useless useless;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-    const std::vector<fogcomp::compare::RunInBlocks> holdouts{run_of(truth(), 100 + seed)};
+    const std::vector<fogcomp::runs::Run> holdouts{run_of(truth(), 100 + seed)};
     const Addition good =
         add("bias,bias_temperature:order=3", "temperature_rate", truth(), {seed}, holdouts);
     if (good.accepted) ++useful;
@@ -95,7 +95,7 @@ TEST(Additions, OfAUselessExpressionAreRefused) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const fogcomp::fit::EffectChange change =
         fogcomp::fit::change_expression(model.terms, "late = lag(dTdt^2, ?tau[60,6000])");
-    useless.count(fogcomp::fit::add_effect(model, change, runs_of(truth(), {seed}), {}, {}));
+    useless.count(fogcomp::fit::add_effect(model, change, runs_of(truth(), {seed}), {}));
   }
   expect_useless(useless);
 }

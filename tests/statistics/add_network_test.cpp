@@ -21,7 +21,7 @@ TEST(AddNetwork, TrainsTheOneThatIsThereAgainOfTheSameSize) {
   Model heated = truth();
   heated.terms.push_back(written_term("heat = abs(dTdt)"));
   heated.terms.back().coefficients_dph = {1};  // the regressor is small, as its range is +-32
-  const Addition result = add_effect(model, change, runs_of(heated, {1}), {}, {});
+  const Addition result = add_effect(model, change, runs_of(heated, {1}), {});
   EXPECT_TRUE(result.accepted);
   ASSERT_EQ(result.model.network.hidden.biases.size(), 3);
   EXPECT_NE(result.model.network.hidden.biases[0], model.network.hidden.biases[0]);
@@ -39,13 +39,13 @@ TEST(AddNetwork, IsJudgedAgainstTheEffectsAlone) {
   const Model model = incomplete(kComplete);
   const auto network = fogcomp::fit::change_effects(model.terms, {"network:hidden=3"});
   const Model kinked = with_kink(200);
-  const Addition right = add_effect(model, network, runs_of(kinked, {1}), {}, {});
+  const Addition right = add_effect(model, network, runs_of(kinked, {1}), {});
   EXPECT_TRUE(right.accepted) << right.reason;
   EXPECT_EQ(right.model.network.hidden.biases.size(), 3);
   EXPECT_EQ(right.names(), std::vector<std::string>{"network"});
   EXPECT_EQ(right.model.history.back().action, "add network:hidden=3");
   EXPECT_LT(right.model.history.back().rms_after_dph, right.model.history.back().rms_before_dph);
-  const Addition needless = add_effect(model, network, runs_of(truth(), {1}), {}, {});
+  const Addition needless = add_effect(model, network, runs_of(truth(), {1}), {});
   EXPECT_FALSE(needless.accepted);
   EXPECT_FALSE(needless.model.network.present());
 }
@@ -56,9 +56,13 @@ TEST(AddNetwork, IsJudgedOnTheHoldout) {
   const auto network = fogcomp::fit::change_effects(model.terms, {"network:hidden=3"});
   const Model kinked = with_kink(200);
   const Model other = with_kink(-200);
-  const auto runs = runs_of(kinked, {1});
-  EXPECT_TRUE(add_effect(model, network, runs, {run_of(kinked, 2)}, {}).accepted);
-  EXPECT_FALSE(add_effect(model, network, runs, {run_of(other, 2)}, {}).accepted);
+  const auto judged_by = [&](const fogcomp::runs::Run& holdout) {
+    fogcomp::runs::Runs runs = runs_of(kinked, {1});
+    runs.holdouts = {holdout};
+    return add_effect(model, network, runs, {});
+  };
+  EXPECT_TRUE(judged_by(run_of(kinked, 2)).accepted);
+  EXPECT_FALSE(judged_by(run_of(other, 2)).accepted);
 }
 
 }  // namespace

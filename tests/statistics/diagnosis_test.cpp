@@ -33,9 +33,8 @@ std::vector<fogcomp::model::EffectTerm> expressions(const std::vector<std::strin
 
 Diagnosis diagnosed(const Model& model, const fogcomp::recording::Recording& recording,
                     const std::vector<std::string>& offered = {}) {
-  fogcomp::diagnosis::DiagnosisData data(model, expressions(offered));
-  data.add(recording);
-  return fogcomp::diagnosis::diagnose(model, data);
+  return fogcomp::diagnosis::diagnose(
+      model, {model, {fogcomp::runs::run_of(recording, {model.average_s})}, expressions(offered)});
 }
 Diagnosis diagnosed(const std::string& effects, const fogcomp::recording::Recording& recording,
                     const std::vector<std::string>& offered = {}) {
@@ -169,8 +168,8 @@ TEST(Diagnosis, SaysWhereSlowNoiseIsKnownFromSoaksAlone) {
     const Diagnosis diagnosis = diagnosed(model, recording);
     EXPECT_EQ(diagnosis.verdict, Verdict::none);
     EXPECT_EQ(diagnosis.blind_spot.find("--static") != std::string::npos, slow);
-    fogcomp::diagnosis::DiagnosisData data(model);
-    data.add(recording);
+    fogcomp::diagnosis::DiagnosisData data(model,
+                                           {fogcomp::runs::run_of(recording, {model.average_s})});
     fogcomp::diagnosis::DiagnosisSettings settings;
     settings.noise = diagnosis.noise;
     EXPECT_TRUE(fogcomp::diagnosis::diagnose(model, data, settings).blind_spot.empty());

@@ -29,8 +29,8 @@ NetworkLearnt learnt_of(const fogcomp::model::EffectTerm& hidden) {
   fogcomp::fit::FitSettings settings;
   settings.network.hidden = 6;
   fogcomp::fit::fit_model(model, series, settings);
-  fogcomp::diagnosis::DiagnosisData data(model);
-  data.add(recording);
+  fogcomp::diagnosis::DiagnosisData data(model,
+                                         {fogcomp::runs::run_of(recording, {model.average_s})});
   return fogcomp::diagnosis::diagnose(model, data).network.value();
 }
 

@@ -24,14 +24,10 @@ using fog::test::written_term;
 struct Asked {
   Asked(const std::string& effects, const std::vector<recording::Recording>& recordings)
       : model(fog::test::incomplete(effects)) {
-    fit::TrainingRuns& training = runs.training;
-    DiagnosisData data(model);
     for (const recording::Recording& recording : recordings) {
-      training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
-      data.add(training.runs.back());
+      runs.training.push_back(runs::run_of(recording, {model.average_s}));
     }
-    training.noise_floor_dph = training.runs[0].noise_floor_dph;
-    const Ladder one_look = stepwise_selection(model, data, runs, 0);
+    const Ladder one_look = stepwise_selection(model, {model, runs.training}, runs, 0);
     found = one_look.first;
     next = one_look.next;
   }
@@ -39,7 +35,7 @@ struct Asked {
   bool add_accepts() const { return try_to_add(model, next.addition->request, runs).accepted; }
 
   model::Model model;
-  JudgingRuns runs;
+  runs::Runs runs;
   Diagnosis found;
   NextStep next;
 };
@@ -223,12 +219,11 @@ TEST(NextStep, IsJudgedWithABiasOfItsOwnForEachRun) {
     }
   }
   const model::Model model = fog::test::incomplete(kBasic);
-  DiagnosisData data(model);
-  JudgingRuns runs;
+  runs::Runs runs;
   for (const recording::Recording& recording : recordings) {
-    runs.training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
-    data.add(runs.training.runs.back());
+    runs.training.push_back(runs::run_of(recording, {model.average_s}));
   }
+  const DiagnosisData data(model, runs.training);
   DiagnosisSettings settings;
   settings.run_offsets = true;
   const Diagnosis found = diagnose(model, data, settings);

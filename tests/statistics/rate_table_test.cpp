@@ -54,8 +54,8 @@ fogcomp::recording::Recording on_the_table(std::uint64_t seed, const Error& erro
 
 Diagnosis diagnosed(const fogcomp::recording::Recording& recording, const std::string& effects) {
   const auto model = fog::test::model_of(fogcomp::model::parse_effects(effects));
-  fogcomp::diagnosis::DiagnosisData data(model, {});
-  data.add(recording);
+  fogcomp::diagnosis::DiagnosisData data(model,
+                                         {fogcomp::runs::run_of(recording, {model.average_s})});
   return fogcomp::diagnosis::diagnose(model, data);
 }
 

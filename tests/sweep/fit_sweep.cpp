@@ -337,35 +337,33 @@ void run_case(std::uint64_t id, const Options& options, Tally& tally) {
               recording.file.c_str(), recording.rows());
   std::fflush(stdout);
 
-  fit::TrainingRuns training;
+  runs::Runs runs;
   const bool fitted = run("fit", id, recording, terms, tally, [&](Numbers& numbers) {
-    training.runs.push_back(compare::run_in_blocks(recording, model.average_s));
-    training.noise_floor_dph = training.runs[0].noise_floor_dph;
+    runs.training.push_back(runs::run_of(recording, {model.average_s}));
     series::SignalSeries series(model);
-    series.add(training.runs[0].blocks);
+    series.add(runs.training[0].blocks);
     fit::FitSettings settings;
     settings.network.hidden = dice.one_in(10) ? 2 : 0;
     settings.network.training.epochs = 20;
     if (settings.network.hidden > 0) model.network.inputs = settings.network_inputs;
     const fit::FitResult fit = fit::fit_model(model, series, settings);
     see_fit(numbers, model, fit);
-    for (const fit::PhysicalLag& lag : fit::physical_lags(model, training.runs, false)) {
+    for (const fit::PhysicalLag& lag : fit::physical_lags(model, runs.training, false)) {
       numbers.see("physical lag", {lag.value_s, lag.sigma_s});
     }
   });
   if (!fitted) return;
   run("compare", id, recording, terms, tally, [&](Numbers& numbers) {
-    see_comparison(numbers, compare::compare_with(model, training.runs[0]));
+    see_comparison(numbers, compare::compare_with(model, runs.training[0], model.average_s));
   });
   run("diagnose", id, recording, terms, tally, [&](Numbers& numbers) {
-    diagnosis::DiagnosisData data(model);
-    data.add(recording);
+    diagnosis::DiagnosisData data(model, {runs::run_of(recording, {model.average_s})});
     see_diagnosis(numbers, diagnosis::diagnose(model, data));
   });
   terms.push_back(model::parse_effects(added)[0]);
   run("add", id, recording, terms, tally, [&](Numbers& numbers) {
     const fit::Addition addition =
-        fit::add_effect(model, fit::change_effect(model.terms, added), training, {}, {});
+        fit::add_effect(model, fit::change_effect(model.terms, added), runs, {});
     see_fit(numbers, addition.model, addition.fit);
     if (!addition.out_of_sample) return;
     numbers.see("out of sample",

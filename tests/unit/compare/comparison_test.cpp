@@ -12,7 +12,7 @@ namespace fogcomp::compare {
 namespace {
 
 Comparison compare(const model::Model& model, const recording::Recording& recording) {
-  return compare_with(model, run_in_blocks(recording, 10));
+  return compare_with(model, runs::run_of(recording, {10}), 10);
 }
 
 TEST(Comparison, AConstantIsJudgedAsTheModelIs) {

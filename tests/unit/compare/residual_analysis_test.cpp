@@ -20,7 +20,8 @@ Model truth() {
 }
 
 Comparison compare(const Model& model, std::uint64_t seed) {
-  return compare_with(model, run_in_blocks(fog::test::recording_of(truth(), kNoise, seed), 10));
+  return compare_with(model, runs::run_of(fog::test::recording_of(truth(), kNoise, seed), {10}),
+                      10);
 }
 
 // The true model leaves white and slow noise, whose size the analysis estimates in the soaks.
@@ -87,7 +88,7 @@ TEST(ResidualAnalysis, OfOneRowShowsNothing) {
   for (auto* column : {&recording.time_s, &recording.temperature_degc, &recording.rate_dph}) {
     column->resize(1);
   }
-  const auto comparison = compare_with(truth(), run_in_blocks(recording, 10));
+  const auto comparison = compare_with(truth(), runs::run_of(recording, {10}), 10);
   const ResidualAnalysis found = analyse_residual(comparison);
   EXPECT_TRUE(found.temperature.bins.empty());
   EXPECT_EQ(found.history.widest(), nullptr);

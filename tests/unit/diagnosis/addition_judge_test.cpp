@@ -12,7 +12,7 @@ namespace fogcomp::diagnosis {
 namespace {
 
 // A run on a shaker that stands still, or that runs half of the time. `dph_per_grms2`: drift.
-compare::RunInBlocks shaken_run(double grms, double dph_per_grms2, std::uint64_t seed) {
+runs::Run shaken_run(double grms, double dph_per_grms2, std::uint64_t seed) {
   recording::Recording recording =
       fog::test::recording_of(fog::test::truth(), fog::test::kAdditionNoise, seed);
   std::mt19937_64 random(seed + 100);
@@ -22,20 +22,20 @@ compare::RunInBlocks shaken_run(double grms, double dph_per_grms2, std::uint64_t
     recording[fog::Input::vibration].push_back(std::abs(shaken + 0.01 * normal(random)));
     recording.rate_dph[i] += dph_per_grms2 * std::pow(recording[fog::Input::vibration][i], 2);
   }
-  return compare::run_in_blocks(recording, 10);
+  return runs::run_of(recording, {10});
 }
 
-TriedAddition described(const JudgingRuns& runs) {
+TriedAddition described(const runs::Runs& runs) {
   const model::Model model = fog::test::incomplete(fog::test::kComplete);
   return AdditionJudge(model, runs, false).of_description({{"vibration"}, "", false, false});
 }
 
 TEST(AdditionJudge, LetsARunJudgeADescriptionIfTheOthersDetermineIt) {
-  JudgingRuns runs{fog::test::runs_of(fog::test::truth(), {}), {}};
-  runs.training.runs = {shaken_run(2, 0.05, 1), shaken_run(2, 0.05, 2)};
+  runs::Runs runs = fog::test::runs_of(fog::test::truth(), {});
+  runs.training = {shaken_run(2, 0.05, 1), shaken_run(2, 0.05, 2)};
   EXPECT_TRUE(described(runs).accepted) << described(runs).reason;
   // of the other sign, but smaller: it still lowers the error of both together
-  runs.training.runs = {shaken_run(2, 0.05, 1), shaken_run(1.8, -0.05, 2)};
+  runs.training = {shaken_run(2, 0.05, 1), shaken_run(1.8, -0.05, 2)};
   const TriedAddition refused = described(runs);
   EXPECT_FALSE(refused.accepted);
   EXPECT_NE(refused.reason.find("when that run is left out"), std::string::npos) << refused.reason;
@@ -43,26 +43,26 @@ TEST(AdditionJudge, LetsARunJudgeADescriptionIfTheOthersDetermineIt) {
 
 // Nobody shook the gyro in the second run: what that run says of vibration is noise.
 TEST(AdditionJudge, DoesNotLetTheOnlyRunThatShowsADescriptionJudgeIt) {
-  JudgingRuns runs{fog::test::runs_of(fog::test::truth(), {}), {}};
-  runs.training.runs = {shaken_run(2, 0.05, 1), shaken_run(0, 0.05, 2)};
+  runs::Runs runs = fog::test::runs_of(fog::test::truth(), {});
+  runs.training = {shaken_run(2, 0.05, 1), shaken_run(0, 0.05, 2)};
   const TriedAddition trial = described(runs);
   EXPECT_TRUE(trial.accepted) << trial.reason;
 }
 
 // A run with `drift_dph`(recording, row) beside the drift of truth().
-JudgingRuns run_with(
+runs::Runs run_with(
     const std::function<double(const recording::Recording&, std::size_t)>& drift_dph) {
   recording::Recording recording =
       fog::test::recording_of(fog::test::truth(), fog::test::kAdditionNoise, 1);
   for (std::size_t i = 0; i < recording.rows(); ++i) {
     recording.rate_dph[i] += drift_dph(recording, i);
   }
-  JudgingRuns runs{fog::test::runs_of(fog::test::truth(), {}), {}};
-  runs.training.runs = {compare::run_in_blocks(recording, 10)};
+  runs::Runs runs = fog::test::runs_of(fog::test::truth(), {});
+  runs.training = {runs::run_of(recording, {10})};
   return runs;
 }
 // The same with 0.05 deg/h sin(T) times `factor`(recording, row).
-JudgingRuns run_with_sine(
+runs::Runs run_with_sine(
     const std::function<double(const recording::Recording&, std::size_t)>& factor) {
   return run_with([&](const recording::Recording& r, std::size_t i) {
     return 0.05 * std::sin(r.temperature_degc[i]) * factor(r, i);
@@ -73,7 +73,7 @@ const AdditionRequest kSine{{}, "x = sin(T)", false, false};
 
 TEST(AdditionJudge, RefusesADescriptionThatContradictsItselfInTheOtherDirection) {
   const auto judged = [](double in_cooling) {
-    const JudgingRuns runs = run_with_sine([&](const recording::Recording& r, std::size_t i) {
+    const runs::Runs runs = run_with_sine([&](const recording::Recording& r, std::size_t i) {
       const bool cools = i > 0 && r.temperature_degc[i] < r.temperature_degc[i - 1];
       return cools ? in_cooling : 1;
     });
@@ -91,7 +91,7 @@ TEST(AdditionJudge, RefusesADescriptionThatContradictsItselfInTheOtherDirection)
 // Something that begins in the warm, described by a power of the temperature: each stretch lies
 // between rows of its own temperature, which tell, and the cold has nothing of it.
 TEST(AdditionJudge, RefusesADescriptionThatFailsAtTemperaturesNotFitted) {
-  const JudgingRuns runs = run_with([](const recording::Recording& r, std::size_t i) {
+  const runs::Runs runs = run_with([](const recording::Recording& r, std::size_t i) {
     return 0.01 * std::max(0.0, r.temperature_degc[i] - 20);
   });
   const model::Model model = fog::test::incomplete(fog::test::kComplete);
@@ -108,7 +108,7 @@ TEST(AdditionJudge, RefusesADescriptionThatFailsAtTemperaturesNotFitted) {
 
 TEST(AdditionJudge, RefusesWhatHarmsInThirdsOfTheRun) {
   const auto judged = [](double in_the_last_third) {
-    const JudgingRuns runs = run_with_sine([&](const recording::Recording& r, std::size_t i) {
+    const runs::Runs runs = run_with_sine([&](const recording::Recording& r, std::size_t i) {
       return i >= 2 * r.rows() / 3 ? in_the_last_third : 1;
     });
     const model::Model model = fog::test::incomplete(fog::test::kComplete);

@@ -50,8 +50,7 @@ TEST(EvidenceSpace, WithoutAHypothesisIsAtRightAnglesToItsEffects) {
 // All candidates are in one space, in their order, with unit length.
 TEST(EvidenceSpace, HoldsEveryShapeOfEveryCandidate) {
   const model::Model model = fog::test::truth();
-  DiagnosisData data(model);
-  data.add(quiet_gyro());
+  DiagnosisData data(model, {runs::run_of(quiet_gyro(), {model.average_s})});
   const fit::NoiseWeightedFit fit =
       fit::fit_rows(data.series(), model.terms, Eigen::MatrixXd(data.series().rows().size(), 0));
   double done = 0;

@@ -27,8 +27,7 @@ recording::Recording drifting(recording::Recording recording, double slope_dphh)
 std::optional<LineInTime> line_of(const recording::Recording& recording, const std::string& more) {
   model::Model model = fog::test::truth();
   model.terms = model::parse_effects("bias,bias_temperature:order=3,temperature_rate" + more);
-  DiagnosisData data(model);
-  data.add(recording);
+  DiagnosisData data(model, {runs::run_of(recording, {model.average_s})});
   return find_line_in_time(data, fit_for_diagnosis(model, data, std::nullopt));
 }
 
@@ -70,16 +69,14 @@ TEST(LineInTime, IsSignificantFromTheOnePercentLevelOn) {
 // Through the whole diagnosis. `runs`: drifts of the recordings.
 Ladder ladder_of(const std::vector<double>& slopes_dphh) {
   model::Model model = fog::test::truth();
-  JudgingRuns runs;
-  DiagnosisData data(model);
+  runs::Runs runs;
   for (std::size_t i = 0; i < slopes_dphh.size(); ++i) {
     const recording::Recording recording =
         fog::test::recording_of(model, fog::test::kQuietNoise, 1 + i);
-    runs.training.runs.push_back(compare::run_in_blocks(
-        fog::test::thinned(drifting(recording, slopes_dphh[i]), 3), model.average_s));
-    data.add(runs.training.runs.back());
+    runs.training.push_back(runs::run_of(fog::test::thinned(drifting(recording, slopes_dphh[i]), 3),
+                                         {model.average_s}));
   }
-  return stepwise_selection(model, data, runs, 0, {});
+  return stepwise_selection(model, {model, runs.training}, runs, 0, {});
 }
 
 TEST(LineInTime, IsToldWhereAgeingIsRefusedForIt) {

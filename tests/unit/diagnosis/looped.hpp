@@ -15,10 +15,9 @@ inline fogcomp::diagnosis::Ladder looped(const fogcomp::model::Model& model,
                                          const fogcomp::recording::Recording& recording,
                                          int max_steps,
                                          std::vector<fogcomp::model::EffectTerm> offered = {}) {
-  fogcomp::diagnosis::DiagnosisData data(model, std::move(offered));
-  fogcomp::diagnosis::JudgingRuns runs;
-  runs.training.runs.push_back(fogcomp::compare::run_in_blocks(recording, model.average_s));
-  data.add(runs.training.runs[0]);
+  fogcomp::runs::Runs runs;
+  runs.training.push_back(fogcomp::runs::run_of(recording, {model.average_s}));
+  const fogcomp::diagnosis::DiagnosisData data(model, runs.training, std::move(offered));
   double progress = 0;
   fogcomp::diagnosis::DiagnosisSettings settings;
   settings.progress = [&](double done) {

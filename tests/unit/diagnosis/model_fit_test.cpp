@@ -44,12 +44,12 @@ TEST(ModelFit, ARecordingIsAtRestWhileItsTemperatureIs) {
 // change the residual.
 TEST(ModelFit, EachRecordingHasABiasOfItsOwn) {
   const model::Model model = fog::test::truth();
-  DiagnosisData data(model);
   recording::Recording recording = fog::test::recording_of(model, {}, 1);
-  data.add(recording);
+  std::vector<runs::Run> both{runs::run_of(recording, {10})};
   for (double& rate : recording.rate_dph) rate += 0.5;
   recording.file = "another";
-  data.add(recording);
+  both.push_back(runs::run_of(recording, {10}));
+  const DiagnosisData data(model, both);
   const fit::NoiseWeightedFit fit = fit_for_diagnosis(model, data, known_noise());
   ASSERT_EQ(fit.coefficients.size(), fit.linear());
   EXPECT_NEAR(fit.coefficients[fit.linear() - 1], 0.5, 1e-4);
@@ -59,8 +59,8 @@ TEST(ModelFit, EachRecordingHasABiasOfItsOwn) {
 
 TEST(ModelFit, NoiseThatIsKnownIsTakenAsItIs) {
   const model::Model model = fog::test::truth();
-  DiagnosisData data(model);
-  data.add(fog::test::recording_of(model, fog::test::kQuietNoise, 1));
+  DiagnosisData data(model, {runs::run_of(fog::test::recording_of(model, fog::test::kQuietNoise, 1),
+                                          {model.average_s})});
   const fit::NoiseWeightedFit fit = fit_for_diagnosis(model, data, known_noise());
   EXPECT_EQ(fit.noise.white_variance, 0.01);
   EXPECT_TRUE(fit.noise.components.empty());
@@ -75,8 +75,7 @@ TEST(ModelFit, TooFewRowsAreRefused) {
     for (auto* column : {&part.time_s, &part.temperature_degc, &part.rate_dph}) {
       column->resize(static_cast<std::size_t>(rows));
     }
-    DiagnosisData data(model);
-    data.add(part);
+    DiagnosisData data(model, {runs::run_of(part, {model.average_s})});
     fit_for_diagnosis(model, data, known_noise());
   };
   EXPECT_NO_THROW(fits(rules::kMinRows));

@@ -44,8 +44,7 @@ Placed place(double jump_dph, double fraction, const std::string& missing, doubl
     const double since_s = recording.time_s[i] - recording.time_s[at];
     recording.rate_dph[i] += since_s < takes_s ? jump_dph * since_s / takes_s : jump_dph;
   }
-  DiagnosisData data(model);
-  data.add(recording);
+  DiagnosisData data(model, {runs::run_of(recording, {model.average_s})});
   const series::Rows& rows = data.series().rows();
   const fit::NoiseWeightedFit fit =
       fit::fit_rows(data.series(), model.terms, fit::run_offset_columns(rows));

@@ -56,12 +56,12 @@ TEST(AddEffect, SearchesAgainWithinTheSameBounds) {
 
 // The verdict is the same; the model is fitted in its own rows.
 TEST(AddEffect, JudgesWhateverTheRowsOfTheModel) {
-  const fogcomp::fit::TrainingRuns runs = runs_of(truth(), {1});
+  const fogcomp::runs::Runs runs = runs_of(truth(), {1});
   const auto in_rows = [&](double row_s) {
     Model given = incomplete("bias,bias_temperature:order=3");
     given.average_s = row_s;
     return fogcomp::fit::add_effect(
-        given, fogcomp::fit::change_effect(given.terms, "temperature_rate"), runs, {}, {});
+        given, fogcomp::fit::change_effect(given.terms, "temperature_rate"), runs, {});
   };
   const Addition usual = in_rows(10);
   const Addition longer = in_rows(60);
@@ -85,7 +85,7 @@ TEST(AddEffect, JudgesSeveralTogetherAndEachAloneAndBesideTheOthers) {
   const Addition result = fogcomp::fit::add_effect(
       given,
       fogcomp::fit::change_effects(given.terms, {"temperature_rate", "bias_temperature:order=3"}),
-      runs_of(truth(), {1}), {}, {});
+      runs_of(truth(), {1}), {});
   EXPECT_TRUE(result.accepted) << result.reason;
   EXPECT_EQ(result.changed, (std::vector<std::size_t>{2, 1}));
   ASSERT_EQ(result.parts.size(), 2U);
@@ -101,7 +101,7 @@ TEST(AddEffect, RefusesASetOfWhichOneBringsNothing) {
       given,
       fogcomp::fit::change_effects(given.terms,
                                    {"temperature_rate", "thermal_hysteresis:radius=5"}),
-      runs_of(truth(), {1}), {}, {});
+      runs_of(truth(), {1}), {});
   EXPECT_TRUE(result.out_of_sample->helps());
   EXPECT_FALSE(result.accepted);
   EXPECT_NE(result.reason.find("thermal_hysteresis"), std::string::npos) << result.reason;
@@ -133,7 +133,7 @@ TEST(AddEffect, KnowsItsEffectBehindAStepThatIsFoundAnew) {
   Model given = incomplete("bias,bias_step,bias_temperature:order=3");
   const Addition result =
       fogcomp::fit::add_effect(given, fogcomp::fit::change_effect(given.terms, "temperature_rate"),
-                               runs_of(truth(), {1}), {}, {});
+                               runs_of(truth(), {1}), {});
   EXPECT_EQ(result.model.terms.at(result.changed.at(0)).name, "temperature_rate");
   EXPECT_TRUE(result.accepted) << result.reason;
 }
@@ -191,7 +191,7 @@ TEST(AddEffect, LeavesEachOfThreeRunsOutOnce) {
 TEST(AddEffect, LeavesStretchesOutWhereOneRunAloneShowsTheEffect) {
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
-  fogcomp::fit::TrainingRuns training = runs_of(truth(), {});
+  fogcomp::runs::Runs runs = runs_of(truth(), {});
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     fogcomp::recording::Recording recording = recording_of(truth(), kAdditionNoise, seed);
     for (std::size_t i = 0; i < recording.rows(); ++i) {
@@ -200,17 +200,17 @@ TEST(AddEffect, LeavesStretchesOutWhereOneRunAloneShowsTheEffect) {
       recording.rate_dph[i] +=
           0.05 * recording[fog::Input::vibration][i] * recording[fog::Input::vibration][i];
     }
-    training.runs.push_back(fogcomp::compare::run_in_blocks(recording, 10));
+    runs.training.push_back(fogcomp::runs::run_of(recording, {10}));
   }
   const Model model = incomplete(kComplete);
   const Addition result =
-      add_effect(model, fogcomp::fit::change_effect(model.terms, "vibration"), training, {}, {});
+      add_effect(model, fogcomp::fit::change_effect(model.terms, "vibration"), runs, {});
   EXPECT_TRUE(result.accepted) << result.reason;
   EXPECT_NE(result.out_of_sample->how.find("stretches"), std::string::npos);
 }
 
 // From 30 degC up: it does not show what a polynomial does in the cold.
-fogcomp::compare::RunInBlocks warm_run(std::uint64_t seed) {
+fogcomp::runs::Run warm_run(std::uint64_t seed) {
   fogcomp::recording::Recording recording = recording_of(truth(), kAdditionNoise, seed);
   const auto hot = std::find_if(recording.temperature_degc.begin(),
                                 recording.temperature_degc.end(), [](double t) { return t > 30; });
@@ -218,16 +218,16 @@ fogcomp::compare::RunInBlocks warm_run(std::uint64_t seed) {
   for (auto* column : {&recording.time_s, &recording.temperature_degc, &recording.rate_dph}) {
     column->erase(column->begin(), column->begin() + first);
   }
-  return fogcomp::compare::run_in_blocks(recording, 10);
+  return fogcomp::runs::run_of(recording, {10});
 }
 
 TEST(AddEffect, DoesNotLetARunJudgeForWhichTheOthersDoNotDetermineTheModel) {
-  fogcomp::fit::TrainingRuns training = runs_of(truth(), {1});
-  training.runs.push_back(warm_run(2));
-  training.runs.push_back(warm_run(3));
+  fogcomp::runs::Runs runs = runs_of(truth(), {1});
+  runs.training.push_back(warm_run(2));
+  runs.training.push_back(warm_run(3));
   const Model model = incomplete("bias,bias_temperature:order=3");
-  const Addition result = add_effect(
-      model, fogcomp::fit::change_effect(model.terms, "temperature_rate"), training, {}, {});
+  const Addition result =
+      add_effect(model, fogcomp::fit::change_effect(model.terms, "temperature_rate"), runs, {});
   EXPECT_TRUE(result.accepted) << result.reason;
   EXPECT_EQ(result.out_of_sample->how, "on 2 of 3 runs, each left out once");
   EXPECT_LT(result.out_of_sample->rms_before_dph, 1);
@@ -281,7 +281,7 @@ TEST(AddEffect, DropsANetworkToWhichTheEffectLeavesNothing) {
   model.network = paper_like_model().network;
   const fogcomp::fit::EffectChange change =
       fogcomp::fit::change_effect(model.terms, "temperature_rate");
-  const Addition result = add_effect(model, change, runs_of(truth(), {1}), {}, {});
+  const Addition result = add_effect(model, change, runs_of(truth(), {1}), {});
   EXPECT_TRUE(result.accepted);
   EXPECT_FALSE(result.model.network.present()) << "gain " << result.fit.network_judged->chi2_drop;
 }
@@ -294,7 +294,7 @@ TEST(AddEffect, JudgesAnExpressionLikeAnEffect) {
   const Model model = incomplete(kComplete);
   const std::string definition = "late = lag(dTdt^2, ?tau[60,6000])";
   const Addition right = add_effect(model, fogcomp::fit::change_expression(model.terms, definition),
-                                    runs_of(real, {1}), {}, {});
+                                    runs_of(real, {1}), {});
   EXPECT_TRUE(right.accepted) << right.reason;
   EXPECT_EQ(right.model.history.back().action, "add " + definition);
   const fogcomp::model::EffectTerm& term = right.model.terms[right.changed.at(0)];

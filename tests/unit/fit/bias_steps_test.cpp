@@ -54,8 +54,8 @@ TEST(BiasSteps, BelongToTheRecordingInWhichTheyLie) {
 
 double rms_left_dph(const fogcomp::model::Model& model,
                     const fogcomp::recording::Recording& recording) {
-  const auto run = fogcomp::compare::run_in_blocks(recording, model.average_s);
-  return fogcomp::compare::compare_with(model, run).whole.rms_dph;
+  const auto run = fogcomp::runs::run_of(recording, {model.average_s});
+  return fogcomp::compare::compare_with(model, run, model.average_s).whole.rms_dph;
 }
 
 fogcomp::recording::Recording shifted(fogcomp::recording::Recording recording, double dph) {

@@ -56,9 +56,9 @@ TEST(LateReference, IsFoundBesideTheScaleFactorAndTakenOut) {
   EXPECT_NEAR(model::natural_coefficient(model.terms[1], 0).value, kErrorPpm, 20);
   EXPECT_NEAR(model::natural_coefficient(model.terms[2], 0).value, 1000 * kDelayS,
               0.05 * 1000 * kDelayS);
-  const compare::RunInBlocks run = compare::run_in_blocks(recording, 1);
+  const runs::Run run = runs::run_of(recording, {1});
   const double delay_drift_dph = kDelayS * 360000 * 2 * M_PI / 31 / std::sqrt(2);
-  EXPECT_LE(compare::compare_with(model, run).whole.rms_dph, 0.06 * delay_drift_dph);
+  EXPECT_LE(compare::compare_with(model, run, 1).whole.rms_dph, 0.06 * delay_drift_dph);
 }
 
 // Sweeps of one period have the second order in common with the scale factor, of two they do not.
@@ -70,9 +70,9 @@ TEST(LateReference, IsFoundToSecondOrder) {
   EXPECT_NEAR(model::natural_coefficient(second.terms[1], 0).value, kErrorPpm, 100);
   EXPECT_NEAR(second.terms[2].parameters[0].value, 200, 20);
   EXPECT_NEAR(model::natural_coefficient(second.terms[2], 0).value, 200, 2);
-  const compare::RunInBlocks run = compare::run_in_blocks(recording, 1);
-  EXPECT_LE(compare::compare_with(second, run).whole.rms_dph,
-            0.1 * compare::compare_with(first, run).whole.rms_dph);
+  const runs::Run run = runs::run_of(recording, {1});
+  EXPECT_LE(compare::compare_with(second, run, 1).whole.rms_dph,
+            0.1 * compare::compare_with(first, run, 1).whole.rms_dph);
 }
 
 // Half an hour at 10 Hz: the table goes from one rate to another at 50 deg/s^2 every 13.7 s, so
@@ -118,8 +118,8 @@ TEST(LateReference, IsFoundWhereTheTablesFlanksAreWithinRows) {
   const model::Model model = fitted_to(recording, "late_reference");
   EXPECT_NEAR(model::natural_coefficient(model.terms[1], 0).value, kErrorPpm, 10);
   EXPECT_NEAR(model::natural_coefficient(model.terms[2], 0).value, 1000 * kDelayS, 0.1);
-  const compare::RunInBlocks run = compare::run_in_blocks(recording, 1);
-  EXPECT_LE(compare::compare_with(model, run).whole.rms_dph, 20);
+  const runs::Run run = runs::run_of(recording, {1});
+  EXPECT_LE(compare::compare_with(model, run, 1).whole.rms_dph, 20);
 }
 
 }  // namespace

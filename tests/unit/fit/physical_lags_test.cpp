@@ -36,7 +36,7 @@ recording::Recording coil_behind(double tau_s, bool gradient) {
 }
 
 double fitted_lag_s(const char* effect, double tau_s, bool gradient) {
-  std::vector<compare::RunInBlocks> runs{compare::run_in_blocks(coil_behind(tau_s, gradient), 10)};
+  std::vector<runs::Run> runs{runs::run_of(coil_behind(tau_s, gradient), {10})};
   model::Model model = fog::test::model_of(model::parse_effects(std::string("bias,") + effect));
   series::SignalSeries series(model);
   series.add(runs[0].blocks);
@@ -53,7 +53,7 @@ TEST(PhysicalLags, AreThoseOfTheCoilAndNotOfTheBoardsDerivative) {
 }
 
 TEST(PhysicalLags, AreNoneWhereNoLagIsIdentified) {
-  const std::vector<compare::RunInBlocks> runs{compare::run_in_blocks(coil_behind(300, true), 10)};
+  const std::vector<runs::Run> runs{runs::run_of(coil_behind(300, true), {10})};
   EXPECT_TRUE(physical_lags(fog::test::model_of(model::parse_effects("bias,shupe:tau=60,warm_up")),
                             runs, false)
                   .empty());

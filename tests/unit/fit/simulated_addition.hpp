@@ -17,28 +17,28 @@ inline fogcomp::model::Model incomplete(const std::string& effects) {
   return model_of(fogcomp::model::parse_effects(effects));
 }
 
-inline fogcomp::compare::RunInBlocks run_of(const fogcomp::model::Model& gyro, std::uint64_t seed) {
-  return fogcomp::compare::run_in_blocks(recording_of(gyro, kAdditionNoise, seed), 10);
+inline fogcomp::runs::Run run_of(const fogcomp::model::Model& gyro, std::uint64_t seed) {
+  return fogcomp::runs::run_of(recording_of(gyro, kAdditionNoise, seed), {10});
 }
 
 /// One run of `gyro` for each seed.
-inline fogcomp::fit::TrainingRuns runs_of(const fogcomp::model::Model& gyro,
-                                          const std::vector<std::uint64_t>& seeds) {
-  fogcomp::fit::TrainingRuns training;
-  for (const std::uint64_t seed : seeds) training.runs.push_back(run_of(gyro, seed));
-  if (!training.runs.empty()) training.noise_floor_dph = training.runs[0].noise_floor_dph;
-  training.noise_dph_rthz = 0.075;
-  return training;
+inline fogcomp::runs::Runs runs_of(const fogcomp::model::Model& gyro,
+                                   const std::vector<std::uint64_t>& seeds) {
+  fogcomp::runs::Runs runs;
+  for (const std::uint64_t seed : seeds) runs.training.push_back(run_of(gyro, seed));
+  runs.noise_dph_rthz = 0.075;
+  return runs;
 }
 
 /// `effect` added to a model of `effects` by runs of `gyro`.
 inline fogcomp::fit::Addition add(const std::string& effects, const std::string& effect,
                                   const fogcomp::model::Model& gyro,
                                   const std::vector<std::uint64_t>& seeds,
-                                  const std::vector<fogcomp::compare::RunInBlocks>& holdouts = {}) {
+                                  const std::vector<fogcomp::runs::Run>& holdouts = {}) {
   const fogcomp::model::Model given = incomplete(effects);
-  return add_effect(given, fogcomp::fit::change_effect(given.terms, effect), runs_of(gyro, seeds),
-                    holdouts, {});
+  fogcomp::runs::Runs runs = runs_of(gyro, seeds);
+  runs.holdouts = holdouts;
+  return add_effect(given, fogcomp::fit::change_effect(given.terms, effect), runs, {});
 }
 
 }  // namespace fog::test

@@ -14,14 +14,14 @@ namespace fogcomp::fit {
 namespace {
 
 // Two runs of one gyro in rows of a minute, the second one with a higher bias.
-std::vector<compare::RunInBlocks> two_runs(std::uint64_t seed, double above_dph) {
-  std::vector<compare::RunInBlocks> runs;
+std::vector<runs::Run> two_runs(std::uint64_t seed, double above_dph) {
+  std::vector<runs::Run> runs;
   for (const double bias_dph : {0.0, above_dph}) {
     recording::Recording recording = fog::test::thinned(
         fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, seed++), 6);
     recording.file = runs.empty() ? "first.csv" : "second.csv";
     for (double& rate_dph : recording.rate_dph) rate_dph += bias_dph;
-    runs.push_back(compare::run_in_blocks(recording, 60));
+    runs.push_back(runs::run_of(recording, {60}));
   }
   return runs;
 }
@@ -52,8 +52,8 @@ TEST(TurnOnBias, IsHardlyEverSaidOfRunsThatDifferByNoise) {
 
 // Runs at one temperature each, in rows of a minute, with a slope in temperature and biases of
 // +-`above_dph` in turn.
-std::vector<compare::RunInBlocks> static_runs(double above_dph) {
-  std::vector<compare::RunInBlocks> runs;
+std::vector<runs::Run> static_runs(double above_dph) {
+  std::vector<runs::Run> runs;
   for (std::uint64_t i = 0; i < 6; ++i) {
     recording::Recording run =
         fog::test::thinned(fog::test::static_recording(20.0 * static_cast<double>(i) - 40, 0.0005,
@@ -62,7 +62,7 @@ std::vector<compare::RunInBlocks> static_runs(double above_dph) {
     for (std::size_t row = 0; row < run.rows(); ++row)
       run.rate_dph[row] += above_dph * (i % 2 == 0 ? 1 : -1) + 0.01 * run.temperature_degc[row];
     run.file = std::to_string(i) + ".csv";
-    runs.push_back(compare::run_in_blocks(run, 60));
+    runs.push_back(runs::run_of(run, {60}));
   }
   return runs;
 }
@@ -84,7 +84,7 @@ TEST(TurnOnBias, OfRunsAtOneTemperatureEachIsSaidOfAllTogether) {
 TEST(TurnOnBias, IsNotSaidOfADriftThatTheModelLacks) {
   const model::Model lacking =
       in_minutes(fog::test::model_of(model::parse_effects("bias,bias_temperature")));
-  std::vector<compare::RunInBlocks> runs = two_runs(1, 0);
+  std::vector<runs::Run> runs = two_runs(1, 0);
   // The second run is only the first ramp: the missing part of the model is a constant there.
   const auto ramp = runs[1].blocks.blocks.begin() + 60;
   runs[1].blocks.blocks.erase(ramp + 80, runs[1].blocks.blocks.end());
@@ -116,8 +116,7 @@ TEST(TurnOnBias, WithinARunIsSaidWithItsTime) {
   }
   recording::find_stretches(recording);
   const auto found =
-      turn_on_biases(in_minutes(fog::test::truth()), {compare::run_in_blocks(recording, 60)})
-          .biases;
+      turn_on_biases(in_minutes(fog::test::truth()), {runs::run_of(recording, {60})}).biases;
   ASSERT_EQ(found.size(), 1U);
   EXPECT_TRUE(found[0].certain);
   EXPECT_NEAR(found[0].from_s, recording.time_s[restart], 60);
@@ -125,7 +124,7 @@ TEST(TurnOnBias, WithinARunIsSaidWithItsTime) {
 }
 
 TEST(TurnOnBias, OfOneRunIsNotAsked) {
-  std::vector<compare::RunInBlocks> runs = two_runs(1, 0.12);
+  std::vector<runs::Run> runs = two_runs(1, 0.12);
   runs.pop_back();
   EXPECT_TRUE(turn_on_biases(in_minutes(fog::test::truth()), runs).biases.empty());
 }

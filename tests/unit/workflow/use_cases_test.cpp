@@ -411,6 +411,20 @@ TEST_F(UseCases, PrintNothing) {
   EXPECT_EQ(remarks[0], path("odd.csv") + ": column ignored: mood");
 }
 
+TEST_F(UseCases, DiagnoseInOtherRows_ReadsNothingAgain) {
+  const std::string file = path("once.csv");
+  std::filesystem::copy_file(path("run.csv"), file);
+  DiagnoseRequest question;
+  question.model = static_model();  // in rows of 30 s
+  question.runs = {file};
+  const runs::Runs runs = judging_runs(question, {}, {});
+  std::filesystem::remove(file);
+  const diagnosis::Diagnosis found = diagnose(question, runs).ladder.first;
+  EXPECT_EQ(found.row_s, 10);
+  EXPECT_NEAR(found.noise_floor_dph, *runs.noise_floor_dph(10), 1e-12);
+  EXPECT_EQ(found.verdict, diagnosis::Verdict::missing_effect);
+}
+
 TEST_F(UseCases, EndWhenTheirObserverSaysSo) {
   Observer observer;
   observer.progress = [](const std::string&, double) { return false; };

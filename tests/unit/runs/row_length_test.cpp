@@ -1,12 +1,12 @@
-#include "fit/row_length.hpp"
+#include "runs/row_length.hpp"
 
 #include <gtest/gtest.h>
 
-namespace fogcomp::fit {
+namespace fogcomp::runs {
 namespace {
 
 RowLength of_runs(const std::vector<double>& hours, double model_row_s = 10, double block_s = 1) {
-  std::vector<compare::RunInBlocks> runs;
+  std::vector<Run> runs;
   for (const double one : hours) {
     runs.emplace_back();
     runs.back().blocks.block_s = block_s;
@@ -48,4 +48,4 @@ TEST(RowLength, IsLongerWithTheReasonWhereThereWouldBeTooMany) {
 }
 
 }  // namespace
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::runs

@@ -1,4 +1,4 @@
-#include "compare/joined_runs.hpp"
+#include "runs/joined_runs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "recording/decision_rules.hpp"
 
-namespace fogcomp::compare {
+namespace fogcomp::runs {
 namespace {
 
 using series::BlockSeries;
@@ -80,32 +80,32 @@ void append(std::vector<recording::Segment>& segments, std::vector<recording::Se
   }
 }
 
-double weight_of(const RunInBlocks& run) {
-  return run.noise_floor_dph ? static_cast<double>(run.blocks.blocks.size()) : 0;
+// The mean square of both floors, by their lengths, or the one that is known.
+void append_floors(Run& run, const Run& next) {
+  const auto others = static_cast<double>(next.blocks.blocks.size());
+  for (const auto& [row_s, floor_dph] : next.floors_dph) {
+    const auto [place, is_new] = run.floors_dph.try_emplace(row_s, 0);
+    const double own = is_new ? 0 : static_cast<double>(run.blocks.blocks.size());
+    double& all_dph = place->second;
+    all_dph =
+        std::sqrt((own * std::pow(all_dph, 2) + others * std::pow(floor_dph, 2)) / (own + others));
+  }
 }
 
-void append(RunInBlocks& run, RunInBlocks next) {
-  const double own = weight_of(run);
-  const double others = weight_of(next);
-  if (others > 0) {
-    run.noise_floor_dph = std::sqrt((own * std::pow(run.noise_floor_dph.value_or(0), 2) +
-                                     others * std::pow(*next.noise_floor_dph, 2)) /
-                                    (own + others));
-  }
+void append(Run& run, Run next) {
+  append_floors(run, next);
   append(run.blocks, next.blocks);
   append(run.segments, std::move(next.segments));
   run.file += " + " + next.file;
   run.files.insert(run.files.end(), next.files.begin(), next.files.end());
-  run.notes.insert(run.notes.end(), next.notes.begin(), next.notes.end());
   run.refused_rows += next.refused_rows;
 }
 
 }  // namespace
 
-std::vector<RunInBlocks> join_continued(std::vector<RunInBlocks> runs,
-                                        std::vector<std::string>& notes) {
+std::vector<Run> join_continued(std::vector<Run> runs, std::vector<std::string>& notes) {
   for (std::size_t i = 0; i < runs.size();) {
-    const auto next = std::find_if(runs.begin(), runs.end(), [&](const RunInBlocks& run) {
+    const auto next = std::find_if(runs.begin(), runs.end(), [&](const Run& run) {
       return &run != &runs[i] && continues(runs[i].blocks, run.blocks);
     });
     if (next == runs.end()) {
@@ -121,4 +121,4 @@ std::vector<RunInBlocks> join_continued(std::vector<RunInBlocks> runs,
   return runs;
 }
 
-}  // namespace fogcomp::compare
+}  // namespace fogcomp::runs

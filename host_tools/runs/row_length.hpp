@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "compare/run_in_blocks.hpp"
+#include "runs/run.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::runs {
 
 /// Rows in which residuals are diagnosed and additions are judged.
 struct RowLength {
@@ -16,6 +16,6 @@ struct RowLength {
 /// The row length for these runs: whatever `model_row_s`, that of the model's fit, so that no
 /// verdict depends on it (rules::kRowLengths_s). Only where it makes the same rows, or where a run
 /// is so short that longer rows would be too few (rules::kMinRowsToJudge), `model_row_s` itself.
-RowLength row_length(const std::vector<compare::RunInBlocks>& runs, double model_row_s);
+RowLength row_length(const std::vector<Run>& runs, double model_row_s);
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::runs

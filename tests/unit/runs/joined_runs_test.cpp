@@ -1,11 +1,11 @@
-#include "compare/joined_runs.hpp"
+#include "runs/joined_runs.hpp"
 
 #include <gtest/gtest.h>
 
 #include "series/signal_series.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
-namespace fogcomp::compare {
+namespace fogcomp::runs {
 namespace {
 
 using fog::test::kQuietNoise;
@@ -30,17 +30,17 @@ recording::Recording part(const recording::Recording& run, std::ptrdiff_t first,
   return part;
 }
 
-std::vector<RunInBlocks> in_blocks(const std::vector<recording::Recording>& recordings) {
-  std::vector<RunInBlocks> runs;
-  for (const recording::Recording& one : recordings) runs.push_back(run_in_blocks(one, 10));
+std::vector<Run> in_blocks(const std::vector<recording::Recording>& recordings) {
+  std::vector<Run> runs;
+  for (const recording::Recording& one : recordings) runs.push_back(run_of(one, {10}));
   return runs;
 }
 
 // What a fit sees of runs.
-series::Rows rows_of(const std::vector<RunInBlocks>& runs) {
+series::Rows rows_of(const std::vector<Run>& runs) {
   static const model::Model model = fog::test::truth();
   series::SignalSeries series(model);
-  for (const RunInBlocks& run : runs) series.add(run.blocks);
+  for (const Run& run : runs) series.add(run.blocks);
   return series.rows();
 }
 
@@ -53,7 +53,7 @@ TEST(JoinedRuns, AreTheRunThatWasCutIntoFilesInAnyOrder) {
   const series::Rows expected = rows_of(in_blocks({run}));
   for (const auto& files : {std::vector{a, b, c}, {c, b, a}, {b, a, c}, {b, c, a}}) {
     std::vector<std::string> notes;
-    const std::vector<RunInBlocks> joined = join_continued(in_blocks(files), notes);
+    const std::vector<Run> joined = join_continued(in_blocks(files), notes);
     ASSERT_EQ(joined.size(), 1U);
     EXPECT_EQ(joined[0].file, "a.csv + b.csv + c.csv");
     EXPECT_EQ(joined[0].files, (std::vector<std::string>{"a.csv", "b.csv", "c.csv"}));
@@ -79,7 +79,7 @@ TEST(JoinedRuns, HaveTheMeanPeriodOfTheirFiles) {
   b.period_s = run.period_s;
   for (const auto& files : {std::vector{a, b}, {b, a}}) {
     std::vector<std::string> notes;
-    const std::vector<RunInBlocks> joined = join_continued(in_blocks(files), notes);
+    const std::vector<Run> joined = join_continued(in_blocks(files), notes);
     ASSERT_EQ(joined.size(), 1U);
     EXPECT_NEAR(joined[0].blocks.period_s, 1.001 * run.period_s, 1e-5 * run.period_s);
     EXPECT_EQ(joined[0].blocks.block_s,
@@ -92,7 +92,7 @@ TEST(JoinedRuns, HaveSegmentsWithNamesOfTheirOwn) {
   const auto rows = static_cast<std::ptrdiff_t>(run.rows());
   std::vector<std::string> notes;
   // In the middle of the first soak, and of the first ramp.
-  const RunInBlocks joined =
+  const Run joined =
       join_continued(in_blocks({part(run, 0, 180, "a.csv"), part(run, 180, 620, "b.csv"),
                                 part(run, 620, rows, "c.csv")}),
                      notes)[0];
@@ -121,4 +121,4 @@ TEST(JoinedRuns, LeaveApartWhatBeginsAnewOrLater) {
 }
 
 }  // namespace
-}  // namespace fogcomp::compare
+}  // namespace fogcomp::runs

@@ -1,16 +1,16 @@
-#include "fit/row_length.hpp"
+#include "runs/row_length.hpp"
 
 #include <algorithm>
 
-#include "fit/decision_rules.hpp"
+#include "runs/decision_rules.hpp"
 #include "series/rows.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::runs {
 namespace {
 
-bool are_same_rows(const std::vector<compare::RunInBlocks>& runs, double a_s, double b_s) {
-  return std::all_of(runs.begin(), runs.end(), [&](const compare::RunInBlocks& run) {
+bool are_same_rows(const std::vector<Run>& runs, double a_s, double b_s) {
+  return std::all_of(runs.begin(), runs.end(), [&](const Run& run) {
     const double block_s = run.blocks.block_s;
     return series::row_length_s(a_s, block_s) == series::row_length_s(b_s, block_s);
   });
@@ -25,11 +25,9 @@ double sufficient_s(double all_s) {
 
 }  // namespace
 
-RowLength row_length(const std::vector<compare::RunInBlocks>& runs, double model_row_s) {
+RowLength row_length(const std::vector<Run>& runs, double model_row_s) {
   double all_s = 0;
-  for (const compare::RunInBlocks& run : runs) {
-    all_s += static_cast<double>(run.blocks.blocks.size()) * run.blocks.block_s;
-  }
+  for (const Run& run : runs) all_s += run.length_s();
   const double row_s = sufficient_s(all_s);
   const bool are_few = model_row_s < row_s && all_s < rules::kMinRowsToJudge * row_s;
   if (are_few || are_same_rows(runs, row_s, model_row_s)) return {model_row_s, ""};
@@ -40,4 +38,4 @@ RowLength row_length(const std::vector<compare::RunInBlocks>& runs, double model
                         row_s, usual_s, all_s / usual_s)};
 }
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::runs

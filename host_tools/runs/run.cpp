@@ -1,0 +1,92 @@
+#include "runs/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "noise/noise_floor.hpp"
+#include "recording/rate_resolution.hpp"
+#include "runs/decision_rules.hpp"
+#include "series/rows.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::runs {
+namespace {
+
+// Rounded down to two digits.
+double rounded_down(double value) {
+  const double step = std::pow(10, std::floor(std::log10(value)) - 1);
+  return step * std::floor(value / step);
+}
+
+}  // namespace
+
+std::optional<double> Run::noise_floor_dph(double row_s) const {
+  const auto found = floors_dph.find(row_s);
+  return found == floors_dph.end() ? std::nullopt : std::optional(found->second);
+}
+
+Run run_of(const recording::Recording& recording, const std::vector<double>& row_lengths_s) {
+  recording::require_varying_rate(recording);
+  Run run;
+  run.file = recording.file;
+  run.files = {recording.file};
+  run.refused_rows = recording.refused_rows;
+  run.blocks = series::make_blocks(recording);
+  run.segments = recording::find_segments(recording);
+  for (const double row_s : row_lengths_s) {
+    if (run.noise_floor_dph(row_s)) continue;  // asked for twice
+    // Actual row length: a whole number of blocks.
+    const double whole_s = series::row_length_s(row_s, run.blocks.block_s);
+    const auto floor_dph = noise::noise_floor_dph(recording, whole_s);
+    if (floor_dph) run.floors_dph[row_s] = *floor_dph;
+  }
+  return run;
+}
+
+// A segment of two rows' length always contains a whole row; a shorter one may be averaged with its
+// neighbours. Less than a tenth of the time may be pieces between gaps.
+std::vector<std::string> notes_on_rows(const Run& run, double row_s) {
+  const double period_s = run.blocks.period_s;
+  const double whole_s = series::row_length_s(row_s, run.blocks.block_s);
+  if (whole_s <= period_s || run.segments.size() < 2) return {};
+  std::size_t parts = 0;
+  double in_parts_s = 0;
+  double all_s = 0;
+  double shortest_s = HUGE_VAL;
+  std::string shortest;
+  for (const recording::Segment& segment : run.segments) {
+    const double length_s = segment.end_s - segment.start_s;
+    all_s += length_s;
+    if (length_s >= rules::kShortSegmentRows * whole_s) continue;
+    ++parts;
+    in_parts_s += length_s;
+    if (length_s >= shortest_s) continue;
+    shortest_s = length_s;
+    shortest = segment.name;
+  }
+  if (in_parts_s <= rules::kMinShareOfShortSegments * all_s) return {};
+  return {
+      format("%s: rows of %.4g s average ramps and soaks together: %zu of its %s shorter than "
+             "two rows (%s: %.4g s); use an --average of %.4g or less",
+             run.file.c_str(), whole_s, parts,
+             (counted(run.segments.size(), "part") + (parts == 1 ? " is" : " are")).c_str(),
+             shortest.c_str(), shortest_s,
+             std::max(period_s, rounded_down(shortest_s / rules::kShortSegmentRows)))};
+}
+
+bool have_several_power_ons(const std::vector<Run>& runs) {
+  if (runs.size() > 1) return true;
+  return std::any_of(runs.begin(), runs.end(), [](const Run& run) {
+    return std::any_of(run.blocks.blocks.begin(), run.blocks.blocks.end(),
+                       [](const series::BlockSeries::Block& block) { return block.restarts; });
+  });
+}
+
+series::SignalSeries series_of(const model::Model& model, const std::vector<Run>& runs,
+                               series::Phase phase) {
+  series::SignalSeries series(model, phase);
+  for (const Run& run : runs) series.add(run.blocks);
+  return series;
+}
+
+}  // namespace fogcomp::runs

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+#include "recording/recording.hpp"
+#include "recording/segments.hpp"
+#include "series/block_series.hpp"
+#include "series/signal_series.hpp"
+
+namespace fogcomp::runs {
+
+/// What fit, add, compare and diagnose use of a recording: its blocks of 1 s, its segments and its
+/// noise floors. A two-hundredth of a 200 Hz recording's memory, so that many runs fit.
+struct Run {
+  std::string file;                ///< `a.csv + b.csv` if joined from several (joined_runs.hpp)
+  std::vector<std::string> files;  ///< these; one else
+  std::size_t refused_rows = 0;    ///< left out because the board would refuse them
+  series::BlockSeries blocks;
+  std::vector<recording::Segment> segments;  ///< of the whole recording, in order of time
+  /// Noise of a row, deg/h, by its length, s, from the recording alone: of the lengths asked for
+  /// while its samples were there, without those for which it is too short.
+  std::map<double, double> floors_dph;
+
+  double length_s() const { return static_cast<double>(blocks.blocks.size()) * blocks.block_s; }
+  /// Nothing if it is unknown.
+  std::optional<double> noise_floor_dph(double row_s) const;
+};
+
+/// `row_lengths_s`: those whose noise floors will be asked for, seconds, > 0. Throws InputError for
+/// a constant rate (recording/rate_resolution.hpp).
+Run run_of(const recording::Recording& recording, const std::vector<double>& row_lengths_s);
+
+/// A note if rows of this length average ramps and soaks together; else none.
+std::vector<std::string> notes_on_rows(const Run& run, double row_s);
+
+/// Whether there are several runs, or the power was off within one.
+bool have_several_power_ons(const std::vector<Run>& runs);
+
+/// The rows of runs, of the model's length, one after the other. Throws InputError if a run lacks
+/// an input of the model.
+series::SignalSeries series_of(const model::Model& model, const std::vector<Run>& runs,
+                               series::Phase phase = series::Phase::board);
+
+}  // namespace fogcomp::runs

@@ -1,0 +1,136 @@
+#include "runs/runs.hpp"
+
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "core/bytes/crc.hpp"
+#include "noise/white_noise.hpp"
+#include "recording/data_hash.hpp"
+#include "recording/plausibility.hpp"
+#include "runs/joined_runs.hpp"
+#include "support/input_error.hpp"
+
+namespace fogcomp::runs {
+namespace {
+
+void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
+  notes.insert(notes.end(), more.begin(), more.end());
+}
+
+std::vector<std::string> notes_on(const recording::Recording& recording, const Run& run,
+                                  double row_s) {
+  std::vector<std::string> notes = notes_on_rows(run, row_s);
+  if (recording.power_on_unknown && recording.uptime_s.empty()) {
+    notes.push_back(recording.file +
+                    ": power-on is not known: effects of the time since then (warm_up, aging) "
+                    "count from its first sample");
+  }
+  return notes;
+}
+
+recording::KnownRows rows_of(const std::vector<Run>& runs) {
+  recording::KnownRows known;
+  for (const Run& run : runs) known.add(run.blocks.recordings, run.files);
+  return known;
+}
+
+struct Read {
+  std::vector<Run> runs;
+  std::vector<std::string> notes;
+};
+
+// `see` is called with each recording that counts.
+Read read_each(const std::vector<std::string>& files, const recording::ReadOptions& options,
+               const std::vector<double>& row_lengths_s, const recording::KnownRows& fitted,
+               const std::function<void(const recording::Recording&)>& see) {
+  Read read;
+  recording::KnownRows known;
+  for (const std::string& file : files) {
+    const recording::Recording recording = recording::read_recording(file, options);
+    Run run = run_of(recording, row_lengths_s);
+    const std::uint64_t hash = run.blocks.recordings[0];
+    const std::string same = fitted.file_with(hash);
+    if (!same.empty()) {
+      throw InputError(file, "has the same samples as " + same +
+                                 ", which is fitted to; a holdout must be another run");
+    }
+    const std::string twice = known.file_with(hash);
+    if (!twice.empty()) {
+      read.notes.push_back(recording::same_rows_words(file, twice));
+      continue;
+    }
+    known.add(hash, file);
+    append(read.notes, notes_on(recording, run, row_lengths_s.front()));
+    if (see) see(recording);
+    read.runs.push_back(std::move(run));
+  }
+  read.runs = join_continued(std::move(read.runs), read.notes);
+  return read;
+}
+
+}  // namespace
+
+std::optional<double> Runs::noise_floor_dph(double row_s) const {
+  double square = 0;
+  double length_s = 0;
+  for (const Run& run : training) {
+    const std::optional<double> floor_dph = run.noise_floor_dph(row_s);
+    if (!floor_dph) continue;
+    square += run.length_s() * std::pow(*floor_dph, 2);
+    length_s += run.length_s();
+  }
+  if (length_s == 0) return std::nullopt;
+  return std::sqrt(square / length_s);
+}
+
+bool Runs::have_several_power_ons() const {
+  return runs::have_several_power_ons(training) || (!holdouts.empty() && !training.empty());
+}
+
+std::vector<Run> Runs::all() const {
+  std::vector<Run> all = training;
+  all.insert(all.end(), holdouts.begin(), holdouts.end());
+  return all;
+}
+
+Runs Runs::without(std::size_t run) const {
+  Runs others = *this;
+  const auto left_out = others.training.begin() + static_cast<std::ptrdiff_t>(run);
+  others.holdouts = {std::move(*left_out)};
+  others.training.erase(left_out);
+  return others;
+}
+
+Runs read_runs(const std::vector<std::string>& training, const std::vector<std::string>& holdouts,
+               const recording::ReadOptions& options, const std::vector<double>& row_lengths_s) {
+  Runs runs;
+  runs.data_hash = fog::kCrc32Initial;
+  double noise_square = 0;
+  std::size_t count = 0;
+  Read read = read_each(training, options, row_lengths_s, {}, [&](const auto& recording) {
+    runs.data_hash = recording::data_hash(recording, runs.data_hash);
+    const double noise_dph_rthz = noise::white_noise_dph_rthz(recording);
+    append(runs.doubts, recording::doubts(recording, noise_dph_rthz));
+    noise_square += std::pow(noise_dph_rthz, 2);
+    ++count;
+  });
+  runs.noise_dph_rthz = std::sqrt(noise_square / static_cast<double>(count));
+  runs.training = std::move(read.runs);
+  Runs judging = read_holdouts(holdouts, options, row_lengths_s, runs.training);
+  runs.holdouts = std::move(judging.holdouts);
+  runs.notes = std::move(read.notes);
+  append(runs.notes, judging.notes);
+  return runs;
+}
+
+Runs read_holdouts(const std::vector<std::string>& files, const recording::ReadOptions& options,
+                   const std::vector<double>& row_lengths_s, const std::vector<Run>& training) {
+  Read read = read_each(files, options, row_lengths_s, rows_of(training), nullptr);
+  Runs runs;
+  runs.holdouts = std::move(read.runs);
+  runs.notes = std::move(read.notes);
+  return runs;
+}
+
+}  // namespace fogcomp::runs
