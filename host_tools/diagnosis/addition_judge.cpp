@@ -276,7 +276,7 @@ TriedAddition AdditionJudge::description_as_it_is(AdditionRequest request) {
 }
 
 // Reason why the addition raises the error of rows unlike those that it was fitted to; "" if it
-// does not, if the runs do not show it, if holdouts judge, or for an event. A name is not asked
+// does not, if the runs do not show it, or if holdouts judge. A name is not asked
 // this: other effects that are missing stand out in some of these rows only.
 std::string AdditionJudge::objection_of_far_rows(const fit::Addition& addition) const {
   if (!runs_.holdouts.empty() || !addition.out_of_sample || addition.changed.empty()) return "";

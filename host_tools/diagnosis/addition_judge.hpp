@@ -32,7 +32,7 @@ struct TriedAddition {
   bool wants_more = false;   ///< refused because a shape is at its upper bound
   bool fails_far = false;    ///< refused for what it does on rows far from those fitted
   std::string reason;        ///< one line: why it is accepted or not
-  double rms_after_dph = 0;  ///< out of sample; both 0 for an event, which nothing else can judge
+  double rms_after_dph = 0;  ///< out of sample; both 0 if it could not be judged
   double rms_before_dph = 0;
   double fitted_before_dph = 0;  ///< as fit::AdditionVerdict has them
   double fitted_after_dph = 0;

@@ -198,7 +198,6 @@ Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::Next
 Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files) {
   Json steps = json_array(ladder.steps, [&](const diagnosis::Ladder::Step& step) {
     const diagnosis::TriedAddition& tried = step.addition;
-    const bool judged = tried.rms_before_dph > 0;
     return Json::object()
         .set("effects", tried.request.effects)
         .set("expression", expression_json(tried.request))
@@ -206,8 +205,8 @@ Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files) {
         .set("alternatives", step.alternatives)
         .set("rms_before_dph", tried.fitted_before_dph)
         .set("rms_after_dph", tried.fitted_after_dph)
-        .set("out_of_sample_rms_before_dph", judged ? Json(tried.rms_before_dph) : Json())
-        .set("out_of_sample_rms_after_dph", judged ? Json(tried.rms_after_dph) : Json())
+        .set("out_of_sample_rms_before_dph", tried.rms_before_dph)
+        .set("out_of_sample_rms_after_dph", tried.rms_after_dph)
         .set("holdout_rms_before_dph",
              tried.holdouts ? Json(tried.holdouts->rms_before_dph) : Json())
         .set("holdout_rms_after_dph",

@@ -55,12 +55,9 @@ void add_ladder(Document& document, const diagnosis::Ladder& ladder,
   table.rows.push_back(std::move(first));
   for (const diagnosis::Ladder::Step& step : ladder.steps) {
     const diagnosis::TriedAddition& tried = step.addition;
-    const bool judged = tried.rms_before_dph > 0;
     table.rows.push_back({words(step_words(step), names),
                           {number(tried.fitted_after_dph), tried.fitted_after_dph},
-                          judged
-                              ? number(tried.rms_before_dph) + " -> " + number(tried.rms_after_dph)
-                              : Text("an event, masked")});
+                          number(tried.rms_before_dph) + " -> " + number(tried.rms_after_dph)});
   }
   document.table(std::move(table));
   document.sentence(words(end_words(ladder), names));

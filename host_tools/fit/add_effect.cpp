@@ -98,10 +98,6 @@ std::vector<std::size_t> places_of_steps(const std::string& name, const model::M
   return places;
 }
 
-bool is_event(const EffectChange& change) {
-  return !change.changed.empty() && searches_steps({change.terms[change.changed.front()]});
-}
-
 // Both models, fitted to the runs.
 Refits refit(model::Model model, const EffectChange& change, const runs::Runs& runs,
              const AddSettings& settings, const KnownSteps* steps = nullptr) {
@@ -128,15 +124,6 @@ void record(const EffectChange& change, const runs::Runs& runs, const RiseTest& 
   if (after.holdouts) step.holdout = on_holdouts.rms_dph();
   step.forced = !after.accepted;
   after.model.history.push_back(std::move(step));
-}
-
-void accept_steps(Addition& after) {
-  std::vector<std::string> places;
-  for (const FoundStep& step : after.fit.identified.steps) {
-    places.push_back(format("%+.2g deg/h at %.6g s", step.size_dph, step.time_s));
-  }
-  after.accepted = true;
-  after.reason = "found " + join(places, ", ") + "; the rows around are masked";
 }
 
 // The steps of a model in these runs.
@@ -193,14 +180,10 @@ Addition judge_addition(const model::Model& model, const EffectChange& change,
   after.fitted_after_dph = after.model.residual_rms_dph;
   const bool is_judged = !runs.holdouts.empty();
   if (is_judged) after.holdouts = on_holdouts.rms_dph();
-  if (is_event(change)) {
-    accept_steps(after);
-  } else {
-    const FittedPair pair{model.terms,   change,        *refits.series,
-                          refits.before, runs.holdouts, settings};
-    change.network_hidden > 0 ? judge_network(pair, after) : judge_effects(pair, after);
-    decide(refits.before, is_judged && on_holdouts.rose(), after);
-  }
+  const FittedPair pair{model.terms,   change,        *refits.series,
+                        refits.before, runs.holdouts, settings};
+  change.network_hidden > 0 ? judge_network(pair, after) : judge_effects(pair, after);
+  decide(refits.before, is_judged && on_holdouts.rose(), after);
   record(change, runs, on_holdouts, refits);
   return std::move(after);
 }

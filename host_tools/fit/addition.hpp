@@ -54,7 +54,7 @@ struct AdditionVerdict {
   double soak_sigma_after_dph = 0;
   std::vector<Part> parts;  ///< of a set, in the order of Addition::changed; empty for one effect
   /// The effects alone, before against after; for a network, the model with it against that
-  /// without. Nothing for an event, or if the training was interrupted.
+  /// without. Nothing if the training was interrupted.
   std::optional<OutOfSample> out_of_sample;
   /// Where stretches of the runs judge: the same on thirds of them, which must not harm; nothing if
   /// none is determined by the others. Stretches lie between others at the same temperatures.

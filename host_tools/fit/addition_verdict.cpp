@@ -7,6 +7,7 @@
 
 #include "fit/decision_rules.hpp"
 #include "fit/walk_instead.hpp"
+#include "model/catalogue.hpp"
 #include "model/shape_limits.hpp"
 #include "model/shape_parameter.hpp"
 #include "support/input_error.hpp"
@@ -137,13 +138,14 @@ std::vector<Addition::Part> judge_parts(const Judge& judge, PartsOfSet& models) 
 void judge_rows(const Judge& judge, Addition& after) {
   const FittedPair& pair = judge.pair;
   std::optional<CrossValidation> validation;
-  if (pair.holdouts.empty() || !pair.settings.verdict_only) {
+  const bool holdouts_judge = !pair.holdouts.empty() && !is_event(pair.change);
+  if (!holdouts_judge || !pair.settings.verdict_only) {
     validation.emplace(pair.known, pair.before.terms, after.model.terms, after.changed, judge.with);
   }
-  after.out_of_sample = pair.holdouts.empty() ? validation->on_runs_or_stretches()
-                                              : judge.on_holdouts(pair.before, after.model);
+  after.out_of_sample = holdouts_judge ? judge.on_holdouts(pair.before, after.model)
+                                       : validation->on_runs_or_stretches();
   if (pair.settings.verdict_only && !after.out_of_sample->helps()) return;
-  if (after.changed.size() > 1) {
+  if (pair.change.changed.size() > 1) {
     PartsOfSet models(pair, after.model);
     after.parts = judge_parts(judge, models);
   }
@@ -167,7 +169,7 @@ struct Doubt {
   bool wants_more = false;
 };
 Doubt doubt_of(const model::EffectTerm& term, const model::Model& before) {
-  const model::EffectTerm* own = before.find(term.name);
+  const model::EffectTerm* own = model::is_event(term) ? nullptr : before.find(term.name);
   for (const model::ShapeDoubt& doubt : model::shape_doubts(term)) {
     if (own != nullptr && own->parameters[doubt.parameter].identified) continue;
     return {doubt.sentence, doubt.instead == model::kLineInTime, doubt.wants_more};
@@ -200,6 +202,10 @@ std::string undetermined_words(const model::Model& before, const Addition& after
 }
 
 }  // namespace
+
+bool is_event(const EffectChange& change) {
+  return !change.changed.empty() && searches_steps({change.terms[change.changed.front()]});
+}
 
 FitSettings fit_settings(const model::Model& model, const AddSettings& settings) {
   FitSettings fit;

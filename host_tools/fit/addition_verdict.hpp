@@ -7,6 +7,9 @@
 
 namespace fogcomp::fit {
 
+/// Whether the change is an event of one run, which the fit searches for.
+bool is_event(const EffectChange& change);
+
 /// Settings of every fit of an addition to `model`.
 FitSettings fit_settings(const model::Model& model, const AddSettings& settings);
 
@@ -26,7 +29,7 @@ struct FittedPair {
   const AddSettings& settings;
 };
 
-/// Judges the effects alone, on data that were not fitted.
+/// Judges the effects alone, on data that were not fitted; an event on stretches of its run.
 void judge_effects(const FittedPair& pair, Addition& after);
 /// Compares with the same effects without the network: on the holdouts or, without any, by
 /// cross-validation. A network that does not help is not kept.

@@ -119,8 +119,8 @@ EffectChange change_effects(const std::vector<model::EffectTerm>& terms,
     const std::size_t place = one.changed.front();
     if (effects.size() > 1 && model::is_event(one.terms[place])) {
       throw InputError("effect '" + effect + "'",
-                       "is an event of one recording, which nothing out of sample can confirm; add "
-                       "it by itself, then the others");
+                       "is an event of one recording, which no other recording can confirm; add it "
+                       "by itself, then the others");
     }
     if (std::find(all.changed.begin(), all.changed.end(), place) != all.changed.end()) {
       throw InputError("effect '" + effect + "'", "is named twice; name it once");

@@ -11,6 +11,7 @@
 #include "model/effect_list.hpp"
 #include "support/input_error.hpp"
 #include "support/typical_effects.hpp"
+#include "unit/fit/recording_with_steps.hpp"
 #include "unit/fit/simulated_addition.hpp"
 
 namespace {
@@ -127,6 +128,25 @@ TEST(AddEffect, RefusesAnEffectAtTheBoundOfItsShape) {
   EXPECT_TRUE(result.out_of_sample->helps());
   EXPECT_FALSE(result.accepted);
   EXPECT_NE(result.reason.find("t0 is"), std::string::npos) << result.reason;
+}
+
+// Stretches of its own run judge it, also where there is a holdout, of which it is no part.
+TEST(AddEffect, StepThatStandsOut_AcceptedOnStretches) {
+  fogcomp::recording::Recording recording = noisy_recording(1);
+  add_step(recording, 15000, 5 * kWhiteDph);
+  fogcomp::fit::TrainingRuns runs = runs_of(truth(), {});
+  runs.runs.push_back(fogcomp::compare::run_in_blocks(recording, 10));
+  const auto holdout = fogcomp::compare::run_in_blocks(noisy_recording(2), 10);
+  const Model given = incomplete(kComplete);
+  for (const auto& holdouts : {std::vector<fogcomp::compare::RunInBlocks>{}, {holdout}}) {
+    const Addition result = fogcomp::fit::add_effect(
+        given, fogcomp::fit::change_effect(given.terms, "bias_step"), runs, holdouts, {true});
+    EXPECT_TRUE(result.accepted) << result.reason;
+    ASSERT_TRUE(result.out_of_sample);
+    EXPECT_TRUE(result.out_of_sample->within_runs);
+    EXPECT_LT(result.out_of_sample->rms_after_dph, result.out_of_sample->rms_before_dph);
+    EXPECT_EQ(result.model.terms.at(result.changed.at(0)).name, "bias_step");
+  }
 }
 
 TEST(AddEffect, KnowsItsEffectBehindAStepThatIsFoundAnew) {
