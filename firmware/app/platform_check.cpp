@@ -8,6 +8,7 @@
 #include "hal/reset_report.hpp"
 #include "hal/watchdog.hpp"
 #include "platform/board.hpp"
+#include "platform/cortex_m/memory_protection.hpp"
 #include "platform/cortex_m/system_control.hpp"
 #include "platform/shared/linker_symbols.hpp"
 #include "platform/shared/semihosting.hpp"
@@ -164,6 +165,20 @@ constexpr Step kSteps[] = {
 };
 constexpr std::uint32_t kStepCount = sizeof kSteps / sizeof kSteps[0];
 
+// The highest region, as a boot loader may have left it: it would go before ours.
+void check_left_region() {
+  alignas(32) static std::array<volatile std::uint32_t, 8> memory{};
+  using Mpu = platform::MemoryProtectionUnit;
+  auto& mpu = platform::memory_protection_unit();
+  mpu.region_base.write(
+      static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(memory.data())) |
+      Mpu::kRegionValid | 7U);
+  mpu.region_attributes.write(Mpu::kNoAccess | Mpu::size_field(5) | Mpu::kEnable);
+  platform::protect_memory();
+  memory[0] = 1;  // else a fault
+  require(memory[0] == 1, "a boot loader's memory protection is gone");
+}
+
 void check_restart(const Step& step) {
   const hal::ResetReport& report = hal::reset_report();
   announce_crash(report.last_crash);
@@ -188,6 +203,7 @@ void run() {
   check_memory();
   const std::uint32_t taken = steps_taken();
   if (taken == 0) check_stack_and_tick();
+  if (taken == 0) check_left_region();
   if (taken > 0 && taken <= kStepCount) check_restart(kSteps[taken - 1]);
   if (taken >= kStepCount) finish();
   count_steps(taken + 1);

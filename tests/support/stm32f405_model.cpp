@@ -13,6 +13,7 @@ constexpr std::uint32_t kRcc = 0x40023800;
 constexpr std::uint32_t kFlash = 0x40023C00;
 constexpr std::uint32_t kGpio = 0x40020000;
 constexpr std::uint32_t kGpioB = 0x40020400;
+constexpr std::uint32_t kDma1 = 0x40026000;
 constexpr std::uint32_t kDma2 = 0x40026400;
 constexpr std::uint32_t kAdc1 = 0x40012000;
 constexpr std::uint32_t kWatchdog = 0x40003000;
@@ -84,6 +85,8 @@ Stm32F405Model::Stm32F405Model(const Stm32Faults& wrong, Stm32Start start,
       registers_[kRccConfiguration] = 0xAU | (5U << 10U) | (4U << 13U);
       enabled_interrupts_ = {67, 77};  // USB
       pending_interrupts_ = {67};
+      registers_[kDma1 + 0x10] = 1;  // a stream of each
+      registers_[kDma2 + 0x10] = 1;
       watchdog_started_ = true;
       registers_[kWatchdog + 0x04] = 6;
       registers_[kWatchdog + 0x08] = 0xFFF;
@@ -292,6 +295,14 @@ void Stm32F405Model::write_clock(std::uint32_t address, std::uint32_t value) {
   if (address == kRccPll && (bit(stored(kRccControl), 24) || accesses_ < pll_stopped_at_)) {
     violate("PLL set up while it runs");
     return;  // 7.3.2: it is not written
+  }
+  if (address == kRcc + 0x10) {  // 7.3.5
+    for (unsigned controller = 0; controller < 2; ++controller) {
+      if (!bit(value, 21 + controller)) continue;
+      for (std::uint32_t at = 0; at < 0x400; at += 4)
+        registers_.erase(kDma1 + controller * 0x400 + at);
+      dma_done_at_ = 0;
+    }
   }
   if (address == kRccStatus && bit(value, 24)) reset_flags = 0;
   if (address == kRccConfiguration) return switch_clock(value);

@@ -28,17 +28,20 @@ std::uint32_t attributes(std::uint32_t access, const std::uint8_t* region_size) 
 }
 
 constexpr std::uint32_t kLog2GuardBytes = 5;  // smallest possible region
+constexpr std::uint32_t kRegions = 8;         // those of both parts; the first ones are in use
 
 }  // namespace
 
 // Peripherals keep the default map, which never executes from them. The trap handler runs without
 // protection (kEnable alone does not cover hard faults), so that the guard cannot stop its report.
 void protect_memory() {
+  memory_protection_unit().control.write(0);  // a boot loader may have left it on, with its regions
   set_region(0, fog_image_start, attributes(Mpu::kReadOnly, fog_flash_region_size));
   set_region(1, fog_stack_guard,
              attributes(Mpu::kReadWrite | Mpu::kExecuteNever, fog_ram_region_size));
   set_region(2, fog_stack_guard,
              attributes(Mpu::kNoAccess | Mpu::kExecuteNever) | Mpu::size_field(kLog2GuardBytes));
+  for (std::uint32_t number = 3; number < kRegions; ++number) set_region(number, nullptr, 0);
   memory_protection_unit().control.write(Mpu::kEnable | Mpu::kDefaultMapElsewhere);
   asm volatile("dsb\n isb" ::: "memory");
 }

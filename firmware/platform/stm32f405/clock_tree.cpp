@@ -107,6 +107,8 @@ bool run_from(const PllInput& input) {
 
 void start_clock_tree(bool try_crystal) {
   running = kAsResetLeftIt;
+  rcc().ahb1_reset.write(Rcc::kBusMasters);  // a boot loader may have left transfers running
+  rcc().ahb1_reset.write(0);
   if (try_crystal && run_from(kCrystal)) {
     rcc().control.set(Rcc::kClockSecurityOn);
   } else {

@@ -14,7 +14,9 @@ struct Rcc {
   Register control;
   Register pll_configuration;
   Register configuration;
-  std::array<Register, 9> unused_0c;
+  Register unused_0c;
+  Register ahb1_reset;
+  std::array<Register, 7> unused_14;
   Register ahb1_enable;
   std::array<Register, 3> unused_34;
   Register apb1_enable;
@@ -54,6 +56,9 @@ struct Rcc {
   static constexpr std::uint32_t kApb1By4 = 5U << 10U;
   static constexpr std::uint32_t kApb2By2 = 4U << 13U;
 
+  // ahb1_reset (7.3.5): all that reads and writes memory by itself, DMA 1, DMA 2, Ethernet and USB
+  static constexpr std::uint32_t kBusMasters = (3U << 21U) | (1U << 25U) | (1U << 29U);
+
   // ahb1_enable (7.3.10), apb1_enable (7.3.13), apb2_enable (7.3.14)
   static constexpr std::uint32_t kGpioA = 1U << 0U;  // and so on, by port
   static constexpr std::uint32_t kDma2 = 1U << 22U;
@@ -76,8 +81,9 @@ struct Rcc {
   static constexpr std::uint32_t kSoftwareReset = 1U << 28U;
   static constexpr std::uint32_t kWatchdogReset = 1U << 29U;
 };
-static_assert(offsetof(Rcc, ahb1_enable) == 0x30 && offsetof(Rcc, apb1_enable) == 0x40 &&
-              offsetof(Rcc, backup_domain) == 0x70 && offsetof(Rcc, status) == 0x74);
+static_assert(offsetof(Rcc, ahb1_reset) == 0x10 && offsetof(Rcc, ahb1_enable) == 0x30 &&
+              offsetof(Rcc, apb1_enable) == 0x40 && offsetof(Rcc, backup_domain) == 0x70 &&
+              offsetof(Rcc, status) == 0x74);
 
 /// Flash interface: 3.9.
 struct Flash {

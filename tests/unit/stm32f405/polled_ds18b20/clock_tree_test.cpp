@@ -148,6 +148,16 @@ TEST(Interrupts, NoneIsLeftEnabledOrPending) {
   EXPECT_TRUE(board.pending_interrupts().empty());
 }
 
+TEST(DirectMemoryAccess, BootLoadersTransfers_Start_Stopped) {
+  for (const std::uint32_t stream : {0x40026010U, 0x40026410U}) {
+    Stm32F405Model board({}, Stm32Start::boot_loader);
+    ASSERT_EQ(board.stored(stream) & 1U, 1U);
+    start_clock_tree();
+    EXPECT_EQ(board.stored(stream) & 1U, 0U);
+    EXPECT_EQ(board.stored(0x40023810U), 0U) << "and none is kept in reset";
+  }
+}
+
 // Every combination of five faults: the reported clocks are the running ones, and it always
 // returns.
 TEST(ClockTree, SaysWhatIsRunningWhateverFailed) {
