@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "board/health_query.hpp"
+#include "board/health_verdict.hpp"
 #include "board/identity.hpp"
 #include "board/status_names.hpp"
 #include "cli/command.hpp"
@@ -23,12 +24,6 @@ using Word = fog::HealthWord;
 
 fog::ModelError model_error(const fog::HealthRecord& record) {
   return static_cast<fog::ModelError>(record.model_error);
-}
-
-bool is_healthy(const fog::HealthRecord& record) {
-  return record.image_intact && record.memory_good &&
-         model_error(record) == fog::ModelError::none &&
-         !has_any(record.status_last(), fog::Status::self_test_failed);
 }
 
 std::string version_of(const fog::HealthRecord& r) {
@@ -61,8 +56,10 @@ std::string model_in_words(const fog::HealthRecord& r) {
          (serial.empty() ? "" : ", of gyro " + displayable(serial));
 }
 
-void print_words(const fog::HealthRecord& r) {
+void print_words(const fog::HealthRecord& r, const std::vector<std::string>& complaints) {
   const std::string processor = processor_of(r);
+  std::printf("board         %s\n",
+              complaints.empty() ? "healthy" : ("NOT HEALTHY: " + join(complaints, "; ")).c_str());
   std::printf("firmware      %s, sources %s\n", version_of(r).c_str(), sources_of(r).c_str());
   std::printf("processor     %s\n", processor.empty() ? "says no number" : processor.c_str());
   std::printf("image         %s, seal %08x\n",
@@ -85,11 +82,12 @@ void print_words(const fog::HealthRecord& r) {
               r[Word::stack] & 0xFFFFU);
 }
 
-Json as_json(const fog::HealthRecord& r) {
+Json as_json(const fog::HealthRecord& r, const std::vector<std::string>& complaints) {
   const auto count = [&](Word word) { return static_cast<std::int64_t>(r[word]); };
   const fog::ModelError error = model_error(r);
   Json object = Json::object();
-  object.set("healthy", is_healthy(r))
+  object.set("healthy", complaints.empty())
+      .set("complaints", complaints)
       .set("firmware_version", version_of(r))
       .set("firmware_sources", sources_of(r))
       .set("processor", processor_of(r))
@@ -159,15 +157,16 @@ struct HealthCommand : Command {
     board::BoardPort port(path);
     const fog::HealthRecord record = board::query_health(port, path, patience_s);
     const std::optional<fog::SlotsRecord> slots = board::query_slots(port);
+    const std::vector<std::string> found = board::complaints(record, slots);
     if (json.given()) {
-      Json object = as_json(record);
+      Json object = as_json(record, found);
       if (slots) object.set("slots", slots_json(*slots));
       std::puts(object.text().c_str());
     } else {
-      print_words(record);
+      print_words(record, found);
       if (slots) print_slots(*slots);
     }
-    return is_healthy(record) ? 0 : 1;
+    return found.empty() ? 0 : 1;
   }
 };
 

@@ -22,10 +22,14 @@ start() {
 
 start "$elf"
 cat "$input" >"$scratch/sensor.in" &
-"$fogcomp" health "$scratch/output" --timeout 30 | tee "$folder/good.txt"
-"$fogcomp" health "$scratch/output" --timeout 30 --json | tee "$folder/good.json"
+# A board that has just started has no valid rate yet, or no sample: nothing else is wrong.
+status=0
+"$fogcomp" health "$scratch/output" --timeout 30 | tee "$folder/good.txt" || status=$?
+((status == 1))
+"$fogcomp" health "$scratch/output" --timeout 30 --json | tee "$folder/good.json" || true
 grep -q '^image  *intact' "$folder/good.txt"
-grep -q '"healthy":true' <(tr -d ' ' <"$folder/good.json")
+grep -qE '^board  *NOT HEALTHY: (no samples come|rate not valid now \([a-z_, ]*\))$' "$folder/good.txt"
+grep -q '"healthy":false,"complaints":\["' <(tr -d ' \n' <"$folder/good.json")
 # The checked-in model has no serial: the console names no gyro.
 tr -d '\r' <"$scratch/console" | grep -qxE 'model 0x[0-9a-f]{8}: good' ||
   fail "console: $(cat "$scratch/console")"
