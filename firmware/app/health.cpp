@@ -7,6 +7,7 @@
 #include "build_identity.h"
 #include "core/frames/health_request.hpp"
 #include "core/frames/kvh_command.hpp"
+#include "hal/clock.hpp"
 #include "hal/processor.hpp"
 #include "hal/rate_sink.hpp"
 #include "hal/request_source.hpp"
@@ -67,9 +68,21 @@ KvhSettings kvh_settings() {
   return instance;
 }
 
+// A user who is cut off in the configuration mode must not leave the board silent.
+constexpr std::uint32_t kConfigurationMs = 10'000;
+std::uint32_t last_command_ms = 0;
+
+void end_configuration() {
+  if constexpr (kKvhCommands) {
+    if (hal::milliseconds() - last_command_ms < kConfigurationMs) return;
+    if (answers_kvh_commands()) kvh_commands().leave_configuration();
+  }
+}
+
 void answer_kvh_command(std::uint8_t byte) {
   if constexpr (kKvhCommands) {
     if (!answers_kvh_commands()) return;
+    last_command_ms = hal::milliseconds();
     std::array<std::uint8_t, KvhCommands::kMaxAnswer> answer;
     const std::size_t size = kvh_commands().feed(byte, answer.data());
     if (size > 0) hal::write_output_stream(answer.data(), size);
@@ -121,6 +134,7 @@ void answer_requests() {
     if constexpr (ModelTable::is_loaded) answer_slots_request<ModelTable>(bytes[i], model());
     if (parser.feed(bytes[i])) answer_health_request();
   }
+  end_configuration();
   if (is_loading()) end_loading();
 }
 

@@ -27,10 +27,7 @@ class ModelTable {
 
   /// Decodes the table; on an error there is no model.
   ModelError read(const ModelShape& capacity, ModelParameters& parameters) {
-    const auto memories = hal::model_memories();
-    choice_ = choose_slot(
-        {{{memories[0].words, memories[0].size}, {memories[1].words, memories[1].size}}}, capacity,
-        hal::processor_number(), parameters);
+    choice_ = choose_slot(memories(), capacity, hal::processor_number(), parameters);
     return choice_.error;
   }
   /// Serial number of the gyro, ASCII; empty if the table has none. Requires a table.
@@ -45,12 +42,7 @@ class ModelTable {
   std::uint32_t key() const { return is_used() ? table_crc(choice_.used()) : 0; }
   /// The properties that decide whether another table may be loaded.
   LoadTarget load_target() const {
-    LoadTarget target{kModelSlots, 0, {}, hal::processor_number()};
-    if (!is_used()) return target;
-    target.used = choice_.slot;
-    target.sequence = choice_.used().sequence;
-    __builtin_memcpy(target.serial.data(), serial(), sizeof target.serial);
-    return target;
+    return fog::load_target(choice_, memories(), hal::processor_number());
   }
   /// For the slots record.
   SlotsRecord slots() const {
@@ -60,6 +52,10 @@ class ModelTable {
   }
 
  private:
+  static std::array<SlotMemory, kModelSlots> memories() {
+    const auto found = hal::model_memories();
+    return {{{found[0].words, found[0].size}, {found[1].words, found[1].size}}};
+  }
   bool is_used() const { return choice_.error == ModelError::none; }
   static std::uint32_t table_crc(const SlotContents& slot) {
     return static_cast<std::uint32_t>(slot.table[slot.table.size - 1]);

@@ -122,6 +122,12 @@ InputLimits input_limits(const model::Model& model, fog::Input input) {
   if (trained && trained->range.min < trained->range.max) {
     const double margin = (trained->range.max - trained->range.min) / 2;
     limits = {trained->range.min - margin, trained->range.max + margin, trained->step};
+    // The drift follows the logarithm of the light: without light there is none.
+    if (input == fog::Input::light_power && trained->range.min > 0) {
+      const double ratio = std::sqrt(trained->range.max / trained->range.min);
+      limits.min = trained->range.min / ratio;
+      limits.max = trained->range.max * ratio;
+    }
   }
   if (temperature) limits.step = std::ldexp(fog::kTemperatureStep.raw(), -16);
   limits.min = std::max(limits.min, temperature ? recording::kColdestDegc : -kMax);
@@ -298,6 +304,12 @@ std::string line_time_text(fog::OutputSelection output, std::int64_t period_us) 
       1'000'000 / fog::output_line_us(bytes));
 }
 
+void require_line_time(const BoardSettings& settings, const Timing& timing) {
+  if (fog::output_line_us(fog::output_bytes(settings.output)) <= timing.period_us) return;
+  throw InputError("--sample-rate", format("%g Hz is too fast: ", settings.sample_rate_hz) +
+                                        line_time_text(settings.output, timing.period_us));
+}
+
 }  // namespace
 
 model::Model board_model(const model::Model& model) {
@@ -317,10 +329,7 @@ BoardTable make_board_table(const model::Model& whole, const BoardSettings& sett
   if (timing.period_us < 1) {
     throw InputError("--sample-rate", format("%g Hz is beyond 1 MHz", settings.sample_rate_hz));
   }
-  if (fog::output_line_us(fog::output_bytes(settings.output)) > timing.period_us) {
-    throw InputError("--sample-rate", format("%g Hz is too fast: ", settings.sample_rate_hz) +
-                                          line_time_text(settings.output, timing.period_us));
-  }
+  require_line_time(settings, timing);
   const std::string text = model::model_text(whole);
   BoardTable table;
   TableWriter out(table);

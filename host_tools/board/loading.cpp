@@ -34,6 +34,7 @@ fog::LoadTarget target_of(const fog::SlotsRecord& slots, const fog::HealthRecord
   std::copy_n(processor, target.processor.size(), target.processor.begin());
   if (slots.used >= slots.slots.size()) return target;
   target.used = slots.used;
+  target.has_owner = true;
   target.sequence = slots.slots[slots.used].sequence;
   target.serial = slots.slots[slots.used].serial;
   return target;
@@ -55,8 +56,9 @@ Words words_of(const std::string& bytes) {
   return words;
 }
 
-std::string serial_at(const Words& slot) {
-  return displayable(serial_text(&slot[fog::kSlotHeaderWords + fog::kIdentityAt]));
+std::string gyro_at(const std::uint32_t* serial) {
+  const std::string text = serial_text(serial);
+  return text.empty() ? "no gyro (without a serial number)" : "gyro " + displayable(text);
 }
 
 // Text for a refusal because of the table.
@@ -68,9 +70,11 @@ std::string reason(LoadRefusal refusal, const Words& slot, const fog::LoadTarget
              "; this board has " + processor_text(target.processor);
     }
     case LoadRefusal::other_gyro:
-      return "is of gyro " + serial_at(slot) + ", and the board's table of " +
-             displayable(serial_text(target.serial.data())) +
+      return "is of " + gyro_at(&slot[fog::kSlotHeaderWords + fog::kIdentityAt]) +
+             ", and the board's table of " + gyro_at(target.serial.data()) +
              "; --another-gyro if the board has been given to it";
+    case LoadRefusal::no_owner:
+      return "would be the board's first one and bind it to its gyro; say which that is: --serial";
     case LoadRefusal::other_layout:
       return "has another layout than the board's firmware; export it with the fogcomp of that";
     case LoadRefusal::not_in_image:
@@ -177,7 +181,8 @@ LoadedTable load_table(BoardPort& port, const BoardTable& table, const LoadReque
   }
   const fog::LoadTarget target = target_of(*slots, health);
   const Words slot = words_of(slot_bytes(table, newest_sequence(*slots) + 1, request.file));
-  const std::uint32_t options = request.another_gyro ? fog::kMayBeAnotherGyro : 0;
+  const std::uint32_t options = (request.another_gyro ? fog::kMayBeAnotherGyro : 0) |
+                                (request.serial_given ? fog::kMayBeFirst : 0);
   LoadRefusal refusal = fog::refusal_of_head(slot.data(), target, options);
   if (refusal == LoadRefusal::none) refusal = send_words(port, slot, options, request);
   if (refusal == LoadRefusal::none) refusal = send_end(port);

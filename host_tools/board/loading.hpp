@@ -13,6 +13,7 @@ struct LoadRequest {
   std::string port;           ///< name for messages
   std::string file;           ///< file of the table
   bool another_gyro = false;  ///< allow the table of another gyro than the one in use
+  bool serial_given = false;  ///< the user has said which gyro it is: a board may get its first one
 };
 
 /// Result: the board's slots after the restart, with the new table in use.

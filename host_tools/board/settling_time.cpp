@@ -7,15 +7,22 @@
 namespace fogcomp::board {
 namespace {
 
+// Lags of lags settle one after the other: the largest sum of time constants that are nested.
+double slowest_chain_s(const model::Expression& expression, const std::vector<double>& constants) {
+  std::vector<double> sums(expression.nodes.size());
+  for (std::size_t i = 0; i < expression.nodes.size(); ++i) {
+    const model::ExpressionNode& node = expression.nodes[i];  // without operands: left, right 0
+    sums[i] = node.kind == model::NodeKind::lag ? sums[node.left] + constants[node.right]
+                                                : std::max(sums[node.left], sums[node.right]);
+  }
+  return sums.empty() ? 0 : sums.back();
+}
+
 double slowest_lag_s(const model::EffectTerm& term) {
   double slowest = 0;
   if (term.expression) {
     const model::Expression& expression = term.expression->expression;
-    const std::vector<double> constants = expression.constants(term.shape());
-    for (const model::ExpressionNode& node : expression.nodes) {
-      if (node.kind == model::NodeKind::lag) slowest = std::max(slowest, constants[node.right]);
-    }
-    return slowest;
+    return slowest_chain_s(expression, expression.constants(term.shape()));
   }
   const model::TermInfo info = model::info_of(term);
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {

@@ -53,7 +53,9 @@ void print_text(const board::LoadedTable& loaded) {
 }
 
 struct LoadCommand : Command {
-  Text serial{this, {"serial", "NUMBER", "that the table's gyro must have", ""}};
+  Text serial{this,
+              {"serial", "NUMBER",
+               "that the table's gyro must have; needed for a board's first table", ""}};
   Flag another_gyro{this, "another-gyro",
                     "replace the table of another gyro: the board has been given to this one"};
   Flag json{this, "json", "print one JSON object"};
@@ -72,7 +74,7 @@ struct LoadCommand : Command {
     }
     board::BoardPort port(path);
     const board::LoadedTable loaded =
-        board::load_table(port, table, {path, file, another_gyro.given()});
+        board::load_table(port, table, {path, file, another_gyro.given(), serial.given()});
     if (json.given()) {
       print_json(loaded);
     } else {

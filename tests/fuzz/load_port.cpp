@@ -14,7 +14,7 @@ namespace {
 // As messages, and again with the CRC that chance would hardly meet.
 void load(const std::uint8_t* data, std::size_t size) {
   static fog::test::CutFlash flash;
-  const fog::LoadTarget target{0, 1, {}, {}};
+  const fog::LoadTarget target{0, 1, true, {}, {}};
   fog::SlotLoader<fog::test::CutFlash> loader(flash, target, fog::kGenericImage);
   fog::LoadParser parser;
   const auto feed = [&](std::uint8_t byte) {

@@ -19,7 +19,6 @@ using fog::LoadAnswer;
 using fog::LoadMessage;
 using fog::LoadRefusal;
 using fog::LoadStep;
-using fog::LoadTarget;
 using fog::SlotChoice;
 using fog::test::CutFlash;
 using fogcomp::board::BoardSettings;
@@ -47,17 +46,6 @@ SlotChoice boot(const CutFlash& flash) {
   return fog::choose_slot(flash.both(), fog::kGenericImage, kProcessor, parameters);
 }
 
-// Load target as the board's application derives it from the slots found at its start.
-LoadTarget target_of(const SlotChoice& choice) {
-  LoadTarget target;
-  target.processor = kProcessor;
-  if (choice.error != fog::ModelError::none) return target;
-  target.used = choice.slot;
-  target.sequence = choice.used().sequence;
-  std::memcpy(target.serial.data(), choice.used().table.data + fog::kIdentityAt, 16);
-  return target;
-}
-
 LoadMessage begin_of(const Words& slot, std::uint32_t options = 0) {
   LoadMessage message{LoadStep::begin, options, fog::kLoadHeadWords, {}};
   std::copy_n(slot.begin(), fog::kLoadHeadWords, message.words.begin());
@@ -80,14 +68,17 @@ LoadRefusal load(Loader& loader, const Words& slot, std::uint32_t options = 0) {
   if (answer.refusal == LoadRefusal::none) answer = loader.take(kEnd, true);
   return answer.refusal;
 }
+fog::LoadTarget target_of(const CutFlash& flash) {
+  return fog::load_target(boot(flash), flash.both(), kProcessor);
+}
 LoadRefusal load(CutFlash& flash, const Words& slot, std::uint32_t options = 0) {
-  Loader loader(flash, target_of(boot(flash)), fog::kGenericImage);
+  Loader loader(flash, target_of(flash), fog::kGenericImage);
   return load(loader, slot, options);
 }
 
 TEST(PowerCut, AtEveryByteTheOldTableOrTheNewOneIsUsed) {
   CutFlash flash;
-  ASSERT_EQ(load(flash, slot_of(1)), LoadRefusal::none);
+  ASSERT_EQ(load(flash, slot_of(1), fog::kMayBeFirst), LoadRefusal::none);
   std::size_t all_cuts = 0;
   for (std::uint32_t sequence = 2; sequence < 5; ++sequence) {  // both slots, empty and not
     const SlotChoice old = boot(flash);
@@ -114,7 +105,7 @@ TEST(PowerCut, LeavesABoardThatCanBeLoaded) {
   struct PowerIsGone {};
   std::mt19937 random(7);
   CutFlash flash;
-  ASSERT_EQ(load(flash, slot_of(1)), LoadRefusal::none);
+  ASSERT_EQ(load(flash, slot_of(1), fog::kMayBeFirst), LoadRefusal::none);
   std::uint32_t used = 1;
   for (int i = 0; i < 200; ++i) {
     const Words slot = slot_of(used + 1);
@@ -137,7 +128,7 @@ TEST(PowerCut, LeavesABoardThatCanBeLoaded) {
 
 class Loading : public testing::Test {
  protected:
-  Loading() { EXPECT_EQ(load(flash_, slot_of(1)), LoadRefusal::none); }
+  Loading() { EXPECT_EQ(load(flash_, slot_of(1), fog::kMayBeFirst), LoadRefusal::none); }
   // Refused with a reason; the table in use is unchanged; nothing is erased unless `erases`.
   void expect_refused(LoadRefusal refusal, const Words& slot, bool erases = false) {
     const std::size_t before = flash_.erases;
@@ -153,7 +144,7 @@ class Loading : public testing::Test {
     std::copy(seal.begin(), seal.end(), bytes + size);
     return slot;
   }
-  Loader loader() { return {flash_, target_of(boot(flash_)), fog::kGenericImage}; }
+  Loader loader() { return {flash_, target_of(flash_), fog::kGenericImage}; }
 
   CutFlash flash_;
 };
@@ -200,6 +191,29 @@ TEST_F(Loading, RefusesWhatIsNotForThisBoardBeforeAnythingIsErased) {
 TEST_F(Loading, TakesTheTableOfAnotherGyroWhereItIsToldSo) {
   EXPECT_EQ(load(flash_, slot_of(2, of_gyro("G2")), fog::kMayBeAnotherGyro), LoadRefusal::none);
   EXPECT_EQ(boot(flash_).used().sequence, 2U);
+}
+
+TEST_F(Loading, TableWithoutSerial_Loaded_OpensNoWay) {
+  expect_refused(LoadRefusal::other_gyro, slot_of(2, of_gyro("")));
+  EXPECT_EQ(load(flash_, slot_of(2, of_gyro("")), fog::kMayBeAnotherGyro), LoadRefusal::none);
+  EXPECT_EQ(load(flash_, slot_of(3, of_gyro("G2"))), LoadRefusal::other_gyro);
+  EXPECT_EQ(load(flash_, slot_of(3, of_gyro("G1"))), LoadRefusal::other_gyro);
+  EXPECT_EQ(load(flash_, slot_of(3, of_gyro(""))), LoadRefusal::none);
+}
+
+TEST(VirginBoard, FirstTable_NotMeant_Refused) {
+  CutFlash flash;
+  EXPECT_EQ(load(flash, slot_of(1)), LoadRefusal::no_owner);
+  EXPECT_EQ(flash.erases, 0U);
+  EXPECT_EQ(load(flash, slot_of(1), fog::kMayBeFirst), LoadRefusal::none);
+}
+
+// The owner is the damaged table's.
+TEST_F(Loading, OnlyTable_Damaged_BoardStaysItsGyros) {
+  flash_.slot(boot(flash_).slot)[60] ^= 1;
+  ASSERT_EQ(boot(flash_).error, fog::ModelError::damaged);
+  EXPECT_EQ(load(flash_, slot_of(2, of_gyro("G2")), fog::kMayBeFirst), LoadRefusal::other_gyro);
+  EXPECT_EQ(load(flash_, slot_of(2)), LoadRefusal::none);
 }
 
 // Whatever is damaged, the first word of the new table included.

@@ -43,7 +43,12 @@ class BlockDrift:
 
     @property
     def history_known(self):
-        return all(play.known for play in self.plays)
+        return (all(effect.history_known for effect, _ in self.effects)
+                and all(play.known for play in self.expressions.plays))
+
+    def forget_history(self):
+        for play in self.plays:
+            play.forget()
 
 
 class Course:
@@ -59,6 +64,7 @@ class Course:
         self.to_make = None            # signals that the coefficients are to be made of
         self.started = False
         self.held = self.since_good = 0
+        self.clamped_left = 0
         self.settling = table.settle_blocks
         self.flags = 0
         self.passed = self.target = NO_SIGNALS.means
@@ -99,7 +105,8 @@ class Course:
         before = self.base, self.to_make
         self.passed = self._next_of_bridge()
         self.left -= 1
-        self._evaluate(self.thermal.step(self.passed))
+        way_unknown = self.left == 0 and self.held - self.since_good > self.accurate_blocks
+        self._evaluate(self.thermal.step(self.passed), way_unknown)
         if self.left > 0:
             # The text keeps drift and of_sample too: evaluate() does not change them.
             self.base, self.to_make = before
@@ -123,12 +130,19 @@ class Course:
             self.settling = max(self.settling, unsure)
         self.held = self.since_good
 
-    def _evaluate(self, signals):
+    def _evaluate(self, signals, way_unknown=False):
+        clamps = self.thermal.clamps(signals)
+        if clamps or way_unknown:
+            self.block.forget_history()
         total = self.block.step(signals)
         self.base = (clamp(total, -2**41, INT32_MAX << 10) << 21) + 2**30
         self.to_make = signals
         self.flags = 0
-        if self.thermal.clamps(signals.means.temperature):
+        if clamps or self.block.expressions.clamped:
+            self.clamped_left = self.settle_blocks + 1
+        elif self.clamped_left > 0:
+            self.clamped_left -= 1
+        if self.clamped_left > 0:
             self.flags |= flags.TEMPERATURE_CLAMPED
         if not self.block.history_known:
             self.flags |= flags.HISTORY_UNKNOWN

@@ -34,6 +34,10 @@ class Effect:
     def counts(constants):
         return 1
 
+    @property
+    def history_known(self):
+        return all(play.known for play in self.plays)
+
     def reset(self, signals):
         pass
 
@@ -188,9 +192,12 @@ class GlassTransition(Effect):
 
 class WarmUp(Effect):
     constants = (POSITIVE,)
+    history_known = False
 
     def regressors(self, signals):
-        return [round_shift(exponential(scaled(signals.means.blocks * self.c[0], 5)), 2)]
+        exponent = scaled(signals.means.blocks * self.c[0], 5)
+        self.history_known = exponent >= 5 << 26
+        return [round_shift(exponential(exponent), 2)]
 
 
 class Aging(Effect):

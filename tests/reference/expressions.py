@@ -9,6 +9,7 @@ from thermal import Lag, Play
 STACK = 16
 STATES = 8
 SIGNALS_BEFORE_INPUTS = 4
+ELAPSED = 2
 
 (SIGNAL, CONSTANT, DUPLICATE, OVER, NIP, SHIFT, ADD, SUBTRACT, MULTIPLY, DIVIDE, NEGATE, ABSOLUTE, MIN, MAX, SINE,
  COSINE, DECAY, TANH, LAG, PLAY, OUTPUT) = range(21)
@@ -136,6 +137,7 @@ class Expressions:
         self.states = [(Lag if operation.code == LAG else Play)(operation.words[0])
                        for operation in program if operation.code in (LAG, PLAY)]
         self.plays = [state for state in self.states if isinstance(state, Play)]
+        self.clamped = False           # a signal but the time, in the last run
 
     @property
     def needs(self):
@@ -150,9 +152,11 @@ class Expressions:
         stack = []
         regressors = []
         states = iter(self.states)
+        self.clamped = False
         for code, k, words in self.program:
             if code == SIGNAL:
                 stack.append(clamp(values[k], *words))
+                self.clamped |= stack[-1] != values[k] and k != ELAPSED
             elif code == CONSTANT:
                 stack.append(words[0])
             elif code == DUPLICATE:
@@ -178,9 +182,10 @@ class Expressions:
             lag.reset(b << 18)
         return sat32(round_shift(lag.step(b << 18), 18))
 
-    @staticmethod
-    def _play(play, b, restart):
+    def _play(self, play, b, restart):
         x = clamp(b, -2**30, 2**30)
         if restart:
             play.reset(x)
+        if self.clamped:
+            play.forget()
         return play.step(x)

@@ -59,7 +59,7 @@ class Pipeline:
         self.last_temperature = 0
         self.denoised = (0, False)
         self.angle = 0
-        self.refused_left = 0
+        self.doubtful_left = 0
         self.frames = 0
 
     def _needed_inputs(self):
@@ -95,7 +95,8 @@ class Pipeline:
         if status & self.table.chosen:
             status |= flags.RATE_REFUSED
         if not verdict.late:
-            self._denoise(compensated, well, bool(status & flags.RATE_REFUSED))
+            self.frames += verdict.missing
+            self._denoise(compensated, well, bool(status & flags.RATE_REFUSED), verdict.missing > 0)
             if good:
                 self.last_temperature = sample.temperature
         status = self._denoised_status(status)
@@ -139,18 +140,20 @@ class Pipeline:
 
     # 3. Denoise.
 
-    def _denoise(self, compensated, well, refused):
+    def _denoise(self, compensated, well, refused, lost):
         self.denoised = self.denoiser.denoise(compensated, well)
         if self.delta_angle:
             self.angle = self.delta_angle.step(self.denoised[0])
         if well and refused:
-            self.refused_left = self.denoiser.delay + 1
-        elif self.refused_left > 0:
-            self.refused_left -= 1
+            self.doubtful_left = self.denoiser.delay + 1
+        elif lost:
+            self.doubtful_left = self.denoiser.delay
+        elif self.doubtful_left > 0:
+            self.doubtful_left -= 1
 
     def _denoised_status(self, status):
         _, valid = self.denoised
-        if not valid or self.refused_left > 0:
+        if not valid or self.doubtful_left > 0:
             status |= flags.DENOISED_INVALID
         if self.denoiser.filling:
             status |= flags.DENOISER_FILLING

@@ -52,6 +52,10 @@ class Play:
         self.hi = clamp(self.hi, below, above)
         return self.y
 
+    def forget(self):
+        """Before a step whose x may have come another way than it seems."""
+        self.lo, self.hi = -2**31, 2**31 - 1
+
     @property
     def known(self):
         """Whether its history is known."""
@@ -91,8 +95,9 @@ class ThermalStage:
     def step(self, means):
         return self._signals(means, self.derivative.step(means.temperature))
 
-    def clamps(self, temperature):
-        return not self.min <= temperature <= self.max
+    @staticmethod
+    def clamps(signals):
+        return signals.trained != signals.means.temperature or abs(signals.change) == 2**30
 
     def _signals(self, means, change):
         return Signals(clamp(means.temperature, self.min, self.max), change, means)

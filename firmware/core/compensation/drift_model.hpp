@@ -49,7 +49,6 @@ class DriftModel {
              const ExpressionParameters& expressions, const NetworkParameters& network,
              const DriftPolicy& policy)
       : thermal_(thermal),
-        limits_(thermal),
         effects_(effects),
         expressions_(expressions, effects.coefficient_fraction),
         network_(network),
@@ -90,11 +89,14 @@ class DriftModel {
     if (!started_ || bridge_.remaining() == 0) return;
     if (course_.settling_blocks > 0) --course_.settling_blocks;
     const auto held = course_.now;
-    evaluate(thermal_.step(bridge_.next()));
-    if (bridge_.remaining() > 0) {
+    const Signals<BoardNumbers> signals = thermal_.step(bridge_.next());
+    const bool is_last = bridge_.remaining() == 0;
+    const std::uint32_t bridged = course_.held_blocks - course_.since_good;
+    evaluate(signals, is_last && bridged > policy_.accurate_blocks);
+    if (!is_last) {
       course_.now = held;
     } else {
-      settle_after(course_.held_blocks - course_.since_good);
+      settle_after(bridged);
       course_.held_blocks = course_.since_good;
     }
   }
@@ -161,10 +163,11 @@ class DriftModel {
   using Effects = EffectBank<kEffects>;
   using RateDrift = BoardNumbers::RateDrift;
   struct Course {
-    std::uint32_t settling_blocks;  // left until it has settled
-    std::uint32_t held_blocks = 0;  // since the drift was computed; at most hold_blocks + 1
-    std::uint32_t since_good = 0;   // of these, the ones after the last good block
-    Status flags = Status::none;    // of the last step
+    std::uint32_t settling_blocks;     // left until it has settled
+    std::uint32_t held_blocks = 0;     // since the drift was computed; at most hold_blocks + 1
+    std::uint32_t since_good = 0;      // of these, the ones after the last good block
+    std::uint32_t clamped_blocks = 0;  // left until lags have forgotten a clamped input
+    Status flags = Status::none;       // of the last step
     DriftNow<Effects::follows_rate> now{};
   };
   static constexpr int kRateBits = RateDrift::fractional_bits - Rate::fractional_bits;
@@ -182,8 +185,13 @@ class DriftModel {
     if (bridged_blocks > 0 && course_.settling_blocks < unsure) course_.settling_blocks = unsure;
   }
 
-  void evaluate(const Signals<BoardNumbers>& signals) {
-    const Temperature temperature = signals.block.temperature;
+  // `way_unknown`: the temperature may have turned on its way to this block, and a play with it.
+  void evaluate(const Signals<BoardNumbers>& signals, bool way_unknown = false) {
+    const bool is_outside = outside(signals);
+    if (is_outside || way_unknown) {
+      effects_.forget_history();
+      expressions_.forget_history();
+    }
     const DriftSum drift =
         effects_.step(signals) + expressions_.step(signals) + network_.step(signals);
     if constexpr (Effects::follows_rate) {
@@ -196,10 +204,22 @@ class DriftModel {
     } else {
       course_.now.drift = saturate_to<Rate>(drift);
     }
-    course_.flags = status_if(temperature < limits_.min || temperature > limits_.max,
-                              Status::temperature_clamped) |
+    if (is_outside || expressions_.clamped()) {
+      course_.clamped_blocks = policy_.settle_blocks + 1;
+    } else if (course_.clamped_blocks > 0) {
+      --course_.clamped_blocks;
+    }
+    course_.flags = status_if(course_.clamped_blocks > 0, Status::temperature_clamped) |
                     status_if(!effects_.history_known() || !expressions_.history_known(),
                               Status::history_unknown);
+  }
+
+  // Whether the model sees another temperature, or temperature rate, than there was.
+  bool outside(const Signals<BoardNumbers>& signals) const {
+    constexpr auto kMaxRate = from_integer<TemperatureRate>(kMaxRateDegcPerMin);
+    const TemperatureRate rate = signals.temperature_rate;
+    return signals.temperature != signals.block.temperature || rate == kMaxRate ||
+           rate == -kMaxRate;
   }
 
   // The sum fits (held_within()).
@@ -218,7 +238,6 @@ class DriftModel {
   }
 
   ThermalState<BoardNumbers> thermal_;
-  const ThermalParameters<BoardNumbers>& limits_;
   Effects effects_;
   ExpressionBank<kExpressions> expressions_;
   DriftNetwork<kNetworkInputs> network_;

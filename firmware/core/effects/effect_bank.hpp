@@ -136,6 +136,15 @@ class EffectBank {
     return known;
   }
 
+  /// To be called before a step whose temperature may have come another way than it seems.
+  void forget_history() {
+    for_each([](auto& slot) {
+      if constexpr (detail::HasHistory<std::decay_t<decltype(slot.effect)>>::value) {
+        slot.effect.forget_history();
+      }
+    });
+  }
+
  private:
   template <class Effect>
   static constexpr bool follows = follows_input_rate(Effect::description.needs);

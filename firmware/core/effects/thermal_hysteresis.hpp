@@ -67,6 +67,10 @@ class ThermalHysteresis {
     second_.start(operand(signals));
   }
   bool history_known() const { return first_.history_known() && second_.history_known(); }
+  void forget_history() {
+    first_.forget_history();
+    if (two_) second_.forget_history();  // else it makes no step to learn it in
+  }
   void step(const Signals<N>& signals, typename N::Regressor* regressors) {
     using Regressor = typename N::Regressor;
     const auto x = operand(signals);

@@ -10,7 +10,8 @@ namespace fog::effects {
 /// power-on, not a state: no error accumulates, and a restart of the thermal state does not repeat
 /// the warm-up.
 ///
-/// A board cannot know how long the power was off: it takes every start for a cold one. A recording
+/// A board cannot know how long the power was off: it takes every start for a cold one, and its
+/// history for unknown until five time constants later. A recording
 /// that goes on after a restart tells it; then what has cooled meanwhile warms up again.
 ///
 /// tau is at most 5 h. Slower decays are those of the housing's temperature, which the sensor
@@ -48,15 +49,19 @@ class WarmUp {
 
   std::size_t regressor_count() const { return 1; }
   void reset(const Signals<N>& /*signals*/) {}
+  bool history_known() const { return has_settled_; }
+  void forget_history() {}  // it follows from the time
   void step(const Signals<N>& signals, typename N::Regressor* regressors) {
     using Exponent = typename N::template Number<26>;  // clips at 32; exp(-32) is 0
     const auto exponent = saturate_to<Exponent>(signals.block.since_power_on() * per_tau_);
+    has_settled_ = exponent >= from_integer<Exponent>(5);
     regressors[0] = round_to<typename N::Regressor>(
         N::from_cold(signals.block.power_on, per_tau_, N::exponential_decay(exponent)));
   }
 
  private:
   typename N::template Number<31> per_tau_;
+  bool has_settled_ = false;
 };
 
 }  // namespace fog::effects

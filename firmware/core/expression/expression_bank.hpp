@@ -39,6 +39,17 @@ class ExpressionBank {
   /// Whether no play operator depends any more on what happened before the start.
   bool history_known() const { return history_known_; }
 
+  /// As that of EffectBank.
+  void forget_history() {
+    if constexpr (has(Op::play)) {
+      for (State& state : states_) state.play.forget_history();
+    }
+  }
+
+  /// Whether a signal was outside its range in the last run. The time may be: what it still does
+  /// after a training ends with it.
+  bool clamped() const { return clamped_; }
+
   void carry(StateCarrier& state) {
     if constexpr (has(Op::lag) || has(Op::play)) {
       if (parameters_.program.size > 0) state(states_);
@@ -67,6 +78,12 @@ class ExpressionBank {
   static std::int32_t shifted(std::int32_t value, int bits) {
     if (bits >= 0) return narrow(round_shift(std::int64_t{value}, bits));
     return narrow(shift_left(std::int64_t{value}, -bits));
+  }
+
+  std::int32_t in_range(std::int32_t value, std::int32_t min, std::int32_t max, Input input) {
+    const std::int32_t held = clamp(value, min, max);
+    clamped_ = clamped_ || (held != value && input != Input::elapsed);
+    return held;
   }
 
   static std::int32_t quotient(std::int32_t a, std::int32_t b, int bits) {
@@ -100,6 +117,7 @@ class ExpressionBank {
       state.play.set_radius(Play::Value::from_raw(radius));
       state.play.start(input);
     }
+    if (clamped_) state.play.forget_history();
     const std::int32_t y = (input - state.play.step(input)).raw();
     history_known_ = history_known_ && state.play.history_known();
     return y;
@@ -115,6 +133,7 @@ class ExpressionBank {
     const std::int32_t* word = parameters_.program.data;
     const std::int32_t* const end = word + parameters_.program.size;
     history_known_ = true;
+    clamped_ = false;
     const auto push = [&](std::int32_t value) {
       *below++ = x;
       x = value;
@@ -125,7 +144,8 @@ class ExpressionBank {
       ++word;
       switch (op) {
         case Op::signal:
-          push(clamp(raw_value<kInputs>(signals, static_cast<Input>(bits)), word[0], word[1]));
+          push(in_range(raw_value<kInputs>(signals, static_cast<Input>(bits)), word[0], word[1],
+                        static_cast<Input>(bits)));
           word += 2;
           break;
         case Op::constant:
@@ -198,6 +218,7 @@ class ExpressionBank {
   const ExpressionParameters& parameters_;
   int coefficient_fraction_;
   bool history_known_ = true;
+  bool clamped_ = false;
   std::array<Regressor, kMaxExpressions> regressors_{};
   std::array<State, has(Op::lag) || has(Op::play) ? kMaxExpressionStates : 1> states_{};
 };
@@ -210,6 +231,8 @@ class ExpressionBank<0> {
   void reset(const Signals<BoardNumbers>& /*signals*/) {}
   DriftSum step(const Signals<BoardNumbers>& /*signals*/) { return {}; }
   bool history_known() const { return true; }
+  void forget_history() {}
+  bool clamped() const { return false; }
   void carry(StateCarrier& /*state*/) {}
 };
 

@@ -25,6 +25,7 @@ class KvhCommands {
 
   /// Whether the user has entered the configuration mode, in which no frames are sent.
   bool configuring() const { return configuring_; }
+  void leave_configuration() { configuring_ = false; }
 
   static constexpr std::size_t kMaxLine = 24;
   static constexpr std::size_t kMaxAnswer = kMaxLine + 16;

@@ -30,6 +30,7 @@ enum class LoadRefusal : std::uint8_t {
   flash_failed,     ///< does not keep what is written to it
   not_expected,     ///< a step that does not follow the last one
   frames_too_long,  ///< for the table's sample period
+  no_owner,         ///< the board's first table binds it to a gyro: that must be meant
 };
 
 constexpr std::size_t kMaxLoadWords = 32;
@@ -43,6 +44,7 @@ struct LoadMessage {
 
 /// Bits of `at` in a `begin` message.
 constexpr std::uint32_t kMayBeAnotherGyro = 1;
+constexpr std::uint32_t kMayBeFirst = 2;  ///< of a board that belongs to no gyro yet
 
 struct LoadAnswer {
   LoadStep step = LoadStep::begin;

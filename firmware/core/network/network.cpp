@@ -75,7 +75,10 @@ bool network_fits(const NetworkParameters& network) {
   for (const std::int32_t* word = network.neurons.begin(); word != network.neurons.end();
        word += kNeuronWords) {
     std::uint64_t weights = 0;
-    for (std::size_t i = 1; i <= kMaxNetworkInputs; ++i) weights += magnitude_of(word[i]);
+    for (std::size_t i = 1; i <= kMaxNetworkInputs; ++i) {
+      weights += magnitude_of(word[i]);
+      fits = fits && (i <= network.input_count || word[i] == 0);
+    }
     fits = fits && sum_fits(weights, word[0]);
     output_weights += magnitude_of(word[kNeuronWords - 1]);
   }

@@ -123,6 +123,7 @@ class Compensator {
   /// size. Changes nothing else; the elapsed time is accounted for with the next sample.
   std::size_t answer_silence(std::uint8_t* out) {
     begin_answer();
+    ++silent_frames_;
     last_.status |= fault_ | Status::no_samples | Status::rate_refused | Status::denoised_refused |
                     status_if(token_.for_status() != kIntactImage, Status::self_test_failed);
     return encode(last_, out);
@@ -206,12 +207,12 @@ class Compensator {
     result.status |= status_if(has_any(result.status, invalidating_), Status::rate_refused);
     if (!verdict.late) {
       denoise(result.compensated, measured_well);
-      count_refused(measured_well && !result.compensated_valid());
+      count_doubtful(measured_well && !result.compensated_valid(), verdict.missing);
       if (temperature_good) last_temperature_ = temperature;
     }
     result.denoised = denoised_.rate;
     result.status |=
-        status_if(!denoised_.valid || samples_after_refused_ > 0, Status::denoised_invalid) |
+        status_if(!denoised_.valid || doubtful_outputs_ > 0, Status::denoised_invalid) |
         status_if(denoiser_.filling(), Status::denoiser_filling);
     result.status |= status_if(has_any(result.status, invalidating_ | Status::denoised_invalid),
                                Status::denoised_refused);
@@ -263,12 +264,17 @@ class Compensator {
   }
 
   // A rate that is refused although it was measured well is not replaced in the denoiser. So the
-  // denoised rate is not valid from the first such rate until the delay after the last one.
-  void count_refused(bool refused) {
-    if (refused) {
-      samples_after_refused_ = denoiser_.delay() + 1;
-    } else if (samples_after_refused_ > 0) {
-      --samples_after_refused_;
+  // denoised rate is not valid from the first such rate until the delay after the last one. Across
+  // lost samples it stands for an earlier time than its delay says, until all of the denoiser's
+  // samples have come after them. KVH's sequence counts lost samples, so that a driver sees them; a
+  // silence has answered some.
+  void count_doubtful(bool refused, std::uint32_t missing) {
+    if (missing > silent_frames_) frames_ += missing - silent_frames_;
+    silent_frames_ = 0;
+    if (refused || missing > 0) {
+      doubtful_outputs_ = denoiser_.delay() + (refused ? 1 : 0);
+    } else if (doubtful_outputs_ > 0) {
+      --doubtful_outputs_;
     }
   }
 
@@ -347,11 +353,12 @@ class Compensator {
                      Denoiser<kTaps, kLevels>>
       denoiser_;
   DenoiserOutput denoised_;
-  std::size_t samples_after_refused_ = 0;
+  std::size_t doubtful_outputs_ = 0;  // left, of the denoiser
   bool ended_block_ = false;
   Temperature last_temperature_{};
   OutputSample last_;
-  std::uint32_t frames_ = 0;
+  std::uint32_t frames_ = 0;         // answers and samples that were lost
+  std::uint32_t silent_frames_ = 0;  // since the last sample
 };
 
 }  // namespace fog

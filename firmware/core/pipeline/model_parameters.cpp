@@ -69,7 +69,7 @@ EffectMask read_effects(TableReader& table, EffectCheck effect_fits, EffectsPara
     const Span<const std::int32_t> coefficients =
         table.next_words(next_count(table, kMaxRegressors));
     const EffectMask bit = EffectMask{1} << id;
-    table.require((enabled & bit) == 0U);
+    table.require((enabled & bit) == 0U && (kAllEffects & bit) != 0U);
     enabled |= bit;
     EffectParameters& effect = effects.by_id[id];
     effect.constants = constants.data;
@@ -179,7 +179,8 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& capacity,
   parameters.invalidating = static_cast<Status>(table.next());
   table.require((parameters.invalidating & ~kMayInvalidate) == kRateInvalid);
   if (!table.good() || !table.at_end()) return ModelError::out_of_range;
-  if (output_line_us(output_bytes(parameters.output)) > parameters.acquisition.sample_period_us) {
+  const auto frames = static_cast<std::size_t>(parameters.output);
+  if (parameters.acquisition.sample_period_us < kMinPeriodUs[frames]) {
     return ModelError::frames_too_long;
   }
   if ((parameters.expressions.used & ~capacity.expressions) != 0U) return ModelError::not_in_image;
@@ -249,7 +250,7 @@ const char* describe(ModelError error) {
     case ModelError::other_gyro:
       return "of another gyro";
     case ModelError::frames_too_long:
-      return "refused: its frames take longer than a sample period";
+      return "frames too long";
   }
   return "unknown";
 }

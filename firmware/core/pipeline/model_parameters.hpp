@@ -33,6 +33,12 @@ constexpr std::size_t output_bytes(OutputSelection output) {
          (output == OutputSelection::kvh ? 0 : kCompactFrameBytes);
 }
 
+/// Shortest sample period in which the frames of a sample can be sent, us; by OutputSelection.
+constexpr std::uint16_t kMinPeriodUs[] = {
+    static_cast<std::uint16_t>(output_line_us(output_bytes(OutputSelection::kvh))),
+    static_cast<std::uint16_t>(output_line_us(output_bytes(OutputSelection::compact))),
+    static_cast<std::uint16_t>(output_line_us(output_bytes(OutputSelection::both)))};
+
 constexpr std::int32_t kModelMagic = 0x464F474D;  ///< "FOGM"
 constexpr std::int32_t kModelLayout = 7;          ///< of the table; SPEC.md, "Model table"
 constexpr std::size_t kMaxModelWords = 4096;

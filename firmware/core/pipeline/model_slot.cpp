@@ -54,10 +54,14 @@ SlotContents read_slot_behind_magic(SlotMemory memory) {
 }
 
 bool have_same_serial(SlotMemory a, SlotMemory b) {
+  constexpr std::uint8_t kErased = 0xFF;  // in no serial number
   constexpr std::size_t kSerialAt = kSlotHeaderWords + kIdentityAt;
-  bool same = true;
-  for (std::size_t i = kSerialAt; i < kSerialAt + kSerialWords; ++i) same = same && a[i] == b[i];
-  return same;
+  const auto* const one = reinterpret_cast<const std::uint8_t*>(a.data + kSerialAt);
+  const auto* const other = reinterpret_cast<const std::uint8_t*>(b.data + kSerialAt);
+  for (std::size_t i = 0; i < kSerialWords * sizeof(std::int32_t); ++i) {
+    if (one[i] != other[i] && one[i] != kErased && other[i] != kErased) return false;
+  }
+  return true;
 }
 
 SlotChoice choose_slot(const std::array<SlotMemory, kModelSlots>& slots, const ModelShape& capacity,
@@ -65,7 +69,7 @@ SlotChoice choose_slot(const std::array<SlotMemory, kModelSlots>& slots, const M
                        ModelParameters& parameters) {
   SlotChoice choice;
   choice.slots = {read_slot(slots[0]), read_slot(slots[1])};
-  const std::size_t newest = is_newer(choice.slots[0], choice.slots[1]) ? 0 : 1;
+  choice.newest = is_newer(choice.slots[0], choice.slots[1]) ? 0 : 1;
   const auto use = [&](std::size_t slot) {
     ModelError& error = choice.slots[slot].error;
     if (error == ModelError::none) {
@@ -74,13 +78,13 @@ SlotChoice choose_slot(const std::array<SlotMemory, kModelSlots>& slots, const M
     if (error == ModelError::none) choice.slot = slot;
     return error;
   };
-  choice.error = use(newest);
+  choice.error = use(choice.newest);
   if (choice.error == ModelError::none) return choice;
-  SlotContents& older = choice.slots[newest ^ 1U];
+  SlotContents& older = choice.slots[choice.newest ^ 1U];
   if (older.error == ModelError::none && !have_same_serial(slots[0], slots[1])) {
     older.error = ModelError::other_gyro;
   }
-  if (use(newest ^ 1U) == ModelError::none) choice.error = ModelError::none;
+  if (use(choice.newest ^ 1U) == ModelError::none) choice.error = ModelError::none;
   return choice;
 }
 

@@ -39,7 +39,8 @@ SlotContents read_slot(SlotMemory memory);
 /// The same for a slot whose first word has not been written yet; at least kSlotHeaderWords words.
 SlotContents read_slot_behind_magic(SlotMemory memory);
 
-/// Whether the serial numbers in two slots are the same, as they stand there; of kSlotBytes each.
+/// Whether the serial numbers in two slots are the same, as they stand there; of kSlotBytes each. A
+/// byte that was not written says nothing: a load may have been cut off.
 bool have_same_serial(SlotMemory a, SlotMemory b);
 
 /// Result of the choice between the slots.
@@ -47,6 +48,7 @@ struct SlotChoice {
   ModelError error =
       ModelError::not_a_model;  ///< none: `slot` is used; else the error of the newest
   std::size_t slot = kModelSlots;
+  std::size_t newest = 0;  ///< slot with the higher sequence, whether it can be used or not
   /// Contents of each slot, with the error of its model, if that was checked.
   std::array<SlotContents, kModelSlots> slots;
 

@@ -18,10 +18,7 @@ class SilenceClock {
   /// To be called when a sample has come. The times of sample and frame are whole milliseconds,
   /// rounded down: the difference may be up to 1 ms more than the time that has passed.
   void restart(std::uint32_t now_ms) {
-    due_ms_ = now_ms + 1;
-    due_us_ = 999;  // the sum is rounded up
-    put_off();
-    put_off();
+    due_ms_ = now_ms + period_us_ / 500U + 2;  // two periods, rounded up, and this 1 ms
     due_us_ = 0;
   }
 

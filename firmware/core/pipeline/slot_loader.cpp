@@ -10,20 +10,40 @@ LoadRefusal refusal_of(ModelError error) {
 static_assert(static_cast<int>(LoadRefusal::other_gyro) ==
               static_cast<int>(ModelError::other_gyro));
 
-// A table without a serial number fits any gyro.
-bool is_of_another(const std::uint32_t* serial, const LoadTarget& target) {
-  bool any = false;
-  bool any_here = false;
-  bool differs = false;
-  for (std::size_t i = 0; i < kSerialWords; ++i) {
-    any = any || serial[i] != 0;
-    any_here = any_here || target.serial[i] != 0;
-    differs = differs || serial[i] != target.serial[i];
+// A board belongs to the gyro of its table. Also a table without a serial number is one: it would
+// open the way to any other.
+LoadRefusal refusal_of_owner(const std::uint32_t* serial, const LoadTarget& target,
+                             std::uint32_t options) {
+  if ((options & kMayBeAnotherGyro) != 0) return LoadRefusal::none;
+  if (!target.has_owner) {
+    return (options & kMayBeFirst) != 0 ? LoadRefusal::none : LoadRefusal::no_owner;
   }
-  return any && any_here && differs;
+  for (std::size_t i = 0; i < kSerialWords; ++i) {
+    if (serial[i] != target.serial[i]) return LoadRefusal::other_gyro;
+  }
+  return LoadRefusal::none;
 }
 
 }  // namespace
+
+LoadTarget load_target(const SlotChoice& choice, const std::array<SlotMemory, kModelSlots>& slots,
+                       const std::array<std::uint32_t, kProcessorWords>& processor) {
+  LoadTarget target;
+  target.processor = processor;
+  const std::size_t owner = choice.slot != kModelSlots ? choice.slot : choice.newest;
+  if (choice.slot != kModelSlots) {
+    target.used = choice.slot;
+    target.sequence = choice.used().sequence;
+  }
+  target.has_owner = choice.slots[owner].error != ModelError::not_a_model;
+  if (target.has_owner) {
+    for (std::size_t i = 0; i < kSerialWords; ++i) {
+      target.serial[i] =
+          static_cast<std::uint32_t>(slots[owner][kSlotHeaderWords + kIdentityAt + i]);
+    }
+  }
+  return target;
+}
 
 LoadRefusal refusal_of_head(const std::uint32_t* head, const LoadTarget& target,
                             std::uint32_t options) {
@@ -43,10 +63,8 @@ LoadRefusal refusal_of_head(const std::uint32_t* head, const LoadTarget& target,
     bound[i] = static_cast<std::int32_t>(table[kProcessorAt + i]);
   }
   if (is_bound_elsewhere(bound.data(), target.processor)) return LoadRefusal::other_board;
-  if (target.used == kModelSlots) return LoadRefusal::none;
-  if ((options & kMayBeAnotherGyro) == 0 && is_of_another(table + kIdentityAt, target)) {
-    return LoadRefusal::other_gyro;
-  }
+  const LoadRefusal refusal = refusal_of_owner(table + kIdentityAt, target, options);
+  if (refusal != LoadRefusal::none || target.used == kModelSlots) return refusal;
   const bool is_newer = static_cast<std::int32_t>(head[2] - target.sequence) > 0;
   return is_newer ? LoadRefusal::none : LoadRefusal::not_newer;
 }

@@ -11,9 +11,10 @@ namespace fog {
 
 /// The board into which a table is to be loaded.
 struct LoadTarget {
-  std::size_t used = kModelSlots;                    ///< slot in use; kModelSlots: none
-  std::uint32_t sequence = 0;                        ///< of the slot in use
-  std::array<std::uint32_t, kSerialWords> serial{};  ///< of its gyro; all 0: none
+  std::size_t used = kModelSlots;  ///< slot in use; kModelSlots: none
+  std::uint32_t sequence = 0;      ///< of the slot in use
+  bool has_owner = false;          ///< a slot in use, or a damaged one, says whose the board is
+  std::array<std::uint32_t, kSerialWords> serial{};  ///< of the owner
   std::array<std::uint32_t, kProcessorWords> processor{};
 
   /// Slot for the next table: never the one in use.
@@ -24,8 +25,13 @@ struct LoadTarget {
 /// and the table's words up to its owner.
 constexpr std::size_t kLoadHeadWords = kSlotHeaderWords + kProcessorAt + kProcessorWords;
 
-/// Reason to refuse a slot that begins with `head`, sent by the tool before anything else.
-/// `options`: kMayBeAnotherGyro.
+/// What the chosen slots say of the board.
+LoadTarget load_target(const SlotChoice& choice, const std::array<SlotMemory, kModelSlots>& slots,
+                       const std::array<std::uint32_t, kProcessorWords>& processor);
+
+/// Reason to refuse a slot that begins with `head`, sent by the tool before anything else. Serial
+/// numbers must be the same, an empty one like any other. `options`: kMayBeAnotherGyro,
+/// kMayBeFirst.
 LoadRefusal refusal_of_head(const std::uint32_t* head, const LoadTarget& target,
                             std::uint32_t options);
 

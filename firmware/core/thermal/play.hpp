@@ -37,6 +37,12 @@ class Play {
     return x - y_;
   }
 
+  /// To be called before a step whose x may have come another way than it seems.
+  void forget_history() {
+    lowest_ = Value::lowest();
+    highest_ = Value::highest();
+  }
+
   /// Whether y no longer depends on its initial value: x has moved through twice the radius since.
   bool history_known() const { return lowest_ == highest_; }
 

@@ -63,12 +63,7 @@ class Board {
  private:
   void start() {
     choice_ = fog::choose_slot(flash.both(), fog::kGenericImage, kProcessor, parameters_);
-    fog::LoadTarget target{fog::kModelSlots, 0, {}, kProcessor};
-    if (choice_.error == fog::ModelError::none) {
-      target.used = choice_.slot;
-      target.sequence = choice_.used().sequence;
-      std::memcpy(target.serial.data(), choice_.used().table.data + fog::kIdentityAt, 16);
-    }
+    const fog::LoadTarget target = fog::load_target(choice_, flash.both(), kProcessor);
     loader_ = std::make_unique<fog::SlotLoader<CutFlash>>(flash, target, fog::kGenericImage);
   }
   void serve() {
@@ -148,9 +143,10 @@ class LoadTable : public testing::Test {
     with.serial = serial;
     return fogcomp::board::make_board_table(fog::test::paper_like_model(), with);
   }
-  LoadedTable load(const BoardTable& table, bool another_gyro = false) {
+  LoadedTable load(const BoardTable& table, bool another_gyro = false, bool serial_given = true) {
     fogcomp::board::BoardPort port(path_);
-    return fogcomp::board::load_table(port, table, {"PORT", "GYRO.bin", another_gyro});
+    return fogcomp::board::load_table(port, table,
+                                      {"PORT", "GYRO.bin", another_gyro, serial_given});
   }
   // The error message, and the number of bytes written to the board.
   std::string refusal(const BoardTable& table) {
@@ -196,7 +192,7 @@ TEST_F(LoadTable, ComesThroughALineThatLosesAnswers) {
 
 TEST_F(LoadTable, OfAnotherGyroOrBoardIsRefusedBeforeAnythingIsSent) {
   load(table("G1"));
-  expect_refused(table("G2"), "GYRO.bin: is of gyro G2, and the board's table of G1");
+  expect_refused(table("G2"), "GYRO.bin: is of gyro G2, and the board's table of gyro G1");
   BoardSettings elsewhere;
   elsewhere.processor = {1, 2, 3};
   expect_refused(table("G1", elsewhere),
@@ -223,6 +219,23 @@ TEST_F(LoadTable, IsRefusedByTheBoardByName) {
   expect_refused(table("G1"), "PORT: the board's flash does not hold");
   board_->flash.fails = false;
   EXPECT_EQ(load(table("G1")).record.sequence, 2U);
+}
+
+TEST_F(LoadTable, FirstTable_SerialNotGiven_Refused) {
+  try {
+    load(table("G1"), false, false);
+    FAIL();
+  } catch (const fogcomp::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("say which that is: --serial"), std::string::npos);
+  }
+  load(table("G1"));
+  EXPECT_EQ(load(table("G1"), false, false).slot, 1U);
+}
+
+TEST_F(LoadTable, TableWithoutSerial_OfAGyrosBoard_Refused) {
+  load(table("G1"));
+  expect_refused(table(""),
+                 "is of no gyro (without a serial number), and the board's table of gyro G1");
 }
 
 TEST_F(LoadTable, NeedsTheGenericImage) {

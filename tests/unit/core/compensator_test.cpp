@@ -175,6 +175,80 @@ TEST_F(CompensatorTest, FlagsLostAndRepeatedSamplesAndKeepsTime) {
   EXPECT_TRUE(has_any(run(1).status, Status::sequence_gap));
 }
 
+// In a turn the denoised rate stands for another time than its delay says, until all of the
+// denoiser's samples have come after the gap; no longer.
+TEST_F(CompensatorTest, LostSamples_Turning_DenoisedMarkedForDelay) {
+  constexpr std::int32_t kPerSample = 180 * 1024;  // 10 deg/s^2
+  constexpr std::int32_t kBound = 360 * 1024;      // 0.1 deg/s
+  const auto delay = static_cast<int>(fog::denoise_delay(16, 5));
+  std::int32_t time = 0;
+  const auto turn = [&] {
+    ++time;
+    SensorSample in = sample();
+    in.rate_counts += time * kPerSample;
+    return send(in);
+  };
+  for (int lost : {1, 2, 180}) {
+    for (int i = 0; i < 1500; ++i) {
+      const OutputSample out = turn();
+      if (!out.denoised_valid() || has_any(out.status, Status::denoiser_filling)) continue;
+      ASSERT_NEAR(out.denoised.raw(), (time - delay) * kPerSample, kBound) << lost << " " << i;
+    }
+    sequence_ = static_cast<std::uint16_t>(sequence_ + lost);
+    time += lost;
+    for (int i = 0; i < delay; ++i) {
+      const OutputSample out = turn();
+      ASSERT_TRUE(has_any(out.status, Status::denoised_invalid)) << lost << " " << i;
+      ASSERT_TRUE(out.compensated_valid()) << lost << " " << i;
+    }
+    EXPECT_TRUE(turn().denoised_valid()) << lost;
+  }
+}
+
+TEST_F(CompensatorTest, LostSamples_KvhSequence_CountsThem) {
+  settings_.output = fog::OutputSelection::kvh;
+  restart();
+  std::array<std::uint8_t, fog::kMaxOutputBytes> frame{};
+  const auto sequence_of_next = [&] {
+    for (const std::uint8_t byte : fog::encode_sensor_frame(sample())) {
+      pipeline_->feed(byte, frame.data());
+    }
+    return int{frame[29]};
+  };
+  int before = sequence_of_next();
+  for (const int lost : {0, 1, 5, 100}) {
+    sequence_ = static_cast<std::uint16_t>(sequence_ + lost);
+    const int now = sequence_of_next();
+    EXPECT_EQ(now, (before + lost + 1) % 128);
+    before = now;
+  }
+  // A silence has answered two of these.
+  pipeline_->answer_silence(frame.data());
+  pipeline_->answer_silence(frame.data());
+  sequence_ = static_cast<std::uint16_t>(sequence_ + 10);
+  EXPECT_EQ(sequence_of_next(), (before + 11) % 128);
+}
+
+// A turn of one sample looks like an outlier: what the denoiser leaves out it says.
+TEST_F(CompensatorTest, TurnOfOneSample_LeftOut_DenoisedMarked) {
+  constexpr std::int32_t kTurn = 36'000 * 1024;  // 10 deg/s for 5 ms
+  const auto delay = static_cast<int>(fog::denoise_delay(16, 5));
+  run(2000);
+  std::int64_t marked = 0;
+  std::int64_t turned = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const auto turns_at = [](int at) { return at >= 0 && at < 2000 && at % 200 == 0; };
+    SensorSample in = sample();
+    if (turns_at(i)) in.rate_counts += kTurn;
+    turned += turns_at(i) ? 1 : 0;
+    const OutputSample out = send(in);
+    ASSERT_EQ(out.denoised_valid(), !turns_at(i - delay)) << i;
+    marked += out.denoised_valid() ? 0 : 1;
+  }
+  EXPECT_EQ(turned, 10);
+  EXPECT_EQ(marked, turned);
+}
+
 TEST_F(CompensatorTest, AGapLongerThanTheHoldGivesTheDriftUp) {
   run(400);
   sequence_ = static_cast<std::uint16_t>(sequence_ + 200 * 62);
@@ -247,7 +321,7 @@ TEST_F(CompensatorTest, AFillingDenoiserIsRefusedByItself) {
 }
 
 // For any model: the rate is valid exactly if none of its flags and none of the standard ones is
-// set, and the denoised rate if that was so for the whole delay.
+// set, and the denoised rate if that was so for the whole delay, and no sample lost.
 TEST_F(CompensatorTest, ARateIsValidWhereNoneOfTheChosenFlagsIs) {
   for (const Status chosen :
        {Status::none, Status::temperature_invalid, Status::drift_held | Status::sequence_gap,
@@ -263,7 +337,8 @@ TEST_F(CompensatorTest, ARateIsValidWhereNoneOfTheChosenFlagsIs) {
       if (i == 60'000) sequence_ = static_cast<std::uint16_t>(sequence_ + 1);
       const OutputSample out = send(in);
       const bool undelayed = !has_any(out.status, refusing & ~Status::denoiser_filling);
-      good = undelayed ? good + 1 : 0;
+      const bool lost = has_any(out.status, Status::sequence_gap);
+      good = undelayed && !lost ? good + 1 : 0;
       ASSERT_EQ(out.compensated_valid(), undelayed) << i;
       if (good > 466) {
         ASSERT_TRUE(out.denoised_valid()) << i;

@@ -215,4 +215,117 @@ TEST_F(DriftStatus, TheRateIsClampedTo32DegreesAMinute) {
   }
 }
 
+// Lags have seen another temperature than there was.
+TEST_F(DriftStatus, TemperatureClamped_BackInRange_FlagLastsAsLags) {
+  Model model = make();
+  model.start(at(0));
+  for (int i = 0; i < 10; ++i) model.step(at(0));
+  model.step(at(60 * 65536 + 1));
+  for (std::uint32_t i = 0; i < policy_.settle_blocks; ++i) {
+    model.step(at(60 * 65536));
+    EXPECT_EQ(model.status(), Status::temperature_clamped) << i;
+  }
+  model.step(at(60 * 65536));
+  EXPECT_EQ(model.status(), Status::none);
+}
+
+TEST_F(DriftStatus, TemperatureRate_AtItsLimit_Flagged) {
+  policy_.settle_blocks = 0;
+  thermal_.derivative.rate_gain = decltype(thermal_.derivative.rate_gain)::from_raw(1 << 28);
+  Model model = make();
+  model.start(at(0));
+  Status seen = Status::none;
+  for (int i = 0; i < 5; ++i) {
+    model.step(at(i * 20 * 65536 - 40 * 65536));
+    seen = model.status();
+  }
+  EXPECT_EQ(seen, Status::temperature_clamped);
+}
+
+// A signal outside the range of the training is held at its end; the time may be.
+TEST_F(DriftStatus, ExpressionSignal_OutsideItsRange_Flagged) {
+  policy_.settle_blocks = 0;
+  const std::int32_t coefficient = 1;
+  expressions_.coefficients = {&coefficient, 1};
+  for (const bool is_time : {false, true}) {
+    const std::int32_t program[] = {is_time ? 2 << 8 : 3 << 8, -50, 50, 20};
+    expressions_.program = {program, 4};
+    Model model = make();
+    fog::BlockMeans<fog::BoardNumbers> means = at(0);
+    model.start(means);
+    EXPECT_EQ(model.status(), Status::none);
+    for (const std::int32_t value : {50, 51, -50, -51}) {
+      if (is_time) means.elapsed = fog::Elapsed::from_raw(value);
+      if (!is_time) means.input_rate = fog::Rate::from_raw(value);
+      model.step(means);
+      const bool beyond = value == 51 || value == -51;
+      EXPECT_EQ(model.status(), beyond && !is_time ? Status::temperature_clamped : Status::none)
+          << value;
+    }
+  }
+}
+
+class LoopStatus : public DriftStatus {
+ protected:
+  LoopStatus() {
+    policy_.settle_blocks = 0;
+    policy_.accurate_blocks = 1;
+    effects_.by_id[8].constants = constants_;
+    effects_.by_id[8].coefficients = {&coefficient_, 1};
+  }
+  // Through twice the radius of 3 degC, so that the history is known.
+  void learn_history(Model& model) {
+    model.step(at(4 * 65536));
+    model.step(at(-2 * 65536));
+    EXPECT_EQ(model.status(), Status::none);
+  }
+
+  const std::int32_t coefficient_ = 1 << 20;
+  const std::int32_t constants_[4] = {3 << 22, (1 << 29) / 3, 0, 0};
+};
+
+TEST_F(LoopStatus, TurnWithinAHold_BeyondAccuracy_HistoryUnknown) {
+  for (const std::uint32_t held : {1U, 2U, 5U}) {
+    Model model = make();
+    model.start(at(0));
+    learn_history(model);
+    model.hold(held);
+    model.step(at(-2 * 65536));
+    EXPECT_EQ(has_any(model.status(), Status::history_unknown), held > policy_.accurate_blocks);
+    for (int i = 0; i < 10; ++i) model.step(at(-2 * 65536));
+    EXPECT_EQ(has_any(model.status(), Status::history_unknown), held > policy_.accurate_blocks);
+    learn_history(model);
+  }
+}
+
+TEST_F(LoopStatus, TemperatureClamped_BackInRange_HistoryUnknown) {
+  Model model = make();
+  model.start(at(0));
+  learn_history(model);
+  model.step(at(61 * 65536));
+  for (int i = 0; i < 10; ++i) {
+    model.step(at(58 * 65536));
+    EXPECT_EQ(model.status(), Status::history_unknown);
+  }
+  model.step(at(50 * 65536));
+  EXPECT_EQ(model.status(), Status::none);
+}
+
+// Nobody knows how long the power was off.
+TEST_F(DriftStatus, WarmUp_AfterPowerOn_UnknownForFiveTimeConstants) {
+  policy_.settle_blocks = 0;
+  const std::int32_t coefficient = 1 << 20;
+  const std::int32_t constant = INT32_MAX / 100;
+  effects_.by_id[11].constants = &constant;
+  effects_.by_id[11].coefficients = {&coefficient, 1};
+  Model model = make();
+  fog::BlockMeans<fog::BoardNumbers> means = at(0);
+  model.start(means);
+  for (std::int32_t blocks = 1; blocks < 1000; ++blocks) {
+    means.elapsed = fog::Elapsed::from_raw(blocks);
+    model.step(means);
+    ASSERT_EQ(model.status(), blocks > 500 ? Status::none : Status::history_unknown) << blocks;
+  }
+}
+
 }  // namespace

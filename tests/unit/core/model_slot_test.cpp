@@ -40,6 +40,7 @@ class ModelSlots : public testing::Test {
   static Memory erased() { return holding(""); }
 
   SlotChoice choose(const Memory& a, const Memory& b) {
+    parameters_ = fog::ModelParameters();
     return fog::choose_slot({{{a.data(), a.size()}, {b.data(), b.size()}}}, fog::kGenericImage,
                             kProcessor, parameters_);
   }

@@ -96,4 +96,24 @@ TEST(SafeModeDeathTest, Frames_AnyTable_PeriodOfItsOwn) {
   }
 }
 
+// A user who has entered the configuration mode and is cut off.
+[[noreturn]] void run_configuration() {
+  fogcomp::board::BoardSettings settings = fog::test::lenient_board();
+  settings.output_options = fog::kAnswersKvhCommands;
+  const auto table = fogcomp::board::make_board_table(fog::test::paper_like_model(), settings);
+  const std::string bytes = fogcomp::board::slot_bytes(table, 1, "test");
+  std::memcpy(board.flash.slot(0).data(), bytes.data(), bytes.size());
+  const std::string command = "=CONFIG,1\r";
+  board.requests.assign(command.begin(), command.end());
+  board.run_for(9'900);
+  const std::size_t within = board.sent.size();
+  board.run_for(1'100);
+  std::fprintf(stderr, "%zu answers, then %zu\n", within, board.sent.size() - within);
+  std::exit(within == 1 && board.sent.size() - within >= 190 ? 0 : 1);
+}
+
+TEST(ConfigurationDeathTest, NoFurtherCommand_EndsAfterTenSeconds) {
+  EXPECT_EXIT(run_configuration(), testing::ExitedWithCode(0), "");
+}
+
 }  // namespace
