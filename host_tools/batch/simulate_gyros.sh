@@ -7,7 +7,7 @@ fogcomp=${1:?usage: simulate_gyros.sh FOGCOMP N DIR} count=$2 parent=$3
 
 # coefficients SEED: --effect options, spread about the preset's like a lot of coils.
 coefficients() {
-  awk -v seed="$1" 'function spread(mean, share) { return mean * (1 + share * (2 * rand() - 1)) }
+  LC_ALL=C awk -v seed="$1" 'function spread(mean, share) { return mean * (1 + share * (2 * rand() - 1)) }
     BEGIN {
       srand(seed)
       printf "--effect bias:value_dph=%.4f ", spread(0.73, 0.5)

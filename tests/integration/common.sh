@@ -48,6 +48,11 @@ share() {
   echo "$*: $good of $count draws"
 }
 
+# awk whose numbers have a point, whatever the language of the machine: mawk's would have that language's comma.
+awk() {
+  LC_ALL=C command awk "$@"
+}
+
 # random_awk ARGUMENTS...: awk with seed_draws(SEED), uniform() in (0, 1) and normal(), of a standard normal
 # distribution. rand() differs between mawk and gawk, and even between their releases: recordings would, too. The
 # generator is L'Ecuyer's (Efficient and portable combined random number generators, CACM 31, 1988); its products stay

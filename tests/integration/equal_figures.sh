@@ -107,7 +107,7 @@ awk -v with="$with" -v without="$without" 'BEGIN { exit !(with > 2 * without) }'
 "$fogcomp" compare gyro.model table.csv >compare.txt
 "$fogcomp" diagnose gyro.model table.csv >diagnose.txt
 for file in compare.txt diagnose.txt; do
-  figures=("$(printf %.4g "$with")" "$(printf %.4g "$without")")
+  figures=("$(LC_ALL=C printf %.4g "$with")" "$(LC_ALL=C printf %.4g "$without")")
   said="as the board computes it, the model leaves ${figures[0]} deg/h rms; without the board's delay .* ${figures[1]}"
   grep -q "$said" $file || fail "$file does not give both figures: $(head -6 $file)"
 done

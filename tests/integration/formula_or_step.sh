@@ -50,16 +50,16 @@ finds_a_magnitude_where_a_step_imitates_it() { # SEED
   grep -q 'what looks like bias_step follows a formula that needs no step$' size.txt &&
     grep -qF 'outside the catalogue it looks like abs(dTdt)' size.txt && typed size.txt
 }
-share 4 6 finds_a_magnitude_where_a_step_imitates_it
+share 3 6 finds_a_magnitude_where_a_step_imitates_it
 
-# A coil's first heat with two rises, which two ripples imitate.
+# A coil's first heat with two rises, which two ripples imitate, or one beside a step.
 finds_a_first_heat_where_ripples_imitate_it() { # SEED
   "$fogcomp" simulate -o ripple.csv --profile power_cycles --seed "$1" --preset none --rate 0.1 --noise white=0.0024 \
     --effect housing:housing_j_per_k=573,to_air_w_per_k=0.833 --effect bias --effect bias_temperature \
     --effect temperature_rate:coefficient=0.12 --effect warmest_so_far:scale=57.7 >/dev/null
   "$fogcomp" fit ripple.csv -o ripple.model --effects bias,bias_temperature:order=2,temperature_rate >/dev/null
   "$fogcomp" diagnose ripple.model ripple.csv >ripple.txt
-  grep -q 'ripple.* would need two parts of one effect, and a formula explains it alone$' ripple.txt &&
+  grep -qE 'ripple.* (would need two parts of one effect|needs a bias step beside it), and a formula' ripple.txt &&
     grep -qF 'outside the catalogue it looks like highest(T)' ripple.txt && typed ripple.txt
 }
-share 4 6 finds_a_first_heat_where_ripples_imitate_it
+share 5 6 finds_a_first_heat_where_ripples_imitate_it
