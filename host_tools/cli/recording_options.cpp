@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "recording/column_map.hpp"
+#include "recording/row_filter.hpp"
 #include "support/input_error.hpp"
 #include "support/units.hpp"
 
@@ -34,9 +35,12 @@ recording::ReadOptions RecordingOptions::value() const {
   recording::ReadOptions options;
   options.columns = column_map();
   options.scale_factor = scale_factor.find();
+  options.where = where.text();
+  recording::parse_row_choice(options.where);
   options.skip_bad_rows = skip_bad_rows.given();
   options.default_input_rate_dph = earth_rate_dph();
   options.stream_rate_hz = rate.find();
+  options.temperature_degc = temperature.find();
   return options;
 }
 

@@ -21,6 +21,7 @@ struct RecordingOptions : OptionGroup {
   Text rate_column{
       this,
       {"rate-column", "NAME", "of several rates the one to take: 'Gyro_X [deg/s]'", "", kRare}};
+  Text where{this, {"where", "COLUMN=VALUE", "rows of one sensor: 'SensorId=1'", "", kRare}};
   Flag skip_bad_rows{this, "skip-bad-rows",
                      "leave bad rows out and count them instead of stopping"};
   Number latitude{
@@ -31,7 +32,13 @@ struct RecordingOptions : OptionGroup {
       this,
       {"axis", "up|down", "where the input axis points, with --latitude", "up", kRare},
       {{"up", 1}, {"down", -1}}};
-  Number rate{this, {"rate", "HZ", "sample rate of a captured sensor stream", "200"}, {1e-3, 1e6}};
+  Number rate{this,
+              {"rate", "HZ", "sample rate of a captured stream, or of a CSV without times", "200"},
+              {1e-3, 1e6}};
+  Number temperature{
+      this,
+      {"temperature", "DEGC", "of all samples of a file without temperatures", "", kRare},
+      {-70, 130}};
 
  private:
   std::string column_map() const;

@@ -12,16 +12,6 @@
 namespace fogcomp::recording {
 namespace {
 
-// By its name, or by its number where that says it better: --columns parts names at commas.
-std::string choice_of(const LikelyHeader& likeliest, std::size_t field) {
-  const std::vector<std::string>& names = likeliest.names;
-  const std::string& name = names[field];
-  const bool alone = std::count(names.begin(), names.end(), name) == 1;
-  const bool plain = name.find_first_of(",\"\n") == std::string::npos && displayable(name) == name;
-  const bool is_name = !likeliest.is_numbers && !name.empty() && alone && plain;
-  return is_name ? name : std::to_string(field + 1);
-}
-
 CsvColumns::Column column_of(const LikelyHeader& likeliest, const CsvHeader* header,
                              std::size_t field) {
   const ColumnName name(likeliest.is_numbers ? "" : likeliest.names[field]);
@@ -29,7 +19,8 @@ CsvColumns::Column column_of(const LikelyHeader& likeliest, const CsvHeader* hea
   const std::size_t slot = header != nullptr ? header->slots[field]
                            : meaning         ? meaning->slot
                                              : CsvHeader::kIgnored;
-  return {displayable(name.text), choice_of(likeliest, field),
+  return {displayable(name.text),
+          likeliest.is_numbers ? std::to_string(field + 1) : column_choice(likeliest.names, field),
           slot < kColumns.size() ? map_key(slot) : "", name.unit ? name.unit->words : ""};
 }
 

@@ -57,7 +57,31 @@ std::optional<std::size_t> field_named(const std::string& name,
   return is_field ? std::optional(static_cast<std::size_t>(*number) - 1) : std::nullopt;
 }
 
+// By a name with or without a unit.
+std::optional<ChosenField> find_one(const std::string& name, const std::vector<ColumnName>& names) {
+  if (const auto whole = field_named(name, names)) return ChosenField{*whole};
+  const ColumnName apart(name);
+  const std::size_t bracket = name.find_last_of("[(");
+  if (bracket == std::string::npos) return std::nullopt;
+  const auto field = field_named(name.substr(0, bracket), names);
+  if (!field) return std::nullopt;
+  if (!apart.unit) {
+    throw InputError(kOption, "'" + printable(name) + "' has no unit that is known (" +
+                                  printable(apart.unknown_unit) + ")");
+  }
+  return ChosenField{*field, apart.unit};
+}
+
 }  // namespace
+
+// --columns parts names at commas.
+std::string column_choice(const std::vector<std::string>& names, std::size_t field) {
+  const std::string& name = names[field];
+  const bool is_alone = std::count(names.begin(), names.end(), name) == 1;
+  const bool is_plain =
+      name.find_first_of(",\"\n") == std::string::npos && displayable(name) == name;
+  return !name.empty() && is_alone && is_plain ? name : std::to_string(field + 1);
+}
 
 std::string map_key(std::size_t slot) {
   const std::string_view name = kColumns[slot].name;
@@ -87,17 +111,15 @@ std::vector<ColumnChoice> parse_column_map(const std::string& text) {
 
 std::optional<ChosenField> find_field(const ColumnChoice& choice,
                                       const std::vector<ColumnName>& names) {
-  if (const auto whole = field_named(choice.name, names)) return ChosenField{*whole, {}};
-  const ColumnName apart(choice.name);
-  const std::size_t bracket = choice.name.find_last_of("[(");
-  if (bracket == std::string::npos) return std::nullopt;
-  const auto field = field_named(choice.name.substr(0, bracket), names);
-  if (!field) return std::nullopt;
-  if (!apart.unit) {
-    throw InputError(kOption, "'" + printable(choice.name) + "' has no unit that is known (" +
-                                  printable(apart.unknown_unit) + ")");
-  }
-  return ChosenField{*field, apart.unit};
+  if (const auto one = find_one(choice.name, names)) return one;
+  const std::size_t plus = choice.name.find('+');
+  if (choice.slot != kTimeSlot || plus == std::string::npos) return std::nullopt;
+  auto sum = find_one(choice.name.substr(0, plus), names);
+  const auto part = find_one(choice.name.substr(plus + 1), names);
+  if (!sum || !part) return std::nullopt;
+  sum->part = part->field;
+  sum->part_unit = part->unit;
+  return sum;
 }
 
 }  // namespace fogcomp::recording

@@ -22,13 +22,20 @@ std::vector<ColumnChoice> parse_column_map(const std::string& text);
 struct ChosenField {
   std::size_t field = 0;
   std::optional<Unit> unit{};  ///< given in the choice itself
+  /// Of a time in two columns ("sec+nanosec"): the other one.
+  std::optional<std::size_t> part{};
+  std::optional<Unit> part_unit{};
 };
 
 /// The column among `names` that `choice` names: by its whole name, or without its unit, ignoring
-/// case and blanks; else by its number. Nothing if there is none; throws InputError if there are
-/// several.
+/// case and blanks; else by its number; or the two whose sum is the time. Nothing if there is none;
+/// throws InputError if there are several.
 std::optional<ChosenField> find_field(const ColumnChoice& choice,
                                       const std::vector<ColumnName>& names);
+
+/// A column of a file as --columns names it: by its name or, where that would not do, by its
+/// number.
+std::string column_choice(const std::vector<std::string>& names, std::size_t field);
 
 /// Name of a recording's column in --columns: "time" for time_s.
 std::string map_key(std::size_t slot);

@@ -152,12 +152,15 @@ bool ColumnName::is_time() const {
   if (unit && unit->quantity != Quantity::time) return false;
   if (unit_alone) return true;
   if (words == std::vector<std::string>{"t"}) return unit || text[0] == 't';
-  return has_word({"time", "elapsed", "zeit", "date", "epoch", "unix", "utc"}) &&
-         !has_word({"temp", "sample", "const"});
+  if (has_word({"temp", "sample", "const"})) return false;
+  return has_word({"time", "elapsed", "zeit", "date", "epoch", "unix", "utc"}) ||
+         (unit && has_word({"stamp", "tv"}));
 }
 
 bool ColumnName::is_temperature() const {
-  if (unit && unit->quantity != Quantity::temperature) return false;
+  // "T(°)" is asked for its unit.
+  const bool in_degrees = unit && folded(unit_text) == "deg";
+  if (unit && unit->quantity != Quantity::temperature && !in_degrees) return false;
   if (unit_alone) return is_unambiguous(unit_text);
   if (has_word({"rate", "gyro", "grad", "deriv", "set", "dt"})) return false;
   if (words == std::vector<std::string>{"t"}) return unit || text[0] == 'T';

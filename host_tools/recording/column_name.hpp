@@ -35,10 +35,12 @@ struct ColumnName {
   /// column must have one.
   std::optional<ColumnMeaning> meaning() const;
 
+  /// Whether one of its words begins so.
+  bool has_word(const std::vector<std::string_view>& beginnings) const;
+
  private:
   void take_bracket();
   void take_tail(const std::string& name);
-  bool has_word(const std::vector<std::string_view>& beginnings) const;
   bool is_time() const;
   bool is_temperature() const;
   bool is_rate() const;

@@ -60,17 +60,18 @@ class DateScanner {
   explicit DateScanner(std::string_view text) : rest_(text) {}
 
   bool at_end() const { return rest_.empty(); }
-  /// Reads a number of exactly `count` digits, at most `max`.
-  bool digits(std::size_t count, int max, int& value) {
-    if (rest_.size() < count) return false;
-    value = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!is_digit(rest_[i])) return false;
-      value = 10 * value + (rest_[i] - '0');
+  /// Reads a number of `min_digits` to `max_digits`, at most `max`.
+  bool digits(std::size_t min_digits, std::size_t max_digits, int max, int& value) {
+    std::size_t count = 0;
+    for (value = 0; count < max_digits && count < rest_.size() && is_digit(rest_[count]); ++count) {
+      value = 10 * value + (rest_[count] - '0');
     }
     rest_.remove_prefix(count);
-    return value <= max;
+    return count >= min_digits && value <= max;
   }
+  /// With or without a zero before it: "3", "03".
+  bool padded(int max, int& value) { return digits(1, 2, max, value); }
+  bool rest_is(std::string_view text) const { return rest_ == text; }
   /// Reads one of the characters.
   bool one_of(std::string_view characters) {
     if (rest_.empty() || characters.find(rest_.front()) == std::string_view::npos) return false;
@@ -108,24 +109,25 @@ bool scan_date(DateScanner& scan, std::int64_t& days) {
   int year = 0;
   int month = 0;
   int day = 0;
-  const bool date = scan.digits(4, 9999, year) && scan.one_of("-/") && scan.digits(2, 12, month) &&
-                    scan.one_of("-/") && scan.digits(2, 31, day);
+  const bool date = scan.digits(4, 4, 9999, year) && scan.one_of("-/.") && scan.padded(12, month) &&
+                    scan.one_of("-/.") && scan.padded(31, day);
   if (!date || month == 0 || day == 0) return false;
   days = days_since_1970(year, month, day);
   return true;
 }
 
-// "+01:00", "-0530", "Z" or nothing: seconds east of Greenwich.
+// "+01:00", "-0530", "Z", "UTC" or nothing: seconds east of Greenwich.
 bool scan_zone(DateScanner& scan, std::int64_t& east_s) {
   scan.one_of(" ");
-  if (scan.at_end() || (scan.one_of("Zz") && scan.at_end())) return true;
+  if (scan.at_end() || scan.rest_is("UTC") || scan.rest_is("GMT")) return true;
+  if (scan.one_of("Zz")) return scan.at_end();
   const bool west = scan.one_of("-");
   int hours = 0;
   int minutes = 0;
   if (!west && !scan.one_of("+")) return false;
-  if (!scan.digits(2, 14, hours)) return false;
+  if (!scan.digits(2, 2, 14, hours)) return false;
   scan.one_of(":");
-  if (!scan.at_end() && !scan.digits(2, 59, minutes)) return false;
+  if (!scan.at_end() && !scan.digits(2, 2, 59, minutes)) return false;
   east_s = (west ? -1 : 1) * (hours * 3600 + minutes * 60);
   return scan.at_end();
 }
@@ -192,12 +194,12 @@ std::optional<TimeReading> read_calendar_time(std::string_view field) {
   int second = 0;
   std::int64_t east_s = 0;
   TimeReading reading;
-  if (!scan_date(scan, days) || !scan.one_of("Tt ") || !scan.digits(2, 24, hour) ||
-      !scan.one_of(":") || !scan.digits(2, 59, minute)) {
+  if (!scan_date(scan, days) || !scan.one_of("Tt ") || !scan.padded(24, hour) ||
+      !scan.one_of(":") || !scan.padded(59, minute)) {
     return std::nullopt;
   }
   if (scan.one_of(":")) {
-    if (!scan.digits(2, 60, second)) return std::nullopt;
+    if (!scan.padded(60, second)) return std::nullopt;
     if (scan.one_of(".,")) reading.fraction = scan.fraction();
   }
   if (!scan_zone(scan, east_s)) return std::nullopt;
@@ -207,10 +209,10 @@ std::optional<TimeReading> read_calendar_time(std::string_view field) {
 
 bool is_other_calendar(std::string_view field) {
   const bool digits_and_marks =
-      field.find_first_not_of("0123456789:.,-/ TZAPMapm+") == std::string_view::npos;
+      field.find_first_not_of("0123456789.,-/ T") == std::string_view::npos;
   const auto count = [&](char mark) { return std::count(field.begin(), field.end(), mark); };
   const bool dated = count('.') >= 2 || count('/') == 2 || count('-') >= 2;
-  return digits_and_marks && !field.empty() && is_digit(field[0]) && (count(':') > 0 || dated);
+  return !field.empty() && is_digit(field[0]) && (count(':') > 0 || (digits_and_marks && dated));
 }
 
 }  // namespace fogcomp::recording

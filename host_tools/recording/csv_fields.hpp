@@ -42,12 +42,12 @@ struct TimeReading {
 std::optional<TimeReading> read_long_number(std::string_view field, bool decimal_comma);
 
 /// ISO 8601, date and time of day: "2024-03-05T12:30:15.25+01:00", with a blank for the T, without
-/// seconds or zone. In seconds since 1970; a time without a zone counts as UTC. Nothing for
-/// anything else.
+/// seconds or zone, and what loggers make of it: "2024/3/5 1:30:15 UTC". In seconds since 1970; a
+/// time without a zone counts as UTC. Nothing for anything else.
 std::optional<TimeReading> read_calendar_time(std::string_view field);
 
-/// Whether a field is a time of day without its date, or a date in another order: "12:30:15",
-/// "05.03.2024 12:30".
+/// Whether a field is a time of day without its date, or another date: "12:30:15",
+/// "05.03.2024 12:30", "05-Mar-2024 12:30:15".
 bool is_other_calendar(std::string_view field);
 
 }  // namespace fogcomp::recording

@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kRequiredSlots[] = {kTimeSlot, kTemperatureSlot, kRateSlot};
 constexpr std::string_view kCountsName = "counts";
+constexpr std::string_view kSamples = "samples";
 constexpr std::string_view kSegmentName = "segment";
 constexpr std::size_t kMaxNamesShown = 12;
 
@@ -71,7 +72,9 @@ class HeaderReader {
     for (std::size_t slot = 0; slot < kColumns.size(); ++slot) {
       if (!header_.has(slot)) take_likely(slot);
     }
-    for (const std::size_t slot : kRequiredSlots) require(slot);
+    for (const std::size_t slot : kRequiredSlots) {
+      if (!take_given(slot)) require(slot);
+    }
     name_ignored_columns();
     if (header_.has(kInputRateSlot) && options_.default_input_rate_dph != 0) {
       say("its input_rate_dph is used; --latitude has no effect");
@@ -98,7 +101,7 @@ class HeaderReader {
           fail("no column '" + printable(choice.name) +
                "', which --columns names; the header has " + joined(header_.names));
         }
-        take(chosen->field, choice.slot, chosen->unit);
+        take(*chosen, choice.slot);
       }
       return;
     }
@@ -108,7 +111,7 @@ class HeaderReader {
       if (!chosen) return;
       remembered.emplace_back(choice, *chosen);
     }
-    for (const auto& [choice, chosen] : remembered) take(chosen.field, choice.slot, chosen.unit);
+    for (const auto& [choice, chosen] : remembered) take(chosen, choice.slot);
   }
 
   /// Takes a recording's own names, in small letters or capitals.
@@ -162,17 +165,49 @@ class HeaderReader {
   /// Takes the only column whose name fits. If several fit, the user has to choose.
   void take_likely(std::size_t slot) {
     Fields fields = likely(slot);
-    if (slot == kTimeSlot && fields.size() > 1) {
-      const Fields all = fields;
-      fields.erase(std::remove_if(fields.begin(), fields.end(),
-                                  [&](std::size_t field) { return !columns_[field].unit; }),
-                   fields.end());
-      if (fields.empty()) fields = all;
-    }
+    if (slot == kTimeSlot && take_time_in_parts(fields)) return;
+    if (slot == kTimeSlot) prefer_exact_name(fields);
     if (fields.empty()) return;
     const bool required = slot == kTimeSlot || slot == kTemperatureSlot || slot == kRateSlot;
     if (fields.size() == 1) return take(fields.front(), slot, std::nullopt);
     if (required) fail_for_several(slot, fields);
+  }
+
+  /// A column that is called "time" comes before "loop_time_us".
+  void prefer_exact_name(Fields& fields) const {
+    const auto is_exact = [&](std::size_t field) { return columns_[field].stem_key == "time"; };
+    if (std::count_if(fields.begin(), fields.end(), is_exact) != 1) return;
+    fields = {*std::find_if(fields.begin(), fields.end(), is_exact)};
+  }
+
+  /// Takes the only two columns of time if they are called alike and are in seconds and in a finer
+  /// unit: "stamp.sec", "stamp.nanosec". Their values have to agree (csv_times.hpp).
+  bool take_time_in_parts(const Fields& fields) {
+    if (fields.size() != 2) return false;
+    for (const auto& [whole, part] : {std::pair(fields[0], fields[1]), {fields[1], fields[0]}}) {
+      const ColumnName& seconds = columns_[whole];
+      const ColumnName& finer = columns_[part];
+      if (!seconds.unit || !finer.unit || !seconds.unit->is_ours() || finer.unit->divisor == 1)
+        continue;
+      if (seconds.unit_alone != finer.unit_alone) continue;
+      if (!seconds.unit_alone && seconds.stem_key != finer.stem_key) continue;
+      take(whole, kTimeSlot, std::nullopt);
+      take_time_part(part, std::nullopt);
+      return true;
+    }
+    return false;
+  }
+
+  /// The second of two columns whose sum is the time.
+  void take_time_part(std::size_t field, const std::optional<Unit>& given) {
+    const std::optional<Unit> unit = given ? given : columns_[field].unit;
+    if (!unit || unit->quantity != Quantity::time) {
+      fail(place(field) + " has no unit of time; give it: --columns 'time=NAME[s]+" +
+           column_choice(header_.names, field) + "[ns]'");
+    }
+    header_.slots[field] = CsvHeader::kTimePart;
+    convert(CsvHeader::kTimePart, *unit);
+    header_.understood.push_back("to which is added " + place(field) + unit->conversion_words());
   }
 
   Fields likely(std::size_t slot) const {
@@ -202,10 +237,15 @@ class HeaderReader {
   // The column in the syntax of --columns.
   std::string proposal(std::size_t field, std::size_t slot) const {
     const ColumnName& column = columns_[field];
-    const bool number = column.text.find(',') != std::string::npos || column.text.empty();
-    const std::string name = number ? std::to_string(field + 1) : displayable(column.text);
-    if (column.unit) return number ? name + "[" + column.unit->words + "]" : name;
-    return name + (slot == kRateSlot ? "[deg/s]" : slot == kTimeSlot ? "[s]" : "[degC]");
+    const std::string name = column_choice(header_.names, field);
+    const bool has_unit_in_name = column.unit && key_of_name(name) == column.key;
+    if (column.unit) return has_unit_in_name ? name : name + "[" + column.unit->words + "]";
+    return slot == kRateSlot ? name + unit_proposal(slot) : name;
+  }
+
+  void take(const ChosenField& chosen, std::size_t slot) {
+    take(chosen.field, slot, chosen.unit);
+    if (chosen.part) take_time_part(*chosen.part, chosen.part_unit);
   }
 
   void take(std::size_t field, std::size_t slot, const std::optional<Unit>& given) {
@@ -213,10 +253,13 @@ class HeaderReader {
     if (slot == kRateSlot && (given || !options_.columns.empty())) chosen_rate_ = true;
     header_.slots[field] = slot;
     if (slot >= kColumns.size()) return;
-    if (!column.contradiction.empty()) fail(column.contradiction + "; correct one of them");
+    if (!given && !column.contradiction.empty()) {
+      fail(column.contradiction + "; correct one of them, or say which: --columns '" +
+           map_key(slot) + "=" + std::to_string(field + 1) + unit_proposal(slot) + "'");
+    }
     if (given && column.unit && given->words != column.unit->words) {
-      fail(place(field) + " is in " + column.unit->words + ", --columns says " + given->words +
-           "; correct one of them");
+      say(place(field) + " is taken in " + given->words + ", as --columns says, not in " +
+          column.unit->words);
     }
     use_unit(field, slot, given ? given : column.unit);
   }
@@ -226,8 +269,15 @@ class HeaderReader {
     if (unit && unit->quantity == Quantity::counts && quantity_of(slot) == Quantity::rate) {
       unit = counts_unit(place(field));
     }
+    if (unit && unit->words == kSamples && slot == kTimeSlot) {
+      if (!options_.stream_rate_hz) fail(place(field) + " counts samples; give --rate (Hz)");
+      counts_samples_ = true;
+      unit->divisor = *options_.stream_rate_hz;
+    }
     if (unit && unit->quantity != quantity_of(slot)) {
-      fail(place(field) + " is in " + unit->words + ", which is no unit of " + map_key(slot));
+      fail(place(field) + " is in " + unit->words + ", which is no unit of " + map_key(slot) +
+           "; if it is, give the right one: --columns '" + map_key(slot) + "=" +
+           std::to_string(field + 1) + unit_proposal(slot) + "'");
     }
     if (!unit && !column.unknown_unit.empty()) {
       fail(place(field) + ": unit '" + printable(column.unknown_unit) +
@@ -236,8 +286,7 @@ class HeaderReader {
     }
     const bool own = column.key == kColumns[slot].name;
     if (!unit && slot == kRateSlot && !own) {
-      fail(place(field) + " has no unit; give it: --columns 'rate=" + proposal(field, slot) +
-           "' (or deg/h, rad/s, ...)");
+      fail(place(field) + " has no unit; give it: --columns 'rate=" + proposal(field, slot) + "'");
     }
     if (slot == kTimeSlot) header_.time_has_unit = unit.has_value() || own;
     if (unit) convert(slot, *unit);
@@ -251,9 +300,10 @@ class HeaderReader {
     return slot == kTemperatureSlot ? "degC" : "it is";
   }
 
+  // A question where two units are as likely.
   static std::string unit_proposal(std::size_t slot) {
     if (slot == kTimeSlot) return "[s]";
-    return quantity_of(slot) == Quantity::rate ? "[deg/s]" : "[degC]";
+    return quantity_of(slot) == Quantity::rate ? "[deg/s or rad/s?]" : "[degC]";
   }
 
   void convert(std::size_t slot, const Unit& unit) {
@@ -266,6 +316,30 @@ class HeaderReader {
     all.erase(
         std::remove_if(all.begin(), all.end(), [&](const auto& each) { return each.slot == slot; }),
         all.end());
+  }
+
+  /// Whether an option says what the file does not.
+  bool take_given(std::size_t slot) {
+    const bool has_column = header_.has(slot);
+    if (slot == kTemperatureSlot && options_.temperature_degc) {
+      if (has_column) {
+        say("its own temperatures are used; --temperature has no effect");
+      } else {
+        header_.understood.push_back(
+            format("temperature: none, %g degC as given", *options_.temperature_degc));
+      }
+      return true;
+    }
+    if (slot == kTimeSlot && options_.stream_rate_hz) {
+      if (!has_column) {
+        header_.understood.push_back(
+            format("time: none, a sample each %g s as given", 1 / *options_.stream_rate_hz));
+      } else if (!counts_samples_) {
+        say("a CSV has its own time; --rate has no effect");
+      }
+      return true;
+    }
+    return false;
   }
 
   // Columns left over whose unit is one of the slot's quantity, whatever their names.
@@ -315,6 +389,7 @@ class HeaderReader {
   CsvHeader header_;
   bool chosen_rate_ = false;
   bool uses_scale_factor_ = false;
+  bool counts_samples_ = false;  // its times
 };
 
 }  // namespace
@@ -330,6 +405,12 @@ bool CsvHeader::has(std::size_t slot) const {
 
 std::size_t CsvHeader::field_of(std::size_t slot) const {
   return static_cast<std::size_t>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
+}
+
+Unit CsvHeader::unit_of(std::size_t slot) const {
+  const auto found = std::find_if(conversions.begin(), conversions.end(),
+                                  [&](const auto& each) { return each.slot == slot; });
+  return found == conversions.end() ? *find_unit("s") : found->unit;
 }
 
 std::size_t required_columns_among(const std::vector<std::string>& names,
@@ -352,6 +433,8 @@ std::size_t required_columns_among(const std::vector<std::string>& names,
       if (find_field(choice, columns)) found.insert(choice.slot);
     }
   }
+  if (options.temperature_degc) found.insert(kTemperatureSlot);
+  if (options.stream_rate_hz) found.insert(kTimeSlot);
   return static_cast<std::size_t>(
       std::count_if(std::begin(kRequiredSlots), std::end(kRequiredSlots),
                     [&](std::size_t slot) { return found.count(slot) > 0; }));

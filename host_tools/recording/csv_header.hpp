@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "recording/column_name.hpp"
+#include "recording/columns.hpp"
 #include "recording/recording.hpp"
 
 namespace fogcomp::recording {
@@ -15,6 +16,9 @@ struct CsvHeader {
   /// Special values of `slots`; all others index kColumns.
   static constexpr std::size_t kIgnored = 100;
   static constexpr std::size_t kSegmentLabel = 101;
+  /// Behind the last column of a recording: of a time in two columns ("sec", "nanosec"), that which
+  /// is added to the other one.
+  static constexpr std::size_t kTimePart = kColumns.size();
 
   std::vector<std::string> names;  ///< as in the file, one per field
   std::vector<std::size_t> slots;  ///< of each field
@@ -31,6 +35,8 @@ struct CsvHeader {
 
   bool has(std::size_t slot) const;
   std::size_t field_of(std::size_t slot) const;
+  /// Of a slot of time; s if it is not converted.
+  Unit unit_of(std::size_t slot) const;
 };
 
 /// Header of a file: names of its columns, and units in a row below, if any.

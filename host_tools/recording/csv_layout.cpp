@@ -10,7 +10,9 @@
 #include "recording/column_look.hpp"
 #include "recording/columns.hpp"
 #include "recording/csv_lines.hpp"
+#include "recording/csv_times.hpp"
 #include "recording/decision_rules.hpp"
+#include "recording/row_filter.hpp"
 #include "support/input_error.hpp"
 #include "support/model_title.hpp"
 #include "support/text.hpp"
@@ -256,8 +258,9 @@ class LayoutFinder {
 
   CsvLayout finish(const Reading& chosen) {
     CsvLayout layout = chosen.layout;
+    refuse_several_sensors(lines_, head_.path, layout, options_);
     understand_header(chosen.lines, options_);  // to report its interpretation
-    find_time_format(layout);
+    understand_times(lines_, head_.path, layout);
     std::vector<std::string> understood = layout.header.understood;
     if (layout.dialect.separator != ',' || layout.dialect.decimal_comma) {
       understood.push_back(words(layout.dialect));
@@ -265,56 +268,14 @@ class LayoutFinder {
     if (!chosen.lines.units.empty()) understood.emplace_back("a row of units");
     if (head_.utf16) understood.emplace_back("UTF-16");
     if (layout.time != TimeFormat::number) {
-      understood.push_back(
-          std::string(layout.time == TimeFormat::since_1970 ? "UNIX" : "ISO 8601") +
-          " times, counted from the first sample: power-on is not known");
+      const char* const calendar = layout.time == TimeFormat::calendar ? "ISO 8601"
+                                   : layout.scale == nullptr           ? "calendar"
+                                                                       : layout.scale->name;
+      understood.push_back(std::string(calendar) +
+                           " times, counted from the first sample: power-on is not known");
     }
     if (!understood.empty()) options_.watch.say(head_.path, "read as " + join(understood, "; "));
     return layout;
-  }
-
-  // Decided by the first row with a time.
-  void find_time_format(CsvLayout& layout) {
-    std::vector<std::string_view> fields;
-    const std::size_t time_field = layout.header.field_of(kTimeSlot);
-    for (std::size_t i = next_line(layout.lines_before_rows); i < lines_.size();
-         i = next_line(i + 1)) {
-      split_fields(lines_[i], layout.dialect.separator, fields);
-      if (time_field >= fields.size()) continue;
-      const std::string_view text = fields[time_field];
-      if (const auto number = read_long_number(text, layout.dialect.decimal_comma)) {
-        return judge_number(layout, static_cast<double>(number->whole));
-      }
-      if (read_calendar_time(text)) {
-        layout.time = TimeFormat::calendar;
-        return;
-      }
-      if (is_other_calendar(text)) {
-        fail(i + 1, "time '" + printable(text) +
-                        "' is no ISO 8601 date and time; write 2024-03-05T12:30:15.25 or seconds");
-      }
-    }
-  }
-
-  // A time without unit, much larger than seconds can be, is a calendar time in finer units.
-  void judge_number(CsvLayout& layout, double first) const {
-    CsvHeader& header = layout.header;
-    auto unit = std::find_if(header.conversions.begin(), header.conversions.end(),
-                             [](const auto& each) { return each.slot == kTimeSlot; });
-    if (unit == header.conversions.end() && !header.time_has_unit) {
-      constexpr std::pair<double, const char*> kFiner[] = {{1e9, "ns"}, {1e6, "us"}, {1e3, "ms"}};
-      for (const auto& [divisor, words] : kFiner) {
-        if (first < rules::kMinUnixTimeS * divisor) continue;
-        header.conversions.push_back({kTimeSlot, {Quantity::time, words, 1, divisor, 0}});
-        for (std::string& each : header.understood) {
-          if (each.rfind("time: ", 0) == 0) each = each.substr(0, each.rfind(' ') + 1) + words;
-        }
-        unit = header.conversions.end() - 1;
-        break;
-      }
-    }
-    const double first_s = unit == header.conversions.end() ? first : unit->unit.convert(first);
-    if (first_s >= rules::kMinUnixTimeS) layout.time = TimeFormat::since_1970;
   }
 
   const FileHead& head_;

@@ -8,13 +8,14 @@
 #include "recording/csv_fields.hpp"
 #include "recording/csv_header.hpp"
 #include "recording/recording.hpp"
+#include "recording/time_scale.hpp"
 
 namespace fogcomp::recording {
 
 enum class TimeFormat : std::uint8_t {
   number,
-  since_1970,  ///< a number
-  calendar,    ///< ISO 8601
+  dates,     ///< numbers of a calendar
+  calendar,  ///< ISO 8601
 };
 
 /// Layout of a CSV: everything that is known before its rows are read.
@@ -22,6 +23,7 @@ struct CsvLayout {
   CsvDialect dialect;
   CsvHeader header;
   TimeFormat time = TimeFormat::number;
+  const TimeScale* scale = nullptr;   ///< of dates, if it is known
   std::size_t lines_before_rows = 0;  ///< header, units, and lines before them
 };
 

@@ -8,10 +8,15 @@
 #include <utility>
 #include <vector>
 
+#include "recording/arrival_stamps.hpp"
 #include "recording/columns.hpp"
 #include "recording/csv_lines.hpp"
 #include "recording/csv_row.hpp"
+#include "recording/held_rate.hpp"
 #include "recording/long_recording.hpp"
+#include "recording/row_filter.hpp"
+#include "recording/row_range.hpp"
+#include "recording/row_removal.hpp"
 #include "recording/sparse_columns.hpp"
 #include "recording/sparse_input_rate.hpp"
 #include "support/input_error.hpp"
@@ -42,6 +47,29 @@ std::string fault_of_time(double first_s, double previous_s, double time_s, bool
   return format("time_s goes back from %.15g to %.15g", previous_s, time_s);
 }
 
+/// A time counter of 16, 24 or 32 bits that begins again.
+class CounterWrap {
+ public:
+  explicit CounterWrap(const CsvLayout& layout) {
+    const Unit unit = layout.header.unit_of(kTimeSlot);
+    if (layout.time == TimeFormat::number) counts_per_s_ = unit.divisor / unit.factor;
+  }
+
+  // Seconds that it lost at `time_s`, so that the rows go on as before; 0 if it did not.
+  double of(double previous_s, double spacing_s, double time_s) const {
+    if (counts_per_s_ == 0) return 0;
+    for (const int bits : {16, 24, 32}) {
+      const double span_s = std::ldexp(1.0, bits) / counts_per_s_;
+      const double step_s = time_s + span_s - previous_s;
+      if (step_s > 0 && !is_gap(step_s, spacing_s)) return span_s;
+    }
+    return 0;
+  }
+
+ private:
+  double counts_per_s_ = 0;  // 0: times of a calendar
+};
+
 /// Collects the good rows of a Recording and counts the bad ones.
 class RowCollector {
  public:
@@ -51,11 +79,20 @@ class RowCollector {
         file_(file),
         options_(options),
         lines_(lines),
-        long_recording_(options, min_rows) {
+        long_recording_(options, min_rows),
+        wrap_(layout) {
     recording_.file = file.path();
     recording_.power_on_unknown = layout.time != TimeFormat::number;
     for (const std::size_t slot : layout.header.slots) {
       if (slot < kColumns.size()) columns_.push_back({slot, &(recording_[kColumns[slot].column])});
+    }
+    if (!layout.header.has(kTimeSlot)) {
+      period_s_ = 1 / *options.stream_rate_hz;
+      columns_.push_back({kTimeSlot, &recording_.time_s});
+    }
+    if (!layout.header.has(kTemperatureSlot)) {
+      recording_.temperature_given = true;
+      columns_.push_back({kTemperatureSlot, &recording_.temperature_degc});
     }
   }
 
@@ -68,7 +105,10 @@ class RowCollector {
 
   void add(std::string_view line) {
     CsvRow row;
+    const std::size_t number = rows_read_++;
     if (!reader_.read(line, row)) return refuse(reader_.fault_of(line));
+    if (period_s_ > 0) row.values[kTimeSlot] = static_cast<double>(number) * period_s_;
+    if (recording_.temperature_given) row.values[kTemperatureSlot] = *options_.temperature_degc;
     if (row.lacks_values && lacks_needed(row)) return;
     for (const auto& [slot, values] : columns_) {
       const double value = row.values[slot];
@@ -76,12 +116,27 @@ class RowCollector {
         return refuse(fault_of_range(slot, row));
       }
     }
-    const double time_s = row.values[kTimeSlot];
+    double time_s = row.values[kTimeSlot] + wrapped_s_;
     if (!(time_s > previous_s_)) {
-      return refuse(fault_of_time(first_s_, previous_s_, time_s, recording_.power_on_unknown));
+      const double wrap_s = wrap_.of(previous_s_, spacing_s_, time_s);
+      time_s += wrap_s;
+      wrapped_s_ += wrap_s;
+      if (wrap_s > 0) ++wraps_;
+    }
+    if (!(time_s > previous_s_)) {
+      const bool may_be_even = time_s == previous_s_ && !options_.skip_bad_rows;
+      const std::string fault =
+          fault_of_time(first_s_, previous_s_, time_s, recording_.power_on_unknown);
+      if (!may_be_even) return refuse(fault);
+      if (first_repeat_.empty()) first_repeat_ = {file_.where(), fault};
     }
     if (recording_.rows() == long_recording_.part_rows()) hand_over();
-    if (std::isinf(previous_s_)) first_s_ = time_s;
+    row.values[kTimeSlot] = time_s;
+    if (std::isinf(previous_s_)) {
+      first_s_ = time_s;
+    } else {
+      spacing_s_ = time_s - previous_s_;
+    }
     previous_s_ = time_s;
     lines_.add(recording_.rows(), file_.line_number());
     if (!row.label.empty() || !recording_.labels.empty()) add_label(row.label);
@@ -108,7 +163,11 @@ class RowCollector {
       options_.watch.say(file_.path(), counted(recording_.bad_rows, "bad row") +
                                            " left out, the first: " + first_fault_);
     }
-    complete_sparse();
+    if (wraps_ > 0) {
+      options_.watch.say(
+          file_.path(), "its time counter began again " + counted(wraps_, "time") + ": counted on");
+    }
+    complete();
     if (!long_recording_.begun()) return std::move(recording_);
     hand_over();
     Recording means = long_recording_.finish(file_.path());
@@ -124,6 +183,43 @@ class RowCollector {
     std::vector<double>* values;
   };
 
+  // Each part of a long recording.
+  void complete() {
+    even_out_times();
+    complete_sparse();
+    if (options_.every_row) return;
+    leave_out_repeats();
+  }
+
+  void even_out_times() {
+    if (auto even = even_times(recording_.time_s)) {
+      options_.watch.say(
+          file_.path(),
+          format("times are those at which samples arrived; taken as even, at %.8g +- %.2g Hz: "
+                 "%zu of %zu gaps are none",
+                 even->rate_hz, even->rate_sigma_hz, even->gaps_before - even->gaps_after,
+                 even->gaps_before));
+      recording_.time_s = std::move(even->time_s);
+      first_repeat_ = {};
+    } else if (!first_repeat_.empty()) {
+      throw InputError(first_repeat_.where,
+                       first_repeat_.fault + "; correct the line or give --skip-bad-rows");
+    }
+  }
+
+  void leave_out_repeats() {
+    const std::vector<std::size_t> repeats = repeated_readings(recording_.rate_dph);
+    if (repeats.empty()) return;
+    options_.watch.say(
+        file_.path(),
+        format("rate_dph repeats each reading until the next one: %zu readings in %zu samples; "
+               "repeats are left out",
+               recording_.rows() - repeats.size(), recording_.rows()));
+    lines_ = lines_.without(repeats, recording_.rows());
+    remove_rows(recording_, repeats);
+    if (auto even = even_times(recording_.time_s)) recording_.time_s = std::move(even->time_s);
+  }
+
   void complete_sparse() {
     std::vector<double>& input_rate = recording_.input_rate_dph;
     const bool is_held = blank_held_readings(recording_.time_s, recording_.rate_dph, input_rate);
@@ -135,7 +231,7 @@ class RowCollector {
   }
 
   void hand_over() {
-    complete_sparse();
+    complete();
     long_recording_.take(recording_, lines_, file_.where());
     for (const auto& [slot, values] : columns_) values->reserve(long_recording_.part_rows());
   }
@@ -169,8 +265,20 @@ class RowCollector {
   Recording recording_;
   LongRecording long_recording_;
   std::vector<Target> columns_;
+  std::size_t rows_read_ = 0;
+  double period_s_ = 0;  // of a file without times
   double first_s_ = 0;
   double previous_s_ = -std::numeric_limits<double>::infinity();
+  double spacing_s_ = 0;  // of the two rows before
+  CounterWrap wrap_;
+  double wrapped_s_ = 0;
+  std::size_t wraps_ = 0;
+  // The first row with the time of the one before.
+  struct Repeat {
+    std::string where;
+    std::string fault;
+    bool empty() const { return where.empty(); }
+  } first_repeat_;
   std::string first_fault_;
   std::size_t first_empty_ = 0;  // line of the first row without time or rate
   bool sparse_ = false;
@@ -198,11 +306,17 @@ Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lin
   RowCollector collector(layout, file, options, lines, min_rows_of(file, head));
   for (std::size_t i = 0; i < layout.lines_before_rows; ++i) file.next_line(line);
   bool reserved = false;
+  RowFilter filter(layout, options, file.path());
   while (file.next_line(line)) {
     if (is_comment_or_blank(line)) continue;
+    if (!filter.takes_all() && !filter.takes(line)) continue;
     if (!reserved) collector.reserve(file.size(), line.size());
     reserved = true;
     collector.add(line);
+  }
+  if (filter.left_out() > 0) {
+    options.watch.say(file.path(),
+                      counted(filter.left_out(), "row") + " of other sensors left out");
   }
   return collector.finish();
 }

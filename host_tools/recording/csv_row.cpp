@@ -17,7 +17,8 @@ CsvRowReader::CsvRowReader(const CsvLayout& layout)
     : layout_(layout),
       conversions_(layout.header.conversions),
       plain_(layout.dialect.separator != ' ' && !layout.dialect.decimal_comma &&
-             layout.time == TimeFormat::number) {}
+             layout.time == TimeFormat::number),
+      has_time_part_(layout.header.has(CsvHeader::kTimePart)) {}
 
 // Fast path for most rows: one pass over the line.
 bool CsvRowReader::read_plain(std::string_view line, CsvRow& row) const {
@@ -83,6 +84,13 @@ FieldKind CsvRowReader::read_time(std::string_view field, double& value) {
   return FieldKind::number;
 }
 
+// Times of a calendar are relative to the first row, in both columns.
+void CsvRowReader::add_time_part(CsvRow& row) {
+  const double part_s = row.values[CsvHeader::kTimePart];
+  if (!first_part_s_) first_part_s_ = layout_.time == TimeFormat::number ? 0 : part_s;
+  row.values[kTimeSlot] += part_s - *first_part_s_;
+}
+
 std::string CsvRowReader::fault_of(std::string_view line) {
   const CsvHeader& header = layout_.header;
   split_fields(line, layout_.dialect.separator, fields_);
@@ -94,7 +102,7 @@ std::string CsvRowReader::fault_of(std::string_view line) {
            (two_uses ? " (a ',' within numbers? separate columns by ';')" : "");
   }
   for (std::size_t i = 0; i < fields_.size(); ++i) {
-    if (header.slots[i] >= kColumns.size()) continue;
+    if (header.slots[i] > CsvHeader::kTimePart) continue;
     double value = 0;
     const bool calendar = header.slots[i] == kTimeSlot && layout_.time == TimeFormat::calendar;
     if (calendar && !read_calendar_time(fields_[i])) {

@@ -13,7 +13,8 @@ namespace fogcomp::recording {
 
 /// The fields of one line by columns, in a recording's units.
 struct CsvRow {
-  std::array<double, kColumns.size()> values{};  ///< NaN for missing columns
+  /// NaN where missing; the last is the part of a time (CsvHeader::kTimePart).
+  std::array<double, kColumns.size() + 1> values{};
   std::string_view label{};
   bool lacks_values = false;  ///< some are NaN
 };
@@ -32,6 +33,7 @@ class CsvRowReader {
     for (const CsvHeader::Conversion& each : conversions_) {
       row.values[each.slot] = each.unit.convert(row.values[each.slot]);
     }
+    if (has_time_part_) add_time_part(row);
     return true;
   }
 
@@ -41,12 +43,15 @@ class CsvRowReader {
   bool read_plain(std::string_view line, CsvRow& row) const;
   bool read_any(std::string_view line, CsvRow& row);
   FieldKind read_time(std::string_view field, double& value);
+  void add_time_part(CsvRow& row);
 
   const CsvLayout& layout_;
   const std::vector<CsvHeader::Conversion>& conversions_;
-  bool plain_;  ///< the fast path may be used
+  bool plain_;          ///< the fast path may be used
+  bool has_time_part_;  ///< the time is in two columns
   std::vector<std::string_view> fields_;
   std::optional<TimeReading> first_time_;
+  std::optional<double> first_part_s_;
 };
 
 }  // namespace fogcomp::recording

@@ -56,9 +56,18 @@ constexpr std::size_t kMaxLinesBeforeHeader = 200;
 constexpr std::size_t kMaxRowsLookedAt = 2000;
 /// Columns whose names are compared closely: ten times the widest log of an autopilot.
 constexpr std::size_t kMaxColumnsUnderstood = 1000;
-/// Seconds: no gyro has been powered for 31 years, so a larger time counts from 1970.
-/// foreign_files_test.
+/// Sensors that one file has by turns, and standard deviations by which the means of two differ.
+/// row_filter_test.
+constexpr std::size_t kMaxSensors = 16;
+constexpr double kSensorSigmas = 6;
+/// Seconds since 1970 that a date is believed between, 2001 and 2100: no gyro has been powered for
+/// 31 years. time_scale_test.
 constexpr double kMinUnixTimeS = 1e9;
+constexpr double kMaxUnixTimeS = 4.1e9;
+/// Seconds between samples that a unit without a name is believed to give: 10 kHz is beyond any
+/// gyro, and 10 min beyond a logger of one. time_scale_test.
+constexpr double kMinUsualPeriodS = 1e-4;
+constexpr double kMaxUsualPeriodS = 600;
 /// Seconds: readings of a slow column are interpolated over at most this time, for which a board
 /// holds a temperature (board_limits.hpp, kHoldSeconds). foreign_files_test.
 constexpr double kMaxBridgeS = 60;
@@ -68,6 +77,23 @@ constexpr std::size_t kMinHeldChanges = 20;
 /// A curve between readings of the input rate is unknown if its error is so many times the median
 /// of that record's. Chosen: noise of the readings reaches six. sparse_input_rate_test.
 constexpr double kMaxUsualErrors = 10;
+
+// ---- Are the times those at which samples arrived? ----------------------------------------------
+/// Samples that are looked at together: several times the longest pause, so that some came in time,
+/// and enough for a mean. arrival_stamps_test.
+constexpr double kWindowPauses = 4;
+constexpr std::size_t kMinStampWindow = 16;
+/// Fewer windows, or gaps that are none, do not tell late samples from lost ones.
+/// arrival_stamps_test.
+constexpr std::size_t kMinWindows = 8;
+/// Variance of a window's sum over that of independent values: lost samples have 1, give or take a
+/// half with kMinWindows; late ones nearly 0. arrival_stamps_test.
+constexpr double kMaxBalancedScatter = 0.25;
+/// Sigmas of windows above which one has lost a sample. arrival_stamps_test.
+constexpr double kLossSigmas = 5;
+/// Rows for each reading of the gyro from which on repeats are left out: below, they change an
+/// Allan deviation by less than its uncertainty. held_rate_test.
+constexpr double kMinRowsPerReading = 1.05;
 
 // ---- Does a record of the input rate tell the flanks of a rate table? -------------------------
 /// Fewer flanks do not tell a delay from another movement. table_flanks_test.

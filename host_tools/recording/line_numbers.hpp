@@ -29,6 +29,21 @@ class LineNumbers {
     return rest;
   }
 
+  /// Line numbers of `rows` rows without the `removed` ones, which are sorted.
+  LineNumbers without(const std::vector<std::size_t>& removed, std::size_t rows) const {
+    LineNumbers left;
+    std::size_t kept = 0;
+    auto next = removed.begin();
+    for (std::size_t row = 0; row < rows; ++row) {
+      if (next != removed.end() && *next == row) {
+        ++next;
+      } else {
+        left.add(kept++, line_of(row));
+      }
+    }
+    return left;
+  }
+
   std::size_t line_of(std::size_t row) const {
     const auto after = std::upper_bound(marks_.begin(), marks_.end(), row,
                                         [](std::size_t r, const Mark& m) { return r < m.row; });

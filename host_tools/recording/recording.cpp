@@ -6,6 +6,7 @@
 
 #include "recording/csv_reader.hpp"
 #include "recording/decision_rules.hpp"
+#include "recording/foreign_format.hpp"
 #include "recording/line_numbers.hpp"
 #include "recording/output_stream_reader.hpp"
 #include "recording/refused_rows.hpp"
@@ -18,27 +19,6 @@
 
 namespace fogcomp::recording {
 namespace {
-
-// Refuses common formats that are neither text nor capture, recognised by their first bytes.
-void refuse_other_formats(std::string_view head, const std::string& path) {
-  struct Format {
-    std::string_view start;
-    const char* remedy;
-  };
-  using namespace std::string_view_literals;
-  constexpr Format kFormats[] = {
-      {"\x1F\x8B"sv, "is compressed by gzip; give it unpacked: zcat FILE | fogcomp ... -"},
-      {"PK\x03\x04"sv, "is a ZIP archive or an Excel workbook; save the sheet as CSV"},
-      {"MATLAB 5.0 MAT-file"sv, "is a MATLAB file; write it with writetable as CSV"},
-      {"\x89HDF"sv, "is an HDF5 file; write its columns as CSV"},
-      {"#ROSBAG"sv, "is a ROS bag; write its topic as CSV"},
-  };
-  for (const Format& format : kFormats) {
-    if (head.substr(0, format.start.size()) == format.start) {
-      throw InputError(path, format.remedy);
-    }
-  }
-}
 
 // Real UTF-16 has already been decoded.
 void refuse_false_utf16(std::string_view head, const std::string& path) {
@@ -112,7 +92,7 @@ Recording read_recording(InputFile& file, const ReadOptions& options) {
   const std::string& path = file.path();
   const std::string_view head = file.peek();
   if (head.empty()) throw InputError(path, "is empty; is it the right file?");
-  refuse_other_formats(head, path);
+  refuse_foreign_format(head, path);
 
   Recording recording;
   LineNumbers lines;
@@ -123,9 +103,6 @@ Recording read_recording(InputFile& file, const ReadOptions& options) {
   } else {
     refuse_false_utf16(head, path);
     recording = read_csv(file, options, lines);
-    if (options.stream_rate_hz) {
-      options.watch.say(path, "a CSV has its own time; --rate has no effect");
-    }
   }
   if (recording.input_rate_dph.empty() && options.default_input_rate_dph != 0) {
     recording.input_rate_dph.assign(recording.rows(), options.default_input_rate_dph);

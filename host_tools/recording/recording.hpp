@@ -54,6 +54,7 @@ struct Recording {
     std::string text;
   };
   std::vector<Label> labels;
+  bool temperature_given = false;  ///< none was measured: ReadOptions::temperature_degc
   /// time_s starts at the first row, because the file has calendar times.
   bool power_on_unknown = false;
   std::size_t rows_per_row = 1;  ///< rows of the file per row; above 1 if it is too long for memory
@@ -106,6 +107,9 @@ struct ReadOptions {
   /// The same as remembered by the present model: for files with all of those names, if nothing
   /// else is given.
   std::string model_columns{};
+  /// Of a CSV with the rows of several sensors those that are read: "SensorId=1" (row_filter.hpp);
+  /// "": all, and several sensors are refused.
+  std::string where{};
   std::vector<Mask> masks{};
   bool skip_bad_rows = false;
   /// Keeps the samples that the board would refuse: for the board's own code, which judges them
@@ -116,9 +120,11 @@ struct ReadOptions {
   /// Constant input rate (Earth rate by latitude and axis) for a file without that column, which is
   /// added; with 0 the column stays empty.
   double default_input_rate_dph = 0;
-  /// Sample rate of a captured sensor stream, which has sequence numbers but no time; default
-  /// kDefaultStreamRateHz.
+  /// Sample rate of a captured sensor stream, which has sequence numbers but no time (default
+  /// kDefaultStreamRateHz), and of a CSV without times.
   std::optional<double> stream_rate_hz;
+  /// Of all rows of a CSV without temperatures.
+  std::optional<double> temperature_degc{};
   ReadWatch watch{};
 };
 

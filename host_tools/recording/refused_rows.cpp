@@ -147,7 +147,8 @@ void name_refused_rows(const Recording& recording, const Words& words,
 void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
                             const GyroLimits& limits, const ReadWatch& watch) {
   const std::vector<RefusedRow> refused = refused_rows(recording, limits);
-  const std::vector<RowRange> frozen = frozen_temperatures(recording);
+  const std::vector<RowRange> frozen =
+      recording.temperature_given ? std::vector<RowRange>{} : frozen_temperatures(recording);
   const Words words(recording, lines, limits, refused);
   if (!frozen.empty()) watch.say(recording.file, words.frozen(frozen));
   if (refused.empty()) return;

@@ -69,21 +69,6 @@ bool is_needed(Column column) {
   return column == Column::temperature_degc || column == Column::input_rate_dph;
 }
 
-LineNumbers lines_without(const LineNumbers& lines, std::size_t rows,
-                          const std::vector<std::size_t>& removed) {
-  LineNumbers left;
-  std::size_t kept = 0;
-  auto next = removed.begin();
-  for (std::size_t row = 0; row < rows; ++row) {
-    if (next != removed.end() && *next == row) {
-      ++next;
-    } else {
-      left.add(kept++, lines.line_of(row));
-    }
-  }
-  return left;
-}
-
 void say_how_sparse(const Recording& recording, const ColumnInfo& info, std::size_t readings,
                     const ReadWatch& watch) {
   const double one_in = static_cast<double>(recording.rows()) / static_cast<double>(readings);
@@ -152,7 +137,7 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
                 format(" left out: no temperature or input rate within %g s, the first at line %zu",
                        rules::kMaxBridgeS, lines.line_of(removed.front())));
   recording.empty_rows += removed.size();
-  lines = lines_without(lines, recording.rows(), removed);
+  lines = lines.without(removed, recording.rows());
   remove_rows(recording, removed);
   if (recording.rows() == 0)
     throw InputError(recording.file, "no sample is left; see the lines above");

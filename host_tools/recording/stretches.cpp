@@ -13,17 +13,6 @@
 namespace fogcomp::recording {
 namespace {
 
-// Median of at most 65537 spacings spread over the recording, which suffices.
-double median_spacing_s(const std::vector<double>& time_s) {
-  constexpr std::size_t kMaxSpacings = 65536;
-  const std::size_t step = time_s.size() / kMaxSpacings + 1;
-  std::vector<double> spacings;
-  for (std::size_t i = 1; i < time_s.size(); i += step) {
-    spacings.push_back(time_s[i] - time_s[i - 1]);
-  }
-  return median(std::move(spacings));
-}
-
 // Removes rounding errors of differences of printed times: 0.00499999999738 becomes 0.005.
 double without_rounding_error(double period_s) {
   constexpr double kDigits = 9;
@@ -32,6 +21,18 @@ double without_rounding_error(double period_s) {
 }
 
 }  // namespace
+
+double median_spacing_s(const std::vector<double>& time_s) {
+  constexpr std::size_t kMaxSpacings = 65536;
+  constexpr std::size_t kScatter = 7919;  // a prime: spacings may have a rhythm, of packets
+  const std::size_t step = time_s.size() / kMaxSpacings + 1;
+  std::vector<double> spacings;
+  for (std::size_t i = 1; i + step <= time_s.size(); i += step) {
+    const std::size_t row = i + i * kScatter % step;
+    spacings.push_back(time_s[row] - time_s[row - 1]);
+  }
+  return median(std::move(spacings));
+}
 
 void find_stretches(Recording& recording) {
   recording.stretch_starts = {0};

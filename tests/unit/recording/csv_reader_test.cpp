@@ -179,9 +179,8 @@ TEST(CsvReader, SaysWhereARecorderWasStartedAgain) {
 
 TEST(CsvReader, SaysWhatIsWrongWithTheHeader) {
   EXPECT_EQ(fault("time_s,temperature_deg,rate_dph\n1,20,1\n"),
-            ":1: no column 'temperature_degc' (did you mean 'temperature_deg'?); the header has "
-            "time_s, temperature_deg, rate_dph; rename or add it, or say which it is: --columns "
-            "temperature=NAME[degC]");
+            ":1: column 2 'temperature_deg' is in another unit, which is no unit of temperature; "
+            "if it is, give the right one: --columns 'temperature=2[degC]'");
   EXPECT_EQ(fault("# a\n\ntime_s,rate_dph,rate_dph,temperature_degc\n1,20,1,1\n"),
             ":3: column 'rate_dph' stands twice, in fields 2 and 3; rename or remove one");
   EXPECT_EQ(fault("1,20,0.5\n2,20,0.5\n"),

@@ -1,0 +1,162 @@
+#include "recording/csv_times.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "recording/column_map.hpp"
+#include "recording/columns.hpp"
+#include "recording/csv_fields.hpp"
+#include "recording/csv_lines.hpp"
+#include "recording/decision_rules.hpp"
+#include "recording/time_scale.hpp"
+#include "support/input_error.hpp"
+#include "support/median.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+/// The times of the first rows.
+class TimeColumn {
+ public:
+  TimeColumn(const std::vector<std::string_view>& lines, const std::string& path, CsvLayout& layout)
+      : lines_(lines), path_(path), layout_(layout) {}
+
+  void understand() {
+    const std::vector<TimeReading> numbers = read_numbers();
+    if (numbers.empty()) return;
+    if (!part_fits_) refuse_part();
+    const TimesSeen times = seen(numbers);
+    if (!layout_.header.time_has_unit) choose_unit(times);
+    const Unit unit = layout_.header.unit_of(kTimeSlot);
+    layout_.scale = scale_of(times.first, unit);
+    if (unit.convert(times.first) >= rules::kMinUnixTimeS) layout_.time = TimeFormat::dates;
+  }
+
+ private:
+  // Empty if the first time is no number, after which it is a date, or if there is none.
+  std::vector<TimeReading> read_numbers() {
+    std::vector<std::string_view> fields;
+    std::vector<TimeReading> numbers;
+    if (!layout_.header.has(kTimeSlot)) return {};
+    const std::size_t time_field = layout_.header.field_of(kTimeSlot);
+    for (std::size_t i = next_row(lines_, layout_.lines_before_rows); i < lines_.size();
+         i = next_row(lines_, i + 1)) {
+      split_fields(lines_[i], layout_.dialect.separator, fields);
+      if (time_field >= fields.size()) continue;
+      const std::string_view text = fields[time_field];
+      if (const auto number = read_long_number(text, layout_.dialect.decimal_comma)) {
+        numbers.push_back(*number);
+        check_part(*number, fields);
+      } else if (numbers.empty() && is_date(text, i)) {
+        break;
+      }
+    }
+    return numbers;
+  }
+
+  // A part is added to whole numbers, and is less than one of them.
+  void check_part(const TimeReading& whole, const std::vector<std::string_view>& fields) {
+    const CsvHeader& header = layout_.header;
+    const std::size_t field = header.field_of(CsvHeader::kTimePart);
+    double part = 0;
+    if (!header.has(CsvHeader::kTimePart) || field >= fields.size() ||
+        read_number(fields[field], layout_.dialect.decimal_comma, part) != FieldKind::number) {
+      return;
+    }
+    const double part_s = header.unit_of(CsvHeader::kTimePart).convert(part);
+    const double whole_s = header.unit_of(kTimeSlot).convert(1);
+    if (whole.fraction != 0 || part_s < 0 || part_s >= whole_s) part_fits_ = false;
+  }
+
+  [[noreturn]] void refuse_part() const {
+    const CsvHeader& header = layout_.header;
+    const auto name = [&](std::size_t slot) {
+      return column_choice(header.names, header.field_of(slot));
+    };
+    const std::string whole = name(kTimeSlot);
+    const std::string part = name(CsvHeader::kTimePart);
+    throw InputError(path_, "'" + whole + "' and '" + part +
+                                "' are no time in two parts (whole numbers, and less than one of "
+                                "them): say which is the time: --columns 'time=" +
+                                whole + "' or 'time=" + part + "'");
+  }
+
+  bool is_date(std::string_view text, std::size_t line) {
+    if (read_calendar_time(text)) {
+      layout_.time = TimeFormat::calendar;
+      return true;
+    }
+    if (!is_other_calendar(text)) return false;
+    throw InputError(path_ + ":" + std::to_string(line + 1),
+                     "time '" + printable(text) +
+                         "' is no ISO 8601 date and time; write 2024-03-05T12:30:15.25 or seconds");
+  }
+
+  static TimesSeen seen(const std::vector<TimeReading>& numbers) {
+    TimesSeen times{static_cast<double>(numbers[0].whole) + numbers[0].fraction};
+    std::vector<double> spacings;
+    double sum = 0;
+    for (std::size_t i = 1; i < numbers.size(); ++i) {
+      const double spacing = numbers[i].since(numbers[i - 1]);
+      if (spacing < 0) continue;  // begins again
+      spacings.push_back(spacing);
+      sum += spacing;
+    }
+    if (spacings.empty()) return times;
+    times.mean_spacing = sum / static_cast<double>(spacings.size());
+    times.median_spacing = median(std::move(spacings));
+    return times;
+  }
+
+  void choose_unit(const TimesSeen& times) {
+    const std::vector<TimeMeaning> meanings = possible_meanings(times);
+    if (meanings.size() != 1) refuse(times, meanings);
+    CsvHeader& header = layout_.header;
+    const Unit& unit = meanings[0].unit;
+    if (unit.is_ours()) return;
+    header.conversions.push_back({kTimeSlot, unit});
+    for (std::string& each : header.understood) {
+      if (each.rfind("time: ", 0) == 0) each = each.substr(0, each.rfind(' ') + 1) + unit.words;
+    }
+  }
+
+  [[noreturn]] void refuse(const TimesSeen& times, const std::vector<TimeMeaning>& meanings) const {
+    const CsvHeader& header = layout_.header;
+    const std::size_t field = header.field_of(kTimeSlot);
+    const std::string name = column_choice(header.names, field);
+    std::vector<std::string> words;
+    std::vector<std::string> choices;
+    for (const TimeMeaning& meaning : meanings) {
+      words.push_back(meaning_words(meaning, times));
+      choices.push_back("'time=" + name + "[" + meaning.unit.words + "]'");
+    }
+    const std::string column =
+        "column " + std::to_string(field + 1) + " '" + printable(header.names[field]) + "'";
+    const std::string number = format("%.15g", times.first);
+    if (meanings.empty()) {
+      throw InputError(path_, "times such as " + number + " (" + column +
+                                  ") give no possible date or period in s, ms, us, ns, 100 ns or "
+                                  "days; give their unit: --columns 'time=" +
+                                  name + "[UNIT]'");
+    }
+    throw InputError(path_, "times such as " + number + " (" + column + ") can be in " +
+                                join(words, ", or in ") + "; say which: --columns " +
+                                join(choices, " or "));
+  }
+
+  const std::vector<std::string_view>& lines_;
+  const std::string& path_;
+  CsvLayout& layout_;
+  bool part_fits_ = true;  // of a time in two columns
+};
+
+}  // namespace
+
+void understand_times(const std::vector<std::string_view>& lines, const std::string& path,
+                      CsvLayout& layout) {
+  TimeColumn(lines, path, layout).understand();
+}
+
+}  // namespace fogcomp::recording

@@ -1,0 +1,176 @@
+#include "recording/row_filter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "recording/column_map.hpp"
+#include "recording/columns.hpp"
+#include "recording/csv_fields.hpp"
+#include "recording/csv_lines.hpp"
+#include "recording/decision_rules.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+constexpr const char* kOption = "--where";
+
+// Number of rows, mean and sum of squares about it.
+struct Level {
+  double count = 0;
+  double mean = 0;
+  double square = 0;
+  void add(double value) {
+    const double from_mean = value - mean;
+    mean += from_mean / ++count;
+    square += from_mean * (value - mean);
+  }
+};
+
+// The values of one column, in the first rows.
+struct Sensors {
+  struct Sensor {
+    double rows = 0;
+    Level rate;
+    Level temperature;
+  };
+  std::map<std::string, Sensor> sensors;
+  std::string last;
+  double rows = 0;
+  double changes = 0;
+
+  void add(const std::string& value, const double* rate, const double* temperature) {
+    if (rows > 0 && value != last) ++changes;
+    last = value;
+    ++rows;
+    Sensor& sensor = sensors[value];
+    ++sensor.rows;
+    if (rate != nullptr) sensor.rate.add(*rate);
+    if (temperature != nullptr) sensor.temperature.add(*temperature);
+  }
+
+  bool take_turns() const {
+    const auto count = static_cast<double>(sensors.size());
+    if (count < 2 || sensors.size() > rules::kMaxSensors || 2 * changes < rows) return false;
+    return std::all_of(sensors.begin(), sensors.end(), [&](const auto& each) {
+      return 2 * count * each.second.rows > rows && count * each.second.rows < 2 * rows;
+    });
+  }
+
+  // Whether the means of some two differ by more than their scatter.
+  bool differ(Level Sensor::*of) const {
+    for (const auto& one : sensors) {
+      for (const auto& other : sensors) {
+        const Level& a = one.second.*of;
+        const Level& b = other.second.*of;
+        if (a.count < 2 || b.count < 2) continue;
+        const double variance =
+            a.square / (a.count - 1) / a.count + b.square / (b.count - 1) / b.count;
+        const double apart = a.mean - b.mean;
+        if (apart * apart > rules::kSensorSigmas * rules::kSensorSigmas * variance) return true;
+      }
+    }
+    return false;
+  }
+};
+
+bool names_sensors(const std::string& text) {
+  const ColumnName name(text);
+  return name.key == "i" || name.key == "id" ||
+         name.has_word({"sensor", "imu", "instance", "device", "unit", "node", "channel"});
+}
+
+// What the columns that are not understood say of the first rows.
+std::vector<Sensors> unknown_columns(const std::vector<std::string_view>& lines,
+                                     const CsvLayout& layout) {
+  const CsvHeader& header = layout.header;
+  std::vector<Sensors> columns(std::min(header.slots.size(), rules::kMaxColumnsUnderstood));
+  std::vector<std::string_view> fields;
+  const std::size_t rate_field = header.field_of(kRateSlot);
+  const std::size_t temperature_field = header.field_of(kTemperatureSlot);
+  const auto number_in = [&](std::size_t field, double& value) {
+    const bool is_number =
+        field < std::min(fields.size(), header.slots.size()) &&
+        read_number(fields[field], layout.dialect.decimal_comma, value) == FieldKind::number;
+    return is_number ? &value : nullptr;
+  };
+  for (std::size_t i = next_row(lines, layout.lines_before_rows); i < lines.size();
+       i = next_row(lines, i + 1)) {
+    split_fields(lines[i], layout.dialect.separator, fields);
+    double rate = 0;
+    double temperature = 0;
+    const double* const its_rate = number_in(rate_field, rate);
+    const double* const its_temperature = number_in(temperature_field, temperature);
+    for (std::size_t field = 0; field < std::min(columns.size(), fields.size()); ++field) {
+      const bool is_unknown = header.slots[field] == CsvHeader::kIgnored;
+      if (!is_unknown || columns[field].sensors.size() > rules::kMaxSensors) continue;
+      columns[field].add(std::string(fields[field]), its_rate, its_temperature);
+    }
+  }
+  return columns;
+}
+
+}  // namespace
+
+RowChoice parse_row_choice(const std::string& text) {
+  if (text.empty()) return {};
+  const std::size_t equals = text.rfind('=');
+  const RowChoice choice{
+      std::string(trim(text.substr(0, equals))),
+      equals == std::string::npos ? "" : std::string(trim(text.substr(equals + 1)))};
+  if (choice.column.empty() || choice.value.empty()) {
+    throw InputError(kOption, "'" + printable(text) + "' is no COLUMN=VALUE; give SensorId=1");
+  }
+  return choice;
+}
+
+RowFilter::RowFilter(const CsvLayout& layout, const ReadOptions& options, const std::string& path)
+    : separator_(layout.dialect.separator) {
+  const RowChoice choice = parse_row_choice(options.where);
+  if (choice.column.empty()) return;
+  std::vector<ColumnName> columns;
+  for (const std::string& name : layout.header.names) columns.emplace_back(name);
+  const auto found = find_field({CsvHeader::kIgnored, choice.column}, columns);
+  if (!found) {
+    throw InputError(path, "no column '" + printable(choice.column) + "', which --where names" +
+                               did_you_mean(choice.column, layout.header.names));
+  }
+  field_ = found->field;
+  value_ = choice.value;
+}
+
+bool RowFilter::takes(std::string_view line) {
+  split_fields(line, separator_, fields_);
+  if (field_ >= fields_.size()) return true;  // a bad row
+  const std::string_view field = fields_[field_];
+  const auto number = parse_number(std::string(field));
+  const bool is_taken = field == value_ || (number && number == parse_number(value_));
+  if (!is_taken) ++left_out_;
+  return is_taken;
+}
+
+void refuse_several_sensors(const std::vector<std::string_view>& lines, const std::string& path,
+                            const CsvLayout& layout, const ReadOptions& options) {
+  if (!options.where.empty()) return;
+  const std::vector<std::string>& names = layout.header.names;
+  const std::vector<Sensors> columns = unknown_columns(lines, layout);
+  for (std::size_t field = 0; field < columns.size(); ++field) {
+    const Sensors& column = columns[field];
+    if (!column.take_turns()) continue;
+    if (!names_sensors(names[field]) && !column.differ(&Sensors::Sensor::rate) &&
+        !column.differ(&Sensors::Sensor::temperature)) {
+      continue;
+    }
+    const std::string name = column_choice(names, field);
+    std::vector<std::string> values;
+    for (const auto& each : column.sensors) values.push_back(printable(each.first));
+    throw InputError(path, "rows of several sensors: column " + std::to_string(field + 1) + " '" +
+                               printable(names[field]) + "' is " + join(values, ", ") +
+                               " in turn; say which: --where '" + name + "=" + values.front() +
+                               "' (or '" + name + "=*' if all rows are of one)");
+  }
+}
+
+}  // namespace fogcomp::recording

@@ -1,0 +1,176 @@
+#include "recording/arrival_stamps.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "recording/recording.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+#include "unit/recording/heard_in.hpp"
+#include "unit/recording/temporary_file.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+constexpr double kPeriod = 0.01;
+
+// When a sample that was taken at a time arrives.
+using Arrival = std::function<double(double sampled_s)>;
+
+// 60,000 samples at 100 Hz of which a share is lost, each as it arrives, in order.
+struct Arrived {
+  std::vector<double> sampled_s;
+  std::vector<double> stamp_s;
+  std::size_t lost = 0;  // pauses in sampled_s
+};
+
+Arrived arrived(const Arrival& arrival, double lost = 0) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> chance;
+  Arrived result;
+  for (int i = 0; i < 60000; ++i) {
+    const double sampled_s = i * kPeriod;
+    if (chance(random) < lost) continue;
+    if (!result.sampled_s.empty() && sampled_s - result.sampled_s.back() > 1.5 * kPeriod) {
+      ++result.lost;
+    }
+    result.sampled_s.push_back(sampled_s);
+    const double stamp_s = arrival(sampled_s);
+    result.stamp_s.push_back(result.stamp_s.empty() ? stamp_s
+                                                    : std::max(stamp_s, result.stamp_s.back()));
+  }
+  return result;
+}
+
+double in_packets(double sampled_s, int samples) {
+  const double packet_s = samples * kPeriod;
+  return std::ceil((sampled_s + kPeriod / 2) / packet_s) * packet_s;
+}
+
+// Of a reader that stands still for 0.2 s at times, after which it finds all that waited.
+Arrival stalled() {
+  return [random = std::mt19937_64(3), until_s = 0.0](double sampled_s) mutable {
+    std::uniform_real_distribution<double> chance;
+    if (chance(random) < 0.01 && sampled_s > until_s) until_s = sampled_s + 0.2;
+    return std::max(sampled_s + 1e-4 * chance(random), until_s);
+  };
+}
+
+struct Delays {
+  const char* name;
+  Arrival arrival;
+};
+
+std::vector<Delays> all_delays() {
+  return {
+      {"packets of 10", [](double t) { return in_packets(t, 10); }},
+      {"packets, 2 ms between samples",
+       [](double t) {
+         const double packet_s = std::floor((t + 1e-9) / 0.1) * 0.1;
+         return packet_s + (t - packet_s) * 0.2;
+       }},
+      {"packets of 7 with jitter",
+       [random = std::mt19937_64(1)](double t) mutable {
+         return in_packets(t, 7) + std::uniform_real_distribution<double>(0, 0.005)(random);
+       }},
+      {"stalls", stalled()},
+      {"a clock of 1 s", [](double t) { return std::floor(t + 1e-9); }},
+  };
+}
+
+TEST(ArrivalStamps, LateSamples_EvenAtTheTrueRate) {
+  for (const Delays& each : all_delays()) {
+    const Arrived samples = arrived(each.arrival);
+    const auto even = even_times(samples.stamp_s);
+    ASSERT_TRUE(even) << each.name;
+    EXPECT_EQ(even->gaps_after, 0U) << each.name;
+    EXPECT_GT(even->gaps_before, 0U) << each.name;
+    EXPECT_NEAR(even->rate_hz, 100, 0.01) << each.name;
+    EXPECT_LT(even->rate_sigma_hz, 0.01) << each.name;
+    for (std::size_t i = 1; i < even->time_s.size(); ++i) {
+      ASSERT_NEAR(even->time_s[i] - even->time_s[i - 1], kPeriod, kPeriod / 4)
+          << each.name << " at " << samples.sampled_s[i];
+    }
+  }
+}
+
+TEST(ArrivalStamps, LateAndLostSamples_GapsWhereTheyAreLost) {
+  for (const Delays& each : all_delays()) {
+    if (each.name == std::string("a clock of 1 s")) continue;  // does not tell where
+    Arrived samples = arrived(each.arrival);
+    // Two pauses of half a minute and 40 samples.
+    for (const std::size_t at : {std::size_t{40000}, std::size_t{15000}}) {
+      for (auto* times : {&samples.sampled_s, &samples.stamp_s}) {
+        times->erase(
+            times->begin() + static_cast<std::ptrdiff_t>(at),
+            times->begin() + static_cast<std::ptrdiff_t>(at == 15000 ? at + 40 : at + 3000));
+      }
+    }
+    const auto even = even_times(samples.stamp_s);
+    ASSERT_TRUE(even) << each.name;
+    EXPECT_EQ(even->gaps_after, 2U) << each.name;
+    EXPECT_NEAR(even->rate_hz, 100, 0.02) << each.name;
+  }
+}
+
+TEST(ArrivalStamps, LostSamples_LeftAsTheyAre) {
+  for (const double lost : {0.0005, 0.005, 0.02, 0.05, 0.1, 0.3, 0.5}) {
+    EXPECT_FALSE(even_times(arrived([](double t) { return t; }, lost).stamp_s)) << lost;
+  }
+}
+
+TEST(ArrivalStamps, OtherTimes_LeftAsTheyAre) {
+  const std::vector<double> even = arrived([](double t) { return t; }).stamp_s;
+  EXPECT_FALSE(even_times(even));
+  EXPECT_FALSE(even_times({}));
+  EXPECT_FALSE(even_times({0}));
+  EXPECT_FALSE(even_times({0, 0, 1}));
+  std::vector<double> slower = even;  // from the middle on at half the rate
+  for (std::size_t i = 30000; i < slower.size(); ++i) slower[i] += slower[i] - even[30000];
+  EXPECT_FALSE(even_times(slower));
+  std::vector<double> bursts;  // a second of samples each minute
+  for (int i = 0; i < 20000; ++i) bursts.push_back(i / 100 * 60 + i % 100 * kPeriod);
+  EXPECT_FALSE(even_times(bursts));
+}
+
+std::string file_of(const std::vector<double>& time_s) {
+  std::string text = "time_s,temperature_degc,rate_dph\n";
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    text += format("%.4f,%.3f,%zu\n", time_s[i], 20 + 1e-4 * static_cast<double>(i), i % 17);
+  }
+  return text;
+}
+
+TEST(ArrivalStamps, FileOfPackets_ReadAtTheTrueRate) {
+  std::string said;
+  const Arrived samples = arrived([](double t) { return in_packets(t, 10); });
+  const Recording recording =
+      read_recording(temporary_file("packets.csv", file_of(samples.stamp_s)), heard_in(said));
+  EXPECT_NEAR(recording.period_s, kPeriod, 1e-6);
+  EXPECT_EQ(recording.stretch_starts.size(), 1U) << said;
+  EXPECT_NE(said.find("packets.csv: times are those at which samples arrived; taken as even, at "
+                      "100 +- "),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("gaps are none"), std::string::npos) << said;
+}
+
+TEST(ArrivalStamps, RepeatedTimeThatIsNoPacket_Refused) {
+  std::vector<double> time_s = arrived([](double t) { return t; }).stamp_s;
+  time_s[5] = time_s[4];
+  try {
+    read_recording(temporary_file("repeat.csv", file_of(time_s)), {});
+    ADD_FAILURE() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("repeat.csv:7: time_s repeats 0.04"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace fogcomp::recording

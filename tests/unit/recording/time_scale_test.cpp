@@ -1,0 +1,210 @@
+#include "recording/time_scale.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "recording/recording.hpp"
+#include "support/input_error.hpp"
+#include "support/text.hpp"
+#include "unit/recording/heard_in.hpp"
+#include "unit/recording/temporary_file.hpp"
+
+namespace fogcomp::recording {
+namespace {
+
+// 40 rows whose times are `first` + row * `step`, in a column of that name.
+std::string file_with(const char* name, double first, double step, int decimals) {
+  std::string text = std::string(name) + ",temperature_degc,rate_dph\n";
+  for (int row = 0; row < 40; ++row) {
+    text += format("%.*f,%d,%d\n", decimals, first + row * step, 20, row % 7);
+  }
+  return text;
+}
+
+// What is said of the file, or why it is refused; and its period.
+struct Read {
+  std::string said;
+  double period_s = 0;
+};
+
+Read read(const std::string& content, const std::string& columns = "") {
+  Read result;
+  ReadOptions options = heard_in(result.said);
+  options.columns = columns;
+  try {
+    result.period_s = read_recording(temporary_file("times.csv", content), options).period_s;
+  } catch (const InputError& error) {
+    result.said = error.what();
+  }
+  return result;
+}
+
+TEST(TimeScale, NumbersThatAreDates_InTheOnlyUnitThatFits) {
+  struct Case {
+    const char* name;
+    double first;
+    double step;
+    int decimals;
+    double period_s;
+    const char* said;
+  };
+  const Case cases[] = {
+      {"timestamp", 638452458150000000, 1e7, 0, 1, "as 100 ns"},
+      {"timestamp", 638452458150000000, 1e7, 0, 1, ".NET times, counted from the first sample"},
+      {"stamp_time", 133541298150000000, 5e4, 0, 0.005, "FILETIME times"},
+      {"FileTime", 133541298150000000, 1e6, 0, 0.1, "FILETIME times"},
+      {"Date", 45356.5, 1 / 86400.0, 9, 1, "as days"},
+      {"time", 45356.5, 1 / 86400.0, 9, 1, "spreadsheet times"},
+      {"time", 739316.5, 1 / 86400.0, 9, 1, "MATLAB times"},
+      {"datenum", 739316.5, 5 / 86400.0, 9, 5, "MATLAB times"},
+      {"julian_date", 2460375.0, 1 / 86400.0, 9, 1, "Julian times"},
+      {"epoch", 1709625600, 1, 0, 1, "UNIX times"},
+      {"timestamp", 1709625600000, 100, 0, 0.1, "as ms"},
+      {"timestamp", 1709625600000000, 1e5, 0, 0.1, "as us"},
+      {"timestamp", 1709625600000000000, 1e8, 0, 0.1, "as ns"},
+      {"time", 45356.5, 0.1, 1, 0.1, "as s"},  // since power-on, or of the day
+      {"time", 0, 1e-3, 3, 1e-3, "as s"},
+      {"time", 0, 300, 0, 300, "as s"},
+  };
+  for (const Case& each : cases) {
+    const Read result = read(file_with(each.name, each.first, each.step, each.decimals));
+    EXPECT_NEAR(result.period_s, each.period_s, 1e-5 * each.period_s)
+        << each.name << ' ' << each.said << ": " << result.said;
+    EXPECT_NE(result.said.find(each.said), std::string::npos) << each.said << ": " << result.said;
+  }
+}
+
+TEST(TimeScale, NumbersWithTwoMeanings_RefusedWithBoth) {
+  // 200 Hz from 12.6 h on, or 7.2 min between dates of a spreadsheet.
+  const std::string both = file_with("time", 45356.5, 0.005, 3);
+  EXPECT_NE(
+      read(both).said.find(
+          "times such as 45356.5 (column 1 'time') can be in s since power-on, a sample each 0.005 "
+          "s, or in days (spreadsheet dates), a sample each 432 s; say which: --columns "
+          "'time=time[s]' or 'time=time[days]'"),
+      std::string::npos)
+      << read(both).said;
+  EXPECT_EQ(read(both, "time=time[s]").period_s, 0.005);
+  EXPECT_NEAR(read(both, "time=time[days]").period_s, 432, 1e-3);
+  const Read minutes = read(file_with("datenum", 739316.5, 60 / 86400.0, 9));  // or 1.4 kHz
+  EXPECT_NE(minutes.said.find("in days (MATLAB dates), a sample each 60 s"), std::string::npos)
+      << minutes.said;
+  const Read counter = read(file_with("time", 2e9, 5000, 0));  // since power-on
+  EXPECT_NE(counter.said.find("--columns 'time=time[ms]' or 'time=time[us]'"), std::string::npos)
+      << counter.said;
+}
+
+TEST(TimeScale, NumbersWithoutMeaning_RefusedWithTheOption) {
+  const Read result = read(file_with("time", 5e18 / 2, 1e17, 0));
+  EXPECT_NE(result.said.find("give no possible date or period in s, ms, us, ns, 100 ns or days; "
+                             "give their unit: --columns 'time=time[UNIT]'"),
+            std::string::npos)
+      << result.said;
+}
+
+TEST(TimeScale, UnitThatIsGiven_NotDoubted) {
+  EXPECT_EQ(read(file_with("time [us]", 0, 4e9, 0)).period_s, 4000);
+  EXPECT_EQ(read(file_with("time_s", 45356.5, 0.005, 3)).period_s, 0.005);
+  const Read ticks = read(file_with("t", 5, 5e4, 0), "time=t[100 ns]");
+  EXPECT_EQ(ticks.period_s, 0.005) << ticks.said;
+}
+
+std::vector<double> times_of(const std::string& content, const std::string& columns = "") {
+  ReadOptions options;
+  options.columns = columns;
+  try {
+    return read_recording(temporary_file("times.csv", content), options).time_s;
+  } catch (const InputError& error) {
+    ADD_FAILURE() << error.what();
+    return {};
+  }
+}
+
+TEST(TimeOfTwoColumns, SecondsAndNanoseconds_Added) {
+  const std::string rows =
+      ",temperature_degc,rate_dph\n1709625600,999000000,20,1\n1709625601,4000000,20,2\n"
+      "1709625601,9000000,20,1\n";
+  for (const char* names :
+       {"stamp.sec,stamp.nanosec", "header_stamp_secs,header_stamp_nsecs", "secs,nsecs"}) {
+    const std::vector<double> time_s = times_of(names + rows);
+    ASSERT_EQ(time_s.size(), 3U) << names;
+    EXPECT_EQ(time_s[0], 0) << names;
+    EXPECT_NEAR(time_s[1], 0.005, 1e-12) << names;
+    EXPECT_NEAR(time_s[2], 0.010, 1e-12) << names;
+  }
+  EXPECT_NEAR(times_of("a,b" + rows, "time=a[s]+b[ns]").at(2), 0.010, 1e-12);
+  EXPECT_NEAR(times_of("week,tow,temperature_degc,rate_dph\n2300,604799.5,20,1\n2301,0,20,2\n",
+                       "time=week[weeks]+tow[s]")
+                  .at(1),
+              0.5, 1e-6);
+}
+
+TEST(TimeOfTwoColumns, SameTimeTwice_Refused) {
+  const Read result = read(
+      "elapsed_s,elapsed_ms,temperature_degc,rate_dph\n0.5,500,20,1\n1.0,1000,20,2\n1.5,1500,20,"
+      "1\n");
+  EXPECT_NE(result.said.find("'elapsed_s' and 'elapsed_ms' are no time in two parts (whole "
+                             "numbers, and less than one of them): say which is the time: "
+                             "--columns 'time=elapsed_s' or 'time=elapsed_ms'"),
+            std::string::npos)
+      << result.said;
+}
+
+TEST(TimeColumn, CalledTime_BeforeOneWithAUnit) {
+  EXPECT_EQ(read("time,loop_time_us,temperature_degc,rate_dph\n0,5,20,1\n1,900000,20,2\n").period_s,
+            1);
+  EXPECT_EQ(
+      read("loop_time_us,Time [ms],temperature_degc,rate_dph\n0,5,20,1\n7,1005,20,2\n").period_s,
+      1);
+  const Read two = read("stamp_time,loop_time_us,temperature_degc,rate_dph\n0,5,20,1\n1,9,20,2\n");
+  EXPECT_NE(
+      two.said.find("time could be column 1 'stamp_time' or column 2 'loop_time_us'; say which"),
+      std::string::npos)
+      << two.said;
+}
+
+TEST(TimeColumn, DatesOfLoggers_Read) {
+  for (const char* format_of : {"2024-3-5 1:02:%02d", "2024/03/05 01:02:%02d UTC",
+                                "2024-03-05T01:02:%02dZ", "2024.3.5 01:02:%02d GMT"}) {
+    std::string text = "time,temperature_degc,rate_dph\n";
+    for (int row = 0; row < 5; ++row) text += format(format_of, 3 + row) + ",20,1\n";
+    EXPECT_EQ(read(text).period_s, 1) << format_of << ": " << read(text).said;
+  }
+  for (const char* other : {"05-Mar-2024 01:02:03", "5.3.2024 1:02", "12:30:15 PM"}) {
+    const Read result = read(std::string("time,temperature_degc,rate_dph\n") + other + ",20,1\n");
+    EXPECT_NE(result.said.find("is no ISO 8601 date and time; write 2024-03-05T12:30:15.25"),
+              std::string::npos)
+        << result.said;
+  }
+}
+
+TEST(TimeCounter, ThatBeginsAgain_CountedOn) {
+  struct Case {
+    const char* name;
+    double span;  // counts
+    double first;
+    double step;
+    double period_s;
+  };
+  for (const Case& each : {Case{"time_us", 4294967296, 4294900000, 5000, 0.005},
+                           Case{"time_ms", 65536, 65000, 10, 0.01},
+                           Case{"time_us", 4294967296, 2147400000, 5000, 0.005}}) {
+    std::string text = std::string(each.name) + ",temperature_degc,rate_dph\n";
+    for (int row = 0; row < 200; ++row) {
+      double count = std::fmod(each.first + row * each.step, each.span);
+      // the last one has a sign
+      if (each.first < 3e9 && each.first > 1e9 && count >= each.span / 2) count -= each.span;
+      text += format("%.0f,20,%d\n", count, row % 7);
+    }
+    const Read result = read(text);
+    EXPECT_EQ(result.period_s, each.period_s) << result.said;
+    EXPECT_NE(result.said.find("its time counter began again"), std::string::npos) << result.said;
+  }
+  std::string restarted = "time_us,temperature_degc,rate_dph\n";
+  for (int row = 0; row < 200; ++row) restarted += format("%d,20,%d\n", row % 100 * 5000, row % 7);
+  EXPECT_NE(read(restarted).said.find("time_s begins again"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fogcomp::recording
