@@ -30,14 +30,14 @@ recording::Recording part(const recording::Recording& run, std::ptrdiff_t first,
   return part;
 }
 
-std::vector<Run> in_blocks(const std::vector<recording::Recording>& recordings) {
-  std::vector<Run> runs;
+std::vector<runs::Run> in_blocks(const std::vector<recording::Recording>& recordings) {
+  std::vector<runs::Run> runs;
   for (const recording::Recording& one : recordings) runs.push_back(run_of(one, {10}));
   return runs;
 }
 
 // What a fit sees of runs.
-series::Rows rows_of(const std::vector<Run>& runs) {
+series::Rows rows_of(const std::vector<runs::Run>& runs) {
   static const model::Model model = fog::test::truth();
   series::SignalSeries series(model);
   for (const Run& run : runs) series.add(run.blocks);
@@ -53,7 +53,7 @@ TEST(JoinedRuns, AreTheRunThatWasCutIntoFilesInAnyOrder) {
   const series::Rows expected = rows_of(in_blocks({run}));
   for (const auto& files : {std::vector{a, b, c}, {c, b, a}, {b, a, c}, {b, c, a}}) {
     std::vector<std::string> notes;
-    const std::vector<Run> joined = join_continued(in_blocks(files), notes);
+    const std::vector<runs::Run> joined = join_continued(in_blocks(files), notes);
     ASSERT_EQ(joined.size(), 1U);
     EXPECT_EQ(joined[0].file, "a.csv + b.csv + c.csv");
     EXPECT_EQ(joined[0].files, (std::vector<std::string>{"a.csv", "b.csv", "c.csv"}));
@@ -79,7 +79,7 @@ TEST(JoinedRuns, HaveTheMeanPeriodOfTheirFiles) {
   b.period_s = run.period_s;
   for (const auto& files : {std::vector{a, b}, {b, a}}) {
     std::vector<std::string> notes;
-    const std::vector<Run> joined = join_continued(in_blocks(files), notes);
+    const std::vector<runs::Run> joined = join_continued(in_blocks(files), notes);
     ASSERT_EQ(joined.size(), 1U);
     EXPECT_NEAR(joined[0].blocks.period_s, 1.001 * run.period_s, 1e-5 * run.period_s);
     EXPECT_EQ(joined[0].blocks.block_s,
@@ -92,7 +92,7 @@ TEST(JoinedRuns, HaveSegmentsWithNamesOfTheirOwn) {
   const auto rows = static_cast<std::ptrdiff_t>(run.rows());
   std::vector<std::string> notes;
   // In the middle of the first soak, and of the first ramp.
-  const Run joined =
+  const runs::Run joined =
       join_continued(in_blocks({part(run, 0, 180, "a.csv"), part(run, 180, 620, "b.csv"),
                                 part(run, 620, rows, "c.csv")}),
                      notes)[0];

@@ -6,7 +6,7 @@ namespace fogcomp::runs {
 namespace {
 
 RowLength of_runs(const std::vector<double>& hours, double model_row_s = 10, double block_s = 1) {
-  std::vector<Run> runs;
+  std::vector<runs::Run> runs;
   for (const double one : hours) {
     runs.emplace_back();
     runs.back().blocks.block_s = block_s;

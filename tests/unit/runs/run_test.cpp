@@ -21,14 +21,14 @@ recording::Recording quiet(std::uint64_t seed) {
 
 TEST(Run, FloorsOfSeveralLengths_AreTheRecordings) {
   const recording::Recording recording = quiet(1);
-  const Run run = run_of(recording, {10, 60, 10});
+  const runs::Run run = run_of(recording, {10, 60, 10});
   EXPECT_EQ(run.noise_floor_dph(10), noise::noise_floor_dph(recording, 10));
   EXPECT_EQ(run.noise_floor_dph(60), noise::noise_floor_dph(recording, 60));
   EXPECT_FALSE(run.noise_floor_dph(30));
 }
 
 TEST(Run, RowsOfAnyLength_AreMadeWithoutReadingAgain) {
-  const std::vector<Run> runs{run_of(quiet(1), {10})};
+  const std::vector<runs::Run> runs{run_of(quiet(1), {10})};
   model::Model model = fog::test::truth();
   const Eigen::Index rows = series_of(model, runs).rows().size();
   model.average_s = 60;
