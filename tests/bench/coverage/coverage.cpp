@@ -1,0 +1,172 @@
+// How often do the promises hold? Fits clean gyros and counts how often b1, b2 and K are within 1
+// and 1.96 of their
+// +-, by thermometer, noise, programme and number of power-ons: 0.683 and 0.950 are promised.
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "clean_gyro.hpp"
+#include "compare/run_in_blocks.hpp"
+#include "fit/training_runs.hpp"
+#include "noise/white_noise.hpp"
+#include "support/input_error.hpp"
+#include "support/parallel.hpp"
+#include "support/text.hpp"
+#include "workflow/fit.hpp"
+
+namespace {
+
+using namespace fogcomp;  // NOLINT(google-build-using-namespace): a program of its own
+
+constexpr const char* kUsage =
+    "usage: coverage [--gyros N] [--first SEED] [--each]\n"
+    "  fits N clean gyros (default 500) of seeds SEED (1), SEED + 1, ... and prints how often the "
+    "truth is\n"
+    "  within 1 and 1.96 of the stated standard deviations; --each prints every gyro's errors in "
+    "these, too\n";
+
+struct Options {
+  std::size_t gyros = 500;
+  std::uint64_t first = 1;
+  bool each = false;
+};
+
+std::uint64_t whole_number(const char* text) {
+  char* end = nullptr;
+  const double value = std::strtod(text, &end);
+  if (*end != '\0' || !(value >= 1) || value > 1e9 || value != std::floor(value)) {
+    throw InputError(text, "is no whole number from 1 on");
+  }
+  return static_cast<std::uint64_t>(value);
+}
+
+Options options_of(int count, char** words) {
+  Options options;
+  for (int i = 1; i < count; ++i) {
+    const bool has_value = i + 1 < count;
+    if (std::strcmp(words[i], "--each") == 0) {
+      options.each = true;
+    } else if (std::strcmp(words[i], "--gyros") == 0 && has_value) {
+      options.gyros = whole_number(words[++i]);
+    } else if (std::strcmp(words[i], "--first") == 0 && has_value) {
+      options.first = whole_number(words[++i]);
+    } else {
+      throw InputError(words[i], "is no option, or lacks its number");
+    }
+  }
+  return options;
+}
+
+// Errors in units of their stated standard deviations.
+struct Errors {
+  coverage::Kind kind;
+  std::array<double, 3> of_coefficients{};  // b1, b2, K
+};
+
+fit::TrainingRuns training_of(const std::vector<recording::Recording>& recordings,
+                              double average_s) {
+  fit::TrainingRuns training;
+  double square = 0;
+  for (const recording::Recording& recording : recordings) {
+    training.runs.push_back(compare::run_in_blocks(recording, average_s));
+    square += std::pow(noise::white_noise_dph_rthz(recording), 2);
+  }
+  training.noise_dph_rthz = std::sqrt(square / static_cast<double>(recordings.size()));
+  return training;
+}
+
+// As a user fits it: without being told how many power-ons differ, or what the thermometer is like.
+Errors errors_of(const coverage::CleanGyro& gyro) {
+  workflow::FitRequest request;
+  request.effects = "bias,bias_temperature:order=2,temperature_rate";
+  request.hidden = 0;
+  const workflow::FitOutcome outcome =
+      workflow::fit(request, training_of(gyro.training, request.average_s));
+  const auto error = [&](const char* effect, std::size_t index, double truth) {
+    const model::EffectTerm& term = *outcome.model.find(effect);
+    const model::Estimate found = model::natural_coefficient(term, index);
+    return (found.value - truth) / found.sigma;
+  };
+  Errors errors{gyro.kind, {}};
+  errors.of_coefficients = {error("bias_temperature", 0, gyro.b1),
+                            error("bias_temperature", 1, gyro.b2),
+                            error("temperature_rate", 0, gyro.k)};
+  return errors;
+}
+
+// How often, over gyros of one class.
+struct Share {
+  double within_1 = 0;
+  double within_196 = 0;
+  double square = 0;
+  double count = 0;
+
+  void add(double error) {
+    within_1 += std::abs(error) <= 1 ? 1 : 0;
+    within_196 += std::abs(error) <= 1.96 ? 1 : 0;
+    square += error * error;
+    ++count;
+  }
+  std::string words() const {
+    return format("%5.2f %5.2f %6.2f", within_1 / count, within_196 / count,
+                  std::sqrt(square / count));
+  }
+};
+
+struct Row {
+  std::array<Share, 3> coefficients;
+};
+
+void print(const std::vector<Errors>& all) {
+  std::map<std::string, Row> rows;
+  for (const Errors& errors : all) {
+    for (const std::string& name :
+         {std::string("all"), "sensor: " + errors.kind.sensor, "noise: " + errors.kind.noise,
+          "run: " + errors.kind.programme, errors.kind.power_ons}) {
+      Row& row = rows[name];
+      for (std::size_t i = 0; i < row.coefficients.size(); ++i)
+        row.coefficients[i].add(errors.of_coefficients[i]);
+    }
+  }
+  std::printf("%-24s %5s  %-19s %-19s %-19s\n", "", "", "b1", "b2", "K");
+  std::printf("%-24s %5s", "", "gyros");
+  for (int i = 0; i < 3; ++i) std::printf("  %5s %5s %6s", "1 s", "1.96", "rms");
+  std::printf("\n");
+  for (const auto& [name, row] : rows) {
+    std::printf("%-24s %5.0f", name.c_str(), row.coefficients[0].count);
+    for (const Share& share : row.coefficients) std::printf("  %s", share.words().c_str());
+    std::printf("\n");
+  }
+}
+
+int run(const Options& options) {
+  std::vector<Errors> all(options.gyros);
+  for_each_index(options.gyros, [&](std::size_t i) {
+    all[i] = errors_of(coverage::clean_gyro(options.first + i));
+  });
+  for (std::size_t i = 0; options.each && i < all.size(); ++i) {
+    const auto& errors = all[i].of_coefficients;
+    std::printf("%6llu  %-12s %-15s %-17s %-12s b1 %6.2f  b2 %6.2f  K %6.2f\n",
+                static_cast<unsigned long long>(options.first + i), all[i].kind.sensor.c_str(),
+                all[i].kind.noise.c_str(), all[i].kind.programme.c_str(),
+                all[i].kind.power_ons.c_str(), errors[0], errors[1], errors[2]);
+  }
+  print(all);
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+  try {
+    return run(options_of(count, words));
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "coverage: %s\n%s", error.what(), kUsage);
+    return 2;
+  }
+}
