@@ -1,0 +1,352 @@
+#include "judge/prediction.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "judge/mode_bands.hpp"
+#include "support/units.hpp"
+
+namespace fogcomp::judge {
+namespace {
+
+// Grid of each level: from a share of the white noise that the slowest mode hardly shows up to one
+// that exceeds it in nearly all; equal steps of the logarithm are equally probable beforehand.
+constexpr double kHardlySeen = 0.03;
+constexpr double kStepOfFlicker = 2;
+constexpr double kMaxFlicker = 16;
+constexpr double kStepOfWalk = 4;
+constexpr double kMaxWalk = 4;
+constexpr double kStepOfTemperature = 2;
+constexpr double kMaxTemperature = 256;
+// Standard deviation of the logarithm by which the thermometer's errors are not as expected.
+constexpr double kTemperatureFactor = 0.7;
+constexpr double kNegligible = 1e-6;  // of the largest probability
+
+// Rows that count as they are, the others interpolated: measured and columns alike, so that a model
+// stays exact. All relative to the row's noise.
+Eigen::MatrixXd bridged(const Eigen::VectorXd& weights,
+                        const std::vector<recording::RowRange>& stretches, Eigen::MatrixXd values) {
+  values.array().colwise() *= weights.array().sqrt();
+  for (const recording::RowRange& stretch : stretches) {
+    const auto end = static_cast<Eigen::Index>(stretch.end);
+    Eigen::Index before = -1;
+    for (auto row = static_cast<Eigen::Index>(stretch.first); row < end; ++row) {
+      if (weights[row] > 0) {
+        before = row;
+        continue;
+      }
+      Eigen::Index after = row + 1;
+      while (after < end && !(weights[after] > 0)) ++after;
+      if (after == end && before < 0) break;  // no row of the stretch counts
+      const double part = before < 0 || after == end ? 0
+                                                     : static_cast<double>(row - before) /
+                                                           static_cast<double>(after - before);
+      const Eigen::RowVectorXd left = values.row(before < 0 ? after : before);
+      const Eigen::RowVectorXd right = values.row(after == end ? before : after);
+      values.row(row) = left + part * (right - left);
+    }
+  }
+  return values;
+}
+
+// Columns: the model's, then one per power-on, then the measured drift.
+Eigen::MatrixXd all_columns(const Rows& rows) {
+  const Eigen::Index own = rows.columns.cols();
+  const auto power_ons = static_cast<Eigen::Index>(rows.power_ons.size());
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(rows.drift_dph.size(), own + power_ons + 1);
+  all.leftCols(own) = rows.columns;
+  for (Eigen::Index i = 0; i < power_ons; ++i) {
+    const recording::RowRange& range = rows.power_ons[static_cast<std::size_t>(i)];
+    all.col(own + i)
+        .segment(static_cast<Eigen::Index>(range.first), static_cast<Eigen::Index>(range.size()))
+        .setOnes();
+  }
+  all.rightCols(1) = rows.drift_dph;
+  return all;
+}
+
+// Spectral density of what the smoothed temperature's errors make of the drift, in a mode's units.
+Eigen::ArrayXd density_of(const TemperatureError& error, const Eigen::ArrayXd& angle,
+                          double row_s) {
+  if (!(error.rate_walk_degc2_per_s3 > 0)) return Eigen::ArrayXd::Zero(angle.size());
+  const Eigen::ArrayXd square = (angle / row_s).square();  // (rad/s)^2
+  const Eigen::ArrayXd of_temperature =
+      1 / (1 / error.white_degc2_s + square.square() / error.rate_walk_degc2_per_s3) / row_s;
+  const double per_min = kSecondsPerMinute * error.slope_dph_min_per_degc;
+  return of_temperature * (std::pow(error.slope_dph_per_degc, 2) + per_min * per_min * square);
+}
+
+// Noise relative to the white noise of a row.
+struct Ratios {
+  double flicker = 0;  // variance of a mode at an angle of one per row
+  double walk = 0;
+  double temperature = 0;  // largest density of what its errors make of the drift
+  double turn_on = 0;      // variance
+};
+
+struct Solution {
+  Ratios ratios;
+  double log_probability = 0;
+  double white = 0;  // variance of a row
+  Eigen::VectorXd mean;
+  Eigen::MatrixXd covariance;
+};
+
+std::vector<double> geometric(double min, double max, double step) {
+  std::vector<double> values;
+  for (double value = min; value < max; value *= step) values.push_back(value);
+  return values;
+}
+
+// The linear problem for every noise, from the products over bands of modes.
+class Problem {
+ public:
+  explicit Problem(const Rows& rows)
+      : rows_(rows),
+        own_(rows.columns.cols()),
+        power_ons_(static_cast<Eigen::Index>(rows.power_ons.size())) {
+    Eigen::MatrixXd all = bridged(rows.weights, rows.stretches, all_columns(rows));
+    unit_ = all.colwise().norm().transpose() / std::sqrt(static_cast<double>(all.rows()));
+    unit_ = (unit_.array() > 0).select(unit_, 1);
+    all.array().rowwise() /= unit_.transpose().array();
+    bands_ = mode_bands(all, rows.stretches);
+    const auto excluded = static_cast<double>((rows.weights.array() <= 0).count());
+    excluded_share_ = excluded / static_cast<double>(rows.weights.size());
+    temperature_ = density_of(rows.temperature, bands_.angle, rows.row_s);
+    most_of_temperature_ = temperature_.maxCoeff();
+    if (most_of_temperature_ > 0) temperature_ /= most_of_temperature_;
+    white_ = white_of_fast_modes();
+  }
+
+  // Most probable noise first.
+  std::vector<Solution> solve() {
+    const double slowest = bands_.angle.minCoeff();
+    const std::vector<double> flickers =
+        geometric(kHardlySeen * slowest, kMaxFlicker, kStepOfFlicker);
+    const std::vector<double> walks =
+        geometric(kHardlySeen * slowest * slowest, kMaxWalk, kStepOfWalk);
+    const double expected = most_of_temperature_ / white_;
+    const std::vector<double> temperatures =
+        expected < kHardlySeen ? std::vector<double>{expected}
+                               : geometric(kHardlySeen, kMaxTemperature, kStepOfTemperature);
+    std::vector<Solution> solutions;
+    for (const double temperature : temperatures) add_all(flickers, walks, temperature, solutions);
+    keep_probable(solutions);
+    for (Solution& solution : solutions) complete(solution);
+    return solutions;
+  }
+
+  Eigen::Index own() const { return own_; }
+  Eigen::Index power_ons() const { return power_ons_; }
+
+ private:
+  // In the fastest quarter of the modes, less what all columns explain of it.
+  double white_of_fast_modes() const {
+    const Eigen::VectorXd weights = (bands_.angle > 1.5).cast<double>().matrix();
+    const Eigen::MatrixXd sums = weighted_products(bands_, bands_.products * weights);
+    return sums(bands_.columns - 1, bands_.columns - 1) / (bands_.count.matrix().dot(weights)) *
+           std::pow(unit_[bands_.columns - 1], 2);
+  }
+
+  Eigen::ArrayXd density_of_noise(const Ratios& ratios) const {
+    return 1 + ratios.flicker / bands_.angle + ratios.walk / bands_.angle.square() +
+           ratios.temperature * temperature_;
+  }
+
+  void add_all(const std::vector<double>& flickers, const std::vector<double>& walks,
+               double temperature, std::vector<Solution>& solutions) const {
+    Eigen::MatrixXd weights(bands_.angle.size(),
+                            static_cast<Eigen::Index>(flickers.size() * walks.size()));
+    std::vector<Ratios> noises;
+    Eigen::VectorXd log_density(weights.cols());
+    for (const double flicker : flickers) {
+      for (const double walk : walks) {
+        const auto at = static_cast<Eigen::Index>(noises.size());
+        noises.push_back({flicker, walk, temperature, 0});
+        const Eigen::ArrayXd density = density_of_noise(noises.back());
+        weights.col(at) = density.inverse();
+        log_density[at] = (bands_.count * density.log()).sum();
+      }
+    }
+    const Eigen::MatrixXd sums = bands_.products * weights;
+    for (std::size_t i = 0; i < noises.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      const Eigen::MatrixXd products = weighted_products(bands_, sums.col(at));
+      for (const TurnOn& turn_on : turn_ons(products)) {
+        Solution solution;
+        solution.ratios = noises[i];
+        solution.ratios.turn_on = turn_on.variance;
+        solution.log_probability = turn_on.log_prior - log_density[at] / 2;
+        judge(with_priors(products, turn_on.variance), solution);
+        solutions.push_back(std::move(solution));
+      }
+    }
+  }
+
+  static void keep_probable(std::vector<Solution>& solutions) {
+    const auto more_probable = [](const Solution& a, const Solution& b) {
+      return a.log_probability > b.log_probability;
+    };
+    std::sort(solutions.begin(), solutions.end(), more_probable);
+    const double least = solutions.front().log_probability + std::log(kNegligible);
+    while (solutions.size() > 1 && !(solutions.back().log_probability >= least)) {
+      solutions.pop_back();
+    }
+  }
+
+  struct TurnOn {
+    double variance = 0;
+    double log_prior = 0;
+  };
+  // Half-Cauchy about the spread that the biases show: scale-free, and without a largest value.
+  std::vector<TurnOn> turn_ons(const Eigen::MatrixXd& products) const {
+    if (power_ons_ == 0) return {{0, 0}};
+    constexpr int kEachSide = 6;
+    const double scale = shown_spread(products);
+    std::vector<TurnOn> all;
+    for (int i = -kEachSide; i <= kEachSide; ++i) {
+      const double relative = std::exp2(i / 1.5);
+      all.push_back(
+          {std::pow(scale * relative, 2), std::log(relative / (1 + relative * relative))});
+    }
+    return all;
+  }
+
+  // Rms of the power-ons' biases, relative to the white noise, if they may be anything, but at
+  // least their uncertainty.
+  double shown_spread(const Eigen::MatrixXd& products) const {
+    constexpr double kAny = 1e4;  // standard deviations of white noise
+    const Eigen::Index size = bands_.columns - 1;
+    const Eigen::MatrixXd all = with_priors(products, kAny * kAny);
+    const Eigen::LDLT<Eigen::MatrixXd> solved(all.topLeftCorner(size, size));
+    const Eigen::VectorXd biases = solved.solve(all.col(size).head(size)).segment(own_, power_ons_);
+    const Eigen::ArrayXd relative = biases.array() / unit_.segment(own_, power_ons_).array();
+    const double mean = relative.mean();
+    const double spread =
+        (relative - mean).square().sum() / std::max(1.0, static_cast<double>(power_ons_ - 1));
+    double longest = 0;
+    for (const recording::RowRange& range : rows_.power_ons) {
+      longest = std::max(longest, static_cast<double>(range.size()));
+    }
+    return std::sqrt(std::max(spread, 1 / longest));
+  }
+
+  // In the units of the columns, relative to the white noise.
+  Eigen::MatrixXd with_priors(const Eigen::MatrixXd& products, double turn_on) const {
+    Eigen::MatrixXd all = products;
+    const double measured = std::pow(unit_[bands_.columns - 1], 2);
+    for (Eigen::Index i = 0; i < own_ + power_ons_; ++i) {
+      const double variance = prior_variance(i, turn_on);
+      if (variance > 0) all(i, i) += 1 / (variance * unit_[i] * unit_[i]);
+    }
+    all.col(bands_.columns - 1) *= std::sqrt(measured / white_);
+    all.row(bands_.columns - 1) *= std::sqrt(measured / white_);
+    return all;
+  }
+
+  double prior_variance(Eigen::Index i, double turn_on) const {
+    if (i >= own_) return turn_on;
+    return std::pow(rows_.prior_sigma[i], 2) / white_;
+  }
+
+  // Probability of the noise, the white level integrated out.
+  void judge(const Eigen::MatrixXd& all, Solution& solution) const {
+    const Eigen::Index size = bands_.columns - 1;
+    const Eigen::LDLT<Eigen::MatrixXd> solved(all.topLeftCorner(size, size));
+    const Eigen::VectorXd with = all.col(size).head(size);
+    const double square = all(size, size) - with.dot(solved.solve(with));
+    double flat = 0;
+    double log_determinant = 0;
+    for (Eigen::Index i = 0; i < size; ++i) {
+      log_determinant += std::log(std::max(solved.vectorD()[i], 1e-300));
+      const double variance = prior_variance(i, solution.ratios.turn_on);
+      if (variance > 0) {
+        log_determinant += std::log(variance * unit_[i] * unit_[i]);
+      } else {
+        ++flat;
+      }
+    }
+    const double freedom = std::max(1.0, bands_.count.sum() * (1 - excluded_share_) - flat);
+    solution.log_probability -= (log_determinant + freedom * std::log(square)) / 2;
+    solution.white = white_ * square / freedom;
+    if (!(most_of_temperature_ > 0)) return;
+    const double factor = solution.ratios.temperature * solution.white / most_of_temperature_;
+    solution.log_probability -= std::pow(std::log(factor) / kTemperatureFactor, 2) / 2;
+  }
+
+  // Means and covariance in deg/h, of the model's unknowns and of the power-ons.
+  void complete(Solution& solution) const {
+    const Eigen::ArrayXd density = density_of_noise(solution.ratios);
+    const Eigen::MatrixXd all =
+        with_priors(weighted_products(bands_, bands_.products * density.inverse().matrix()),
+                    solution.ratios.turn_on);
+    const Eigen::Index size = bands_.columns - 1;
+    const Eigen::LDLT<Eigen::MatrixXd> solved(all.topLeftCorner(size, size));
+    const Eigen::VectorXd scale = unit_.head(size).cwiseInverse();
+    solution.covariance =
+        solution.white * (scale.asDiagonal() * solved.solve(Eigen::MatrixXd::Identity(size, size)) *
+                          scale.asDiagonal())
+                             .eval();
+    std::vector<Eigen::Index> sought;
+    for (Eigen::Index i = 0; i < size; ++i) {
+      if (i < rows_.first_found || i >= own_) sought.push_back(i);
+    }
+    const Eigen::MatrixXd of_sought = all(sought, sought);
+    const Eigen::VectorXd with = all(sought, size);
+    const Eigen::VectorXd found = Eigen::LDLT<Eigen::MatrixXd>(of_sought).solve(with);
+    solution.mean = Eigen::VectorXd::Zero(size);
+    solution.mean(sought) = found;
+    solution.mean = std::sqrt(white_) * solution.mean.cwiseProduct(scale);
+  }
+
+  const Rows& rows_;
+  Eigen::Index own_;
+  Eigen::Index power_ons_;
+  Eigen::VectorXd unit_;  // rms of each column
+  ModeBands bands_;
+  double excluded_share_ = 0;
+  Eigen::ArrayXd temperature_;      // of the temperature's errors, 1 at most
+  double most_of_temperature_ = 0;  // (deg/h)^2
+  double white_ = 0;                // to which priors are related
+};
+
+}  // namespace
+
+Prediction::Prediction(const Rows& rows) {
+  Problem problem(rows);
+  const std::vector<Solution> solutions = problem.solve();
+  double total = 0;
+  Eigen::VectorXd mean = Eigen::VectorXd::Zero(solutions.front().mean.size());
+  Eigen::MatrixXd square = Eigen::MatrixXd::Zero(mean.size(), mean.size());
+  double white = 0;
+  double flicker = 0;
+  double walk = 0;
+  double turn_on = 0;
+  for (const Solution& solution : solutions) {
+    const double probability =
+        std::exp(solution.log_probability - solutions.front().log_probability);
+    const Eigen::VectorXd from_first = solution.mean - solutions.front().mean;
+    total += probability;
+    mean += probability * from_first;
+    square += probability * (solution.covariance + from_first * from_first.transpose());
+    white += probability * solution.white;
+    flicker += probability * solution.white * solution.ratios.flicker;
+    walk += probability * solution.white * solution.ratios.walk;
+    turn_on += probability * solution.white * solution.ratios.turn_on;
+  }
+  mean /= total;
+  const Eigen::Index own = problem.own();
+  covariance_ = (square / total - mean * mean.transpose()).topLeftCorner(own, own);
+  mean += solutions.front().mean;
+  mean_ = mean.head(own);
+  turn_on_biases_ = mean.tail(problem.power_ons());
+  noise_.white_dph = std::sqrt(white / total);
+  noise_.flicker_dph = std::sqrt(flicker / total);
+  noise_.walk_dph_per_rth = std::sqrt(walk / total / rows.row_s * kSecondsPerHour);
+  noise_.turn_on_dph = std::sqrt(turn_on / total);
+}
+
+}  // namespace fogcomp::judge
