@@ -8,7 +8,7 @@
 namespace fogcomp::judge {
 
 /// Errors of the temperature from which a model's columns are computed: what is left of the
-/// thermometer's noise and resolution after smoothing (series/measured_temperature.hpp).
+/// thermometer's noise and resolution after smoothing.
 struct TemperatureError {
   double white_degc2_s = 0;           ///< spectral density of the thermometer's noise
   double rate_walk_degc2_per_s3 = 0;  ///< of the temperature rate's changes; 0: no errors
