@@ -15,7 +15,7 @@
 namespace fogcomp::recording {
 namespace {
 
-constexpr const char* kOption = "--where";
+constexpr const char* kWhere = "--where";
 
 // Number of rows, mean and sum of squares about it.
 struct Level {
@@ -121,7 +121,7 @@ RowChoice parse_row_choice(const std::string& text) {
       std::string(trim(text.substr(0, equals))),
       equals == std::string::npos ? "" : std::string(trim(text.substr(equals + 1)))};
   if (choice.column.empty() || choice.value.empty()) {
-    throw InputError(kOption, "'" + printable(text) + "' is no COLUMN=VALUE; give SensorId=1");
+    throw InputError(kWhere, "'" + printable(text) + "' is no COLUMN=VALUE; give SensorId=1");
   }
   return choice;
 }

@@ -17,7 +17,7 @@ using fogcomp::judge::Rows;
 
 constexpr Eigen::Index kRows = 500;
 constexpr Eigen::Index kUnknowns = 4;  // bias, two effects, a shape
-constexpr int kGyros = 400;
+constexpr int kRankedGyros = 400;
 
 struct Drawn {
   Rows rows;
@@ -63,7 +63,7 @@ Drawn draw(std::uint64_t seed) {
 TEST(Prediction, Truths_AmongWhatIsPredicted_HaveEqualRanks) {
   constexpr int kBins = 10;
   std::vector<std::array<int, kBins>> counts(kUnknowns);
-  for (int gyro = 0; gyro < kGyros; ++gyro) {
+  for (int gyro = 0; gyro < kRankedGyros; ++gyro) {
     const Drawn drawn = draw(static_cast<std::uint64_t>(gyro) + 1);
     const Prediction prediction(drawn.rows);
     for (Eigen::Index i = 0; i < kUnknowns; ++i) {
@@ -77,7 +77,7 @@ TEST(Prediction, Truths_AmongWhatIsPredicted_HaveEqualRanks) {
   for (Eigen::Index i = 1; i < kUnknowns; ++i) {
     double square = 0;
     for (const int count : counts[static_cast<std::size_t>(i)]) {
-      square += std::pow(count - kGyros / kBins, 2) / (kGyros / kBins);
+      square += std::pow(count - kRankedGyros / kBins, 2) / (kRankedGyros / kBins);
     }
     std::printf("unknown %d: chi^2 of ranks %.1f of %d\n", static_cast<int>(i), square, kBins - 1);
     EXPECT_LT(square, 27.9) << "unknown " << i;  // chance 0.001
