@@ -134,13 +134,14 @@ TEST(AddEffect, RefusesAnEffectAtTheBoundOfItsShape) {
 TEST(AddEffect, StepThatStandsOut_AcceptedOnStretches) {
   fogcomp::recording::Recording recording = noisy_recording(1);
   add_step(recording, 15000, 5 * kWhiteDph);
-  fogcomp::fit::TrainingRuns runs = runs_of(truth(), {});
-  runs.runs.push_back(fogcomp::compare::run_in_blocks(recording, 10));
-  const auto holdout = fogcomp::compare::run_in_blocks(noisy_recording(2), 10);
+  fogcomp::runs::Runs runs = runs_of(truth(), {});
+  runs.training.push_back(fogcomp::runs::run_of(recording, {10}));
+  const auto holdout = fogcomp::runs::run_of(noisy_recording(2), {10});
   const Model given = incomplete(kComplete);
-  for (const auto& holdouts : {std::vector<fogcomp::compare::RunInBlocks>{}, {holdout}}) {
+  for (const auto& holdouts : {std::vector<fogcomp::runs::Run>{}, {holdout}}) {
+    runs.holdouts = holdouts;
     const Addition result = fogcomp::fit::add_effect(
-        given, fogcomp::fit::change_effect(given.terms, "bias_step"), runs, holdouts, {true});
+        given, fogcomp::fit::change_effect(given.terms, "bias_step"), runs, {true});
     EXPECT_TRUE(result.accepted) << result.reason;
     ASSERT_TRUE(result.out_of_sample);
     EXPECT_TRUE(result.out_of_sample->within_runs);

@@ -415,7 +415,7 @@ TEST(ForeignFormats, FirstBytes_RefusedWithTheWayToACsv) {
       {"MS\x03\x04", "is a miniSEED file; "},
   };
   for (const Format& each : formats) {
-    for (const std::size_t more : {0, 5000}) {
+    for (const std::size_t more : {0U, 5000U}) {
       const std::string said = said_of(each.start + std::string(more, '\0'));
       EXPECT_NE(said.find(each.said), std::string::npos) << each.said << " | " << said;
     }

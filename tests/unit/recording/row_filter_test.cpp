@@ -25,7 +25,7 @@ std::string file_of(const char* column, int sensors, double apart, bool same_tim
   return text;
 }
 
-std::string refusal(const std::string& content, const std::string& where = "") {
+std::string refused(const std::string& content, const std::string& where = "") {
   ReadOptions options;
   options.where = where;
   try {
@@ -37,20 +37,20 @@ std::string refusal(const std::string& content, const std::string& where = "") {
 }
 
 TEST(RowFilter, SensorsInTurn_RefusedWithTheChoice) {
-  EXPECT_NE(refusal(file_of("SensorId", 3, 0))
+  EXPECT_NE(refused(file_of("SensorId", 3, 0))
                 .find("sensors.csv: rows of several sensors: column 2 'SensorId' is 0, 1, 2 in "
                       "turn; say which: --where 'SensorId=0' (or 'SensorId=*' if all rows are of "
                       "one)"),
             std::string::npos)
-      << refusal(file_of("SensorId", 3, 0));
-  EXPECT_NE(refusal(file_of("I", 2, 0, true)), "");
-  EXPECT_NE(refusal(file_of("k", 2, 5)), "");  // by what they measure
+      << refused(file_of("SensorId", 3, 0));
+  EXPECT_NE(refused(file_of("I", 2, 0, true)), "");
+  EXPECT_NE(refused(file_of("k", 2, 5)), "");  // by what they measure
 }
 
 TEST(RowFilter, OtherColumns_NotTakenForSensors) {
-  EXPECT_EQ(refusal(file_of("parity", 2, 0)), "");
-  EXPECT_EQ(refusal(file_of("sensor_count", 600, 0)), "");
-  EXPECT_EQ(refusal(file_of("sensor", 1, 0)), "");
+  EXPECT_EQ(refused(file_of("parity", 2, 0)), "");
+  EXPECT_EQ(refused(file_of("sensor_count", 600, 0)), "");
+  EXPECT_EQ(refused(file_of("sensor", 1, 0)), "");
 }
 
 TEST(RowFilter, OneSensor_ItsRowsAlone) {
@@ -73,10 +73,10 @@ TEST(RowFilter, OneSensor_ItsRowsAlone) {
 
 TEST(RowFilter, WrongChoice_Refused) {
   const std::string content = file_of("SensorId", 3, 0);
-  EXPECT_NE(refusal(content, "Sensor_Id=1").find("no column 'Sensor_Id', which --where names"),
+  EXPECT_NE(refused(content, "Sensor_Id=1").find("no column 'Sensor_Id', which --where names"),
             std::string::npos);
-  EXPECT_NE(refusal(content, "SensorId=7").find("has a header but no samples"), std::string::npos)
-      << refusal(content, "SensorId=7");
+  EXPECT_NE(refused(content, "SensorId=7").find("has a header but no samples"), std::string::npos)
+      << refused(content, "SensorId=7");
   for (const char* wrong : {"SensorId", "=1", "SensorId="}) {
     EXPECT_THROW(parse_row_choice(wrong), InputError) << wrong;
   }
