@@ -25,16 +25,13 @@ struct RecordingOptions : OptionGroup {
   Flag skip_bad_rows{this, "skip-bad-rows",
                      "leave bad rows out and count them instead of stopping"};
   Number latitude{
-      this,
-      {"latitude", "DEG", "subtract the Earth rate there, for a file without input_rate_dph"},
-      {-90, 90}};
+      this, {"latitude", "DEG", "Earth rate to subtract, without input_rate_dph"}, {-90, 90}};
   Choice<double> axis{
       this,
       {"axis", "up|down", "where the input axis points, with --latitude", "up", kRare},
       {{"up", 1}, {"down", -1}}};
-  Number rate{this,
-              {"rate", "HZ", "sample rate of a captured stream, or of a CSV without times", "200"},
-              {1e-3, 1e6}};
+  Number rate{
+      this, {"rate", "HZ", "sample rate of a stream or a CSV without times", "200"}, {1e-3, 1e6}};
   Number temperature{
       this,
       {"temperature", "DEGC", "of all samples of a file without temperatures", "", kRare},
