@@ -17,7 +17,7 @@ require_packages "${packages[@]}" || exit 2
 
 # Tests build images and, with --all, everything a second time under sanitizers.
 export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-export CCACHE_DIR=$PWD/build/ccache CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+export CCACHE_DIR=$PWD/build/ccache CCACHE_NOHASHDIR=1
 export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
 
 jobs=$(($(nproc) + 1)) # some tests wait, for a browser or for bytes on a line
@@ -38,7 +38,7 @@ run_tests() {
   targets=$(awk 'NR == FNR { wanted[$1]; next } $1 in wanted { for (i = 3; i <= NF; ++i) print $i }' \
     <(tests_of "$preset" "$@") "build/$preset/tests.txt" | sort -u)
   # shellcheck disable=SC2086
-  [[ -z $targets ]] || cmake --build "build/$preset" --target $targets
+  [[ -z $targets ]] || CCACHE_BASEDIR=$PWD cmake --build "build/$preset" --target $targets
   ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$jobs" "$@" | tee -a "$results" ||
     status=1
 }

@@ -39,7 +39,7 @@ class Denoiser:
         self.delay = table.delay
         self.bank = Bank(table) if table.levels else None
         self.filling_left = self.delay + 1
-        self.standing_in = self.delay                          # samples until no stand-in is left
+        self.unsettled = self.delay
         self.last = 0                                          # the last sample that came in
         self.valid = deque([True] * self.delay, maxlen=self.delay + 1)
         self.primed = False
@@ -56,18 +56,16 @@ class Denoiser:
             return self._first(rate, valid)
         if self.filling_left > 0:
             self.filling_left -= 1
-        follows = valid and self.standing_in == 0
-        if not valid:
-            self.standing_in = self.delay + 1
-            rate = self.last
-        elif self.standing_in > 0:
-            self.standing_in -= 1
+        follows = valid and self.unsettled == 0
+        if not follows:
+            if valid:
+                self.unsettled -= 1
+            else:
+                self.unsettled = self.delay + 1
+                rate = self.last
         self.last = rate
-        denoised = self.bank.step(rate, follows)
-        if self.bank.gate.outlier:
-            self.valid[-1] = False
         self.valid.append(valid)
-        return denoised, self.valid[0]
+        return self.bank.step(rate, follows), self.valid[0]
 
     def _first(self, rate, valid):
         if not valid:
@@ -97,7 +95,6 @@ class OutlierGate:
         self.line = []
         self.withheld = None
         self.before = 0
-        self.outlier = False                   # the sample before the last one
 
     def prime(self, rate):
         self.line = [rate] * self.needed
@@ -106,10 +103,8 @@ class OutlierGate:
         line = self.line
         if len(line) > self.needed + self.SPARE:
             del line[:-self.needed]
-        self.outlier = False
         if self.withheld is not None:
-            self.outlier = self._is_outlier(self.withheld, v, line[-1], limit)
-            if not self.outlier:
+            if not self._is_outlier(self.withheld, v, line[-1], limit):
                 line[-1] = self.withheld
             self.withheld = None
             line.append(v)

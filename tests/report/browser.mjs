@@ -17,7 +17,7 @@ export const address_of = (file) => pathToFileURL(resolve(file)).href;
 // A new tab with `complaints` (whatever comes on its console, and exceptions) and `requests` (addresses asked for).
 export const new_page = async (browser) => {
   const page = Object.assign(await browser.newPage(), { complaints: [], requests: [] });
-  page.setDefaultNavigationTimeout(0); // the test as a whole has one
+  page.setDefaultTimeout(0); // the test as a whole has one
   page.on("console", (said) => said.type() === "verbose" || page.complaints.push(said.text()));
   page.on("pageerror", (error) => page.complaints.push(error.stack ?? String(error)));
   page.on("request", (request) => page.requests.push(request.url()));
@@ -40,7 +40,7 @@ export const open = async (page, file) => {
 };
 
 // Until `expression` is true of the page. puppeteer's own way evaluates a string in the page, whose policy forbids that.
-export const until = async (page, expression, seconds = 60) => {
+export const until = async (page, expression, seconds = 300) => {
   for (const end = Date.now() + 1000 * seconds; Date.now() < end; ) {
     if (await page.evaluate(expression)) return;
     await new Promise((done) => setTimeout(done, 25));

@@ -18,7 +18,7 @@ constexpr std::size_t denoise_line_length(std::size_t taps, std::size_t levels) 
 
 struct DenoiserOutput {
   Rate rate{};
-  bool valid = false;  ///< whether the sample of this output was valid, and no outlier
+  bool valid = false;  ///< whether the sample of this output was valid
 };
 
 /// Streaming wavelet denoiser: one sample in, one sample out, late by delay() samples.
@@ -39,9 +39,7 @@ class Denoiser {
   /// after a refused model, no sample may be passed as valid.
   explicit Denoiser(const DenoiseParameters& parameters)
       : filling_(denoise_line_length(kTaps, parameters.levels())),
-        standing_in_(filling_ - 1),
-        bank_(parameters, {memory_.line.data(), memory_.coarser.data(), memory_.waiting.data(),
-                           memory_.validity.unsettled()}) {
+        bank_(parameters, {memory_.line.data(), memory_.coarser.data(), memory_.waiting.data()}) {
     memory_.validity.unsettle(filling_ - 1);  // all but the first
   }
   // Not copyable: its parts refer to its memory.
@@ -50,12 +48,9 @@ class Denoiser {
 
   /// The first valid sample fills all lines, as if it had been the input for ever, and is the
   /// output until the line is full. A sample that is not valid is replaced by the last valid one,
-  /// so that a fault disturbs no other sample. The output of a sample that the outlier gate has
-  /// replaced is not valid either: it may have been a rotation.
+  /// so that a fault disturbs no other sample.
   DenoiserOutput step(Rate rate, bool valid) {
-    // With a delay of one sample the output of an outlier comes with the sample that shows it.
-    constexpr bool kShortest = kTaps == 2;
-    if (kShortest || !valid || !memory_.validity.settled()) return unsettled_step(rate, valid);
+    if (!valid || !memory_.validity.settled()) return unsettled_step(rate, valid);
     return {Rate::from_raw(bank_.step(rate.raw())), true};
   }
 
@@ -87,26 +82,14 @@ class Denoiser {
       --filling_;
       bank_.prime_further();
     }
-    ValidityLine<kLine>& validity = memory_.validity;
-    if (bank_.took_outlier()) {  // in a settled step, which has stored neither it nor its successor
-      validity.invalidate_newest(length);
-      validity.exchange(true, length);
-    }
-    bank_.follow_noise(valid && standing_in_ == 0);
-    if (!valid) {
-      rate = Rate::from_raw(bank_.last());
-      standing_in_ = length;
-    } else if (standing_in_ > 0) {
-      --standing_in_;
-    }
+    if (!valid) rate = Rate::from_raw(bank_.last());
+    bank_.follow_noise(false);
     rate = Rate::from_raw(bank_.step(rate.raw()));
     bank_.follow_noise(true);
-    if (bank_.took_outlier()) validity.invalidate_newest(length);
-    return {rate, validity.exchange(valid, length)};
+    return {rate, memory_.validity.exchange(valid, length)};
   }
 
-  std::size_t filling_;      // samples left until the line is full
-  std::size_t standing_in_;  // samples left until no stand-in of an invalid one is in the line
+  std::size_t filling_;  // samples left until the line is full
   Memory memory_{};
   FilterBank<kTaps> bank_;
 };

@@ -20,7 +20,6 @@ std::uint32_t outlier_limit(std::uint32_t finest_threshold) {
 template <std::size_t kTaps>
 FilterBank<kTaps>::FilterBank(const DenoiseParameters& parameters, const BankMemory<kTaps>& memory)
     : line_(memory.line, denoise_delay(kTaps, parameters.levels()) + 1, kTaps),
-      gate_(memory.outlier_calls),
       filters_(parameters.filters.data),
       rule_(parameters.rule),
       mode_(parameters.mode),

@@ -51,7 +51,6 @@ struct BankMemory {
   std::int32_t* line = nullptr;            ///< SampleLine::memory(delay + 1, kTaps) values
   CoarserLevel<kTaps>* coarser = nullptr;  ///< one less than the levels
   std::int16_t* waiting = nullptr;         ///< denoise_waiting() slots
-  std::size_t* outlier_calls = nullptr;    ///< as of OutlierGate
 };
 
 /// Decomposes the signal level by level, finds in the details what thresholding removes, and
@@ -78,9 +77,6 @@ class FilterBank {
 
   /// Whether the details of level 1 update the noise scale; initially they do not.
   void follow_noise(bool follow) { follow_noise_ = follow; }
-
-  /// As OutlierGate::took_outlier(), of the last step.
-  bool took_outlier() { return gate_.took_outlier(); }
 
   /// Sample of the last step: substitute for a missing one.
   std::int32_t last() const { return gate_.last(line_); }

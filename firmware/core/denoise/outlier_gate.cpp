@@ -36,12 +36,7 @@ std::int32_t OutlierGate::judge(SampleLine& line, std::int32_t sample) {
   const std::int32_t newest = line.newest()[0];
   if (withholding()) {
     // The newest value in the line is the substitute, a copy of the one before.
-    if (is_outlier(sample, newest)) {
-      took_outlier_ = true;
-      if (calls_ != nullptr && *calls_ == 0) *calls_ = 1;
-    } else {
-      line.replace_newest(withheld_);
-    }
+    if (!is_outlier(sample, newest)) line.replace_newest(withheld_);
     span_ = 2 * limit_ + 1;
     return sample;
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "core/denoise/sample_line.hpp"
@@ -12,25 +11,13 @@ namespace fog {
 /// is an outlier if it differs from both neighbours, in the same direction, by more than
 ///   limit + |difference of the neighbours| + |difference of the two samples before|;
 /// then the substitute stays. Otherwise the true sample is put back. Steps, ramps and oscillations
-/// are never outliers. With limit 0 every sample passes. What it removes may have been a rotation:
-/// it says so.
+/// are never outliers. With limit 0 every sample passes.
 class OutlierGate {
  public:
-  OutlierGate() = default;
-  /// An outlier sets `*calls`, so that somebody asks took_outlier().
-  explicit OutlierGate(std::size_t* calls) : calls_(calls) {}
-
   /// `limit` in the unit of the samples, below 2^30.
   [[gnu::always_inline]] void set_limit(std::uint32_t limit) {
     limit_ = limit;
     if (!withholding()) span_ = 2 * limit + 1;
-  }
-
-  /// Whether the sample before the one pushed last was an outlier; asked once.
-  bool took_outlier() {
-    const bool took = took_outlier_;
-    took_outlier_ = false;
-    return took;
   }
 
   /// The sample pushed last.
@@ -53,12 +40,10 @@ class OutlierGate {
   [[gnu::always_inline]] inline bool is_outlier(std::int32_t next, std::int32_t last) const;
   bool withholding() const { return span_ == 0; }
 
-  std::size_t* calls_ = nullptr;
   std::uint32_t limit_ = 0;
   std::uint32_t span_ = 1;  // 2 limit + 1; 0 while a sample is withheld, so that no sample passes
   std::int32_t withheld_ = 0;
   std::int32_t before_last_ = 0;  // sample two before the withheld one
-  bool took_outlier_ = false;
 };
 
 }  // namespace fog

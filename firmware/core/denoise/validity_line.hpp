@@ -13,8 +13,6 @@ template <std::size_t kMax>
 class ValidityLine {
  public:
   bool settled() const { return unsettled_ == 0; }
-  /// For somebody who makes it unsettled, by setting it to 1.
-  std::size_t* unsettled() { return &unsettled_; }
 
   /// The next `samples` exchanges do the full work.
   void unsettle(std::size_t samples) { unsettled_ = samples; }
@@ -25,20 +23,13 @@ class ValidityLine {
     std::uint32_t& word = invalid_[next_ / 32U];
     if (valid) {
       word &= ~bit;
-      if (unsettled_ > 0) --unsettled_;
+      --unsettled_;
     } else {
       word |= bit;
       unsettled_ = length;
     }
     if (++next_ == length) next_ = 0;
     return (floor_shift(invalid_[next_ / 32U], bit_of(next_)) & 1U) == 0U;
-  }
-
-  /// The newest sample turns out to be invalid. It may not have been stored, while all were valid:
-  /// then any slot will do.
-  void invalidate_newest(std::size_t length) {
-    next_ = (next_ == 0 ? length : next_) - 1;
-    exchange(false, length);
   }
 
  private:
