@@ -205,6 +205,7 @@ try {
     await show(page, { width: 1280, dark: true });
     const before = await page.evaluate(pictures);
     const print = await page.pdf({
+      timeout: 0,
       preferCSSPageSize: true,
       path: shots ? join(shots, basename(name, ".html") + ".pdf") : undefined,
     });
