@@ -28,9 +28,7 @@ struct FitOptions : OptionGroup {
   Texts expressions{
       this, {"effect-expr", "EXPR", "a term of your own: 'late = lag(T,?tau[60,900]) - T'"}};
   Text model{this,
-             {"model", "NAME",
-              "instead of --effects, --network; a board runs each: " +
-                  join(workflow::preset_names(), ", ")},
+             {"model", "NAME", "presets: " + join(workflow::preset_names(), ", ")},
              workflow::preset_names()};
   Number average{this, {"average", "S", "rows of the fit, seconds", "10"}, {1e-3, 1e6}};
   Flag run_offsets{this, "run-offsets",

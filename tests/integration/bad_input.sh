@@ -86,7 +86,7 @@ refuses '^empty\.csv: .*' "${fit[@]}" empty.csv
 refuses '^header_only\.csv' "${fit[@]}" header_only.csv
 refuses '^folder: is a directory' "${fit[@]}" folder
 { echo "time_s,temp_deg,rate_dph"; echo "0,20,1"; } >column.csv
-refuses "^column\.csv:1: .*temperature_degc" "${fit[@]}" column.csv
+refuses "^column\.csv:1: column 2 'temp_deg' .*: --columns 'temperature=2\[degC\]'" "${fit[@]}" column.csv
 bad_row "20,20"
 refuses '^row\.csv:4: .*' "${fit[@]}" row.csv
 bad_row "20,?,1"

@@ -11,9 +11,8 @@
 #include <vector>
 
 #include "clean_gyro.hpp"
-#include "compare/run_in_blocks.hpp"
-#include "fit/training_runs.hpp"
 #include "noise/white_noise.hpp"
+#include "runs/runs.hpp"
 #include "support/input_error.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
@@ -68,16 +67,15 @@ struct Errors {
   std::array<double, 3> of_coefficients{};  // b1, b2, K
 };
 
-fit::TrainingRuns training_of(const std::vector<recording::Recording>& recordings,
-                              double average_s) {
-  fit::TrainingRuns training;
+runs::Runs runs_of(const std::vector<recording::Recording>& recordings, double average_s) {
+  runs::Runs runs;
   double square = 0;
   for (const recording::Recording& recording : recordings) {
-    training.runs.push_back(compare::run_in_blocks(recording, average_s));
+    runs.training.push_back(runs::run_of(recording, {average_s}));
     square += std::pow(noise::white_noise_dph_rthz(recording), 2);
   }
-  training.noise_dph_rthz = std::sqrt(square / static_cast<double>(recordings.size()));
-  return training;
+  runs.noise_dph_rthz = std::sqrt(square / static_cast<double>(recordings.size()));
+  return runs;
 }
 
 // As a user fits it: without being told how many power-ons differ, or what the thermometer is like.
@@ -86,7 +84,7 @@ Errors errors_of(const coverage::CleanGyro& gyro) {
   request.effects = "bias,bias_temperature:order=2,temperature_rate";
   request.hidden = 0;
   const workflow::FitOutcome outcome =
-      workflow::fit(request, training_of(gyro.training, request.average_s));
+      workflow::fit(request, runs_of(gyro.training, request.average_s));
   const auto error = [&](const char* effect, std::size_t index, double truth) {
     const model::EffectTerm& term = *outcome.model.find(effect);
     const model::Estimate found = model::natural_coefficient(term, index);
