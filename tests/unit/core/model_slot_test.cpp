@@ -11,6 +11,7 @@
 #include "core/bytes/crc.hpp"
 #include "core/frames/health_request.hpp"
 #include "core/frames/slots_record.hpp"
+#include "core/health/image_seal.hpp"
 #include "support/sample_models.hpp"
 
 namespace {
