@@ -54,9 +54,11 @@ mapfile -t commands < <(awk '/the line from the chamber/ { found = 1 }
 ((${#commands[@]} == 5)) || fail "${#commands[@]} commands in the README"
 # run NUMBER: one of them, its output in said.txt.
 run() {
+  local status=0
   echo "\$ ${commands[$1]}"
-  eval "${commands[$1]//\/dev\/ttyUSB1/$scratch/output}" >said.txt
+  eval "${commands[$1]//\/dev\/ttyUSB1/$scratch/output}" >said.txt || status=$?
   cat said.txt
+  return "$status"
 }
 # asks NUMBER: health, of a board that is well but that nothing comes in.
 asks() {
@@ -128,6 +130,6 @@ stop
 
 strap=()
 start
-refuses 'strap is open' results/tables/FOG-0042.bin
+refuses 'strap is open' results/tables/FOG-0042.bin --serial FOG-0042
 "$fogcomp" health "$scratch/output" --json >empty.json || true
 grep -qE '"model_finding": ?"missing"' empty.json
