@@ -8,6 +8,7 @@
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/forms.hpp"
 #include "model/catalogue.hpp"
+#include "model/effect_list.hpp"
 #include "model/shape_limits.hpp"
 #include "support/text.hpp"
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnosis/decision_rules.hpp"
+#include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
