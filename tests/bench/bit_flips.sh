@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 seed=${1:-1}
 programs=build/host/tests/target/fault_injection
-cmake --preset host >/dev/null
+cmake --preset host -DFOG_TESTS=ON >/dev/null
 cmake --build build/host --target boot_flips running_flips make_model >/dev/null
 images=build/host/firmware_images
 tests/target/lenient_images.sh "$images" build/host/tests/target/make_model

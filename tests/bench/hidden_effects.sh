@@ -36,7 +36,7 @@ first=1
 out=$(realpath -m "${out:-$build/hidden_effects${wide:+_wide}}")
 fogcomp=$build/fogcomp programmes=$build/tests/bench/hidden_effects
 [[ -x $fogcomp && -x $programmes/plan_case ]] ||
-  { echo "no programmes in $build; cmake --preset host && cmake --build build/host" >&2; exit 2; }
+  { echo "no programmes in $build; cmake --preset host -DFOG_TESTS=ON && cmake --build build/host" >&2; exit 2; }
 mkdir -p "$out"
 
 if [[ $only ]]; then
