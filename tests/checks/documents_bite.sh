@@ -14,20 +14,32 @@ printf '#!/bin/sh\n' >"$tree/tests/data.sh"
 echo 'fog_gtest(test_part unit/part unit fogcomp_part)' >"$tree/tests/CMakeLists.txt"
 echo '{ "configurePresets": [{ "name": "host" }] }' >"$tree/CMakePresets.json"
 
-# judge TEXT: the check's opinion of a page.
-judge() { printf '%b\n' "# Page\n\n$1" >"$tree/README.md" && "$here/documents.sh" "$tree" >"$tree/said" 2>&1; }
+# judge TEXT...: the check's opinion of a page of these, a paragraph each; of the i-th, the line where it begins: at[i].
+judge() {
+  printf '# Page\n' >"$tree/README.md"
+  at=()
+  for text in "$@"; do
+    at+=($(($(wc -l <"$tree/README.md") + 2)))
+    printf '\n%b\n' "$text" >>"$tree/README.md"
+  done
+  "$here/documents.sh" "$tree" >"$tree/said" 2>&1
+}
 long=$(printf 'a%.0s' {1..121})
-for right in '[a](part/README.md)' '[a\nb](part/README.md#add-one-or-several)' '[a](#page)' '[a](https://x.org/none)' \
+judge '[a](part/README.md)' '[a\nb](part/README.md#add-one-or-several)' '[a](#page)' '[a](https://x.org/none)' \
   "| $long |" '`[a](none.md)`' '```\n[a](none.md)\n```' '[`a`](part/)' \
   '`part/one.cpp`' '`one.cpp`' '`part/one`' '`part/`' '`boards/NAME/wiring.hpp`' '`run.csv`' '`deg/h`' '`tests/try.sh -o x`' \
-  '    ctest --test-dir build -L unit' '`cmake --preset host`' '    cmake --build build --target test_part'; do
-  judge "$right" || { echo "refused: $right: $(cat "$tree/said")" >&2; exit 1; }
-done
-for wrong in '[a](none.md)' '[a](part/README.md#none)' '[a](#none)' '[a\nb](part/none.md)' '| [`a`](none.md) |' \
-  "$long" \
-  "\`\`\`\n$long\n\`\`\`" '`part/two.cpp`' '`two.hpp`' '`part/two`' '`none.md`' '`tests/data.sh`' \
-  '    ctest --test-dir build -R unit' '`ctest -L none`' '`cmake --preset none`' '    cmake --build b --target none'; do
-  ! judge "$wrong" || { echo "accepted: $wrong" >&2; exit 1; }
+  '    ctest --test-dir build -L unit' '`cmake --preset host`' '    cmake --build build --target test_part' ||
+  { echo "refused what is right: $(cat "$tree/said")" >&2; exit 1; }
+wrong=('[a](none.md)' '[a](part/README.md#none)' '[a](#none)' '[a\nb](part/none.md)' '| [`a`](none.md) |'
+  "$long"
+  "\`\`\`\n$long\n\`\`\`" '`part/two.cpp`' '`two.hpp`' '`part/two`' '`none.md`' '`tests/data.sh`'
+  '    ctest --test-dir build -R unit' '`ctest -L none`' '`cmake --preset none`' '    cmake --build b --target none')
+! judge "${wrong[@]}" || { echo "accepted what is wrong" >&2; exit 1; }
+for i in "${!wrong[@]}"; do
+  lines=$(grep -c . < <(printf '%b\n' "${wrong[i]}"))
+  awk -F: -v first="${at[i]}" -v lines="$lines" \
+    '$1 == "README.md" && $2 >= first && $2 < first + lines { found = 1 } END { exit !found }' "$tree/said" ||
+    { echo "accepted: ${wrong[i]}" >&2; exit 1; }
 done
 judge 'right' && printf '// See part/two.hpp.\n' >"$tree/part/one.cpp"
 ! judge 'right' || { echo "accepted: a comment that names no file" >&2; exit 1; }
