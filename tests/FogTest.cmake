@@ -42,7 +42,9 @@ function(fog_gtest name folder label)
   add_executable(${program} ${sources})
   target_include_directories(${program} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   target_link_libraries(${program} PRIVATE ${test_LIBRARIES} GTest::gtest_main fog_warnings)
-  set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
+  # One translation unit: an edit of what it tests leaves it as it is.
+  set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests"
+                        UNITY_BUILD_BATCH_SIZE 0)
   target_compile_definitions(${program} PRIVATE FOG_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   # What all of them include is read once.
   if(name STREQUAL support)
