@@ -23,14 +23,17 @@ class KnownRegressors {
   using Columns = std::shared_ptr<const Eigen::MatrixXd>;
 
   // NOLINTNEXTLINE(google-explicit-constructor): see above
-  KnownRegressors(const series::SignalSeries& series) : series_(series) {}
+  KnownRegressors(const series::SignalSeries& series,
+                  series::Reading reading = series::Reading::of_sensor)
+      : series_(series), reading_(reading) {}
   /// Of runs::series_of(), for several fits of one set of runs.
   KnownRegressors(const model::Model& model, const std::vector<runs::Run>& runs);
 
   const series::SignalSeries& series() const { return series_; }
-  /// As SignalSeries::regressors().
-  Columns operator()(const model::EffectTerm& term,
-                     series::Reading reading = series::Reading::of_sensor) const;
+  /// As SignalSeries::regressors(), of the reading that is fitted or of another.
+  Columns operator()(const model::EffectTerm& term) const { return (*this)(term, reading_); }
+  Columns operator()(const model::EffectTerm& term, series::Reading reading) const;
+  series::Reading reading() const { return reading_; }
 
  private:
   using Key = std::tuple<std::string, std::vector<double>, std::optional<std::uint64_t>, double,
@@ -41,6 +44,7 @@ class KnownRegressors {
 
   std::unique_ptr<const series::SignalSeries> own_;  // of which nobody else takes care
   const series::SignalSeries& series_;
+  series::Reading reading_ = series::Reading::of_sensor;
   mutable std::mutex mutex_;  // guards all below
   mutable Known known_;
   mutable std::queue<Known::iterator> oldest_first_;

@@ -83,9 +83,8 @@ void WhitenedProblem::project_out_fixed() {
   }
 }
 
-Eigen::MatrixXd WhitenedProblem::whitened(const model::EffectTerm& term,
-                                          series::Reading reading) const {
-  return whitening_->apply(*(*regressors_)(term, reading));
+Eigen::MatrixXd WhitenedProblem::whitened(const model::EffectTerm& term) const {
+  return whitening_->apply(*(*regressors_)(term));
 }
 
 double WhitenedProblem::value(const model::ShapeParameter& parameter) const {
@@ -118,11 +117,14 @@ Eigen::Index WhitenedProblem::first_column(const std::vector<Eigen::MatrixXd>& c
 
 LinearFit WhitenedProblem::solve(const std::vector<model::ShapeParameter>& parameters) const {
   const Eigen::MatrixXd columns = jacobian(parameters);
-  if (regressors_->series().phase() == series::Phase::zero) return solve_linear(columns, measured_);
+  if (regressors_->series().phase() == series::Phase::zero ||
+      regressors_->reading() == series::Reading::of_gyro) {
+    return solve_linear(columns, measured_);
+  }
   Eigen::MatrixXd instruments = columns;
   for (std::size_t i = 0; i < terms_.size(); ++i) {
     instruments.middleCols(first_column(columns_, i), columns_[i].cols()) =
-        whitened(terms_[i], series::Reading::smoothed);
+        whitening_->apply(*(*regressors_)(terms_[i], series::Reading::without_noise));
   }
   return solve_with_instruments(columns, instruments, measured_);
 }

@@ -29,8 +29,9 @@ class WhitenedProblem {
   Eigen::MatrixXd matrix() const;
   const Eigen::VectorXd& measured() const { return measured_; }
   /// Coefficients of matrix() and, after them, of the derivatives by each parameter's position (0
-  /// at the optimum), with their covariance. Smoothed temperatures serve as instrumental variables;
-  /// otherwise the noise of the temperature sensor would reduce the coefficients of rate terms.
+  /// at the optimum), with their covariance. On the board's reading of the temperature, the same
+  /// without the noise and steps of the sensor serves as instrumental variables; otherwise these
+  /// would reduce the coefficients of rate terms.
   LinearFit solve(const std::vector<model::ShapeParameter>& parameters = {}) const;
   /// matrix() and, after it, the derivatives by each parameter's position in its range, with the
   /// best coefficients.
@@ -65,8 +66,7 @@ class WhitenedProblem {
   Step step(const std::vector<model::ShapeParameter>& parameters, const Solution& here) const;
 
  private:
-  Eigen::MatrixXd whitened(const model::EffectTerm& term,
-                           series::Reading reading = series::Reading::of_sensor) const;
+  Eigen::MatrixXd whitened(const model::EffectTerm& term) const;
   void project_out_fixed();
   /// Whitened, one per parameter; `coefficients` are those of `columns`, which are those of each
   /// term.

@@ -57,6 +57,7 @@ void append(BlockSeries& run, const BlockSeries& next) {
   run.recordings.insert(run.recordings.end(), next.recordings.begin(), next.recordings.end());
   series::widen(run.input_ranges, next.input_ranges);
   run.rounding_dph = std::max(run.rounding_dph, next.rounding_dph);
+  run.temperature_step_degc = std::max(run.temperature_step_degc, next.temperature_step_degc);
 }
 
 // Joins a soak that both files contain; makes other names unique.

@@ -65,6 +65,20 @@ fog::InputMask inputs_of(const recording::Recording& recording) {
   return inputs;
 }
 
+// Where a reading changes more than once in a block, their mean has no steps that matter.
+double temperature_step_degc(const recording::Recording& recording, std::size_t blocks) {
+  double step_degc = HUGE_VAL;
+  std::size_t changes = 0;
+  for (std::size_t row = 1; row < recording.rows(); ++row) {
+    const double change =
+        std::abs(recording.temperature_degc[row] - recording.temperature_degc[row - 1]);
+    if (change == 0) continue;
+    step_degc = std::min(step_degc, change);
+    ++changes;
+  }
+  return changes == 0 || changes > blocks ? 0 : step_degc;
+}
+
 using PowerOn = model::RealNumbers::PowerOn;
 
 // The last power-on before a row: time_s is since then unless the uptime says more. `before`: that
@@ -234,6 +248,7 @@ BlockSeries make_blocks(const recording::Recording& recording) {
     make_means(block);
     block.means.elapsed = series.first.elapsed + static_cast<double>(block.number) + 1;
   }
+  series.temperature_step_degc = temperature_step_degc(recording, series.blocks.size());
   mark_masked(recording.masks, series);
   set_rates_within(recording, first_rows, series);
   require_unmasked(series);

@@ -36,6 +36,8 @@ struct BlockSeries {
   model::InputRanges input_ranges{};          ///< of its rows
   /// Standard deviation of a sample's rounding: of its digits, and of the computer's numbers.
   double rounding_dph = 0;
+  /// Smallest change between readings of the temperature; 0: noise hides it within a block.
+  double temperature_step_degc = 0;
 };
 
 /// Number of a sample in a stream without gaps, from its time.

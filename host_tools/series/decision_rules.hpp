@@ -4,11 +4,6 @@
 /// decision. Gaps are defined in recording/decision_rules.hpp.
 namespace fogcomp::series::rules {
 
-/// Time constant of the lags that smooth a temperature for Reading::smoothed, relative to the
-/// derivative's: an eighth of the noise remains in a rate, and heat that the derivative follows is
-/// hardly changed. tests/unit/fit/identify_test.
-constexpr double kSmoothing = 2;
-
 /// Change of the input rate within a block above which its samples are kept: 0.01 deg/s. Of an
 /// error of 1 % at 100 deg/s that goes with W^2 less makes 3e-6 deg/h. signal_series_test.
 constexpr double kMinChangeOfRate_dph = 36;

@@ -14,18 +14,19 @@
 namespace fogcomp::series {
 namespace {
 
-// Smoothed temperatures. Only these are kept: the blocks need much more memory.
+// What the board makes of the temperature itself. Only temperatures are kept: the blocks need much
+// more memory.
 template <class DriftModel>
-void run_smoothed(const BlockSeries& series, double tau_s, DriftModel& model) {
-  const std::vector<double> temperatures = smooth_temperatures(series, tau_s);
-  const auto means_with = [](fog::BlockMeans<model::RealNumbers> means, double temperature) {
-    means.temperature = temperature;
+void run_without_noise(const BlockSeries& series, const MeasuredTemperature& own,
+                       DriftModel& model) {
+  const auto means_with = [&](fog::BlockMeans<model::RealNumbers> means, std::int64_t number) {
+    means.temperature = own.at(number).degc;
     return means;
   };
-  const auto smooth = [&](std::size_t i) {
-    return means_with(series.blocks[i].means, temperatures[i]);
+  const auto means_of = [&](std::size_t i) {
+    return means_with(series.blocks[i].means, series.blocks[i].number);
   };
-  run_blocks(series, means_with(series.first, temperatures.front()), smooth, model,
+  run_blocks(series, means_with(series.first, series.blocks[0].number), means_of, model,
              [](const BlockSeries::Block&) {});
 }
 
@@ -47,25 +48,32 @@ void SignalSeries::Run::keep(const Signals& signals, bool restart) {
 
 // The unclamped temperature of the signals is that of their block. `signals`: of an earlier block
 // of the run or new.
-void SignalSeries::Run::read(std::size_t block, Reading reading, Signals& signals) const {
+void SignalSeries::Run::read(std::size_t block, Reading reading, const TemperatureChange& change,
+                             Signals& signals) const {
   const Block& kept = blocks[block];
-  const bool smooth = reading == Reading::smoothed && !smoothed.empty();
-  const Seen& seen = smooth ? smoothed[block] : kept.seen;
-  signals.temperature = seen.temperature;
-  signals.temperature_rate = seen.temperature_rate;
-  signals.block.temperature = seen.temperature;
+  signals.temperature = kept.seen.temperature;
+  signals.temperature_rate = kept.seen.temperature_rate;
+  if (reading == Reading::without_noise && !delayed.empty()) {
+    signals.temperature = delayed[block].temperature;
+    signals.temperature_rate = delayed[block].temperature_rate;
+  } else if (reading == Reading::of_gyro && !own.empty()) {
+    signals.temperature = own[block].degc + change.degc;
+    signals.temperature_rate = own[block].degc_per_min + change.degc_per_min;
+  }
+  signals.block.temperature = signals.temperature;
   if (!input_rate.empty()) {
-    signals.block.input_rate = input_rate[block].before_dph;
-    signals.block.rate_within = input_rate[block].within;
+    const InputRate& rate = input_rate[block];
+    signals.block.input_rate = reading == Reading::of_gyro ? rate.dph : rate.before_dph;
+    signals.block.rate_within = rate.within;
   }
   signals.block.elapsed = kept.elapsed;
   if (!power_on.empty()) signals.block.power_on = power_on[block];
   if (!extension.empty()) signals.block.extension = extension[block];
 }
 
-SignalSeries::Signals SignalSeries::Run::signals(std::size_t block, Reading reading) const {
+SignalSeries::Signals SignalSeries::Run::signals(std::size_t block) const {
   Signals signals{};
-  read(block, reading, signals);
+  read(block, Reading::of_sensor, {}, signals);
   return signals;
 }
 
@@ -112,20 +120,26 @@ void SignalSeries::add(const BlockSeries& series) {
 
 void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows) {
   Run& run = runs_.back();
-  run.smoothed.reserve(series.blocks.size() + 1);
-  Recorder smooth_recorder(model_, series.block_s, [&](const Signals& signals, bool) {
-    run.smoothed.push_back({signals.temperature, signals.temperature_rate});
+  const MeasuredTemperature own = measured_temperature(series);
+  if (own.thermometer.white_degc2_s > thermometer_.white_degc2_s) thermometer_ = own.thermometer;
+  run.delayed.reserve(series.blocks.size() + 1);
+  Recorder delayed_recorder(model_, series.block_s, [&](const Signals& signals, bool) {
+    run.delayed.push_back({signals.temperature, signals.temperature_rate});
   });
-  run_smoothed(series, rules::kSmoothing * model_.derivative_tau_s, smooth_recorder);
-  Recorder recorder(model_, series.block_s,
-                    [&](const Signals& signals, bool restart) { run.keep(signals, restart); });
+  run_without_noise(series, own, delayed_recorder);
+  run.own.reserve(series.blocks.size() + 1);
+  Recorder recorder(model_, series.block_s, [&](const Signals& signals, bool restart) {
+    run.keep(signals, restart);
+    // In the block in which these signals act.
+    run.own.push_back(own.at(std::llround(signals.block.elapsed - series.first.elapsed)));
+  });
   run_blocks(series, recorder, [&](const BlockSeries::Block& block) {
     Block& current = run.blocks.back();
     if (!run.input_rate.empty()) {
       run.input_rate.back().dph = block.means.input_rate;
       run.input_rate.back().within = block.means.rate_within;
     }
-    current.row = rows.take(block, run.signals(run.blocks.size() - 1, Reading::of_sensor));
+    current.row = rows.take(block, run.signals(run.blocks.size() - 1));
     current.samples = block.samples;
   });
 }
@@ -153,8 +167,8 @@ fog::Signals<model::RealNumbers> at_rest(fog::Signals<model::RealNumbers> signal
 }  // namespace
 
 template <class Make>
-Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading,
-                                        bool follows_rate) const {
+Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading, bool follows_rate,
+                                        const TemperatureChange& change) const {
   // A few blocks at a time, and column by column: adding each block's values as soon as they are
   // stored would wait for the store.
   constexpr std::size_t kTogether = 64;
@@ -170,7 +184,7 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading,
     for (std::size_t first = 0; first < run.blocks.size(); first += kTogether) {
       const std::size_t end = std::min(first + kTogether, run.blocks.size());
       for (std::size_t i = first; i < end; ++i) {
-        run.read(i, reading, signals);
+        run.read(i, reading, change, signals);
         if (follows_rate && !run.input_rate.empty()) {
           signals.block.input_rate = run.input_rate[i].dph;
         }
@@ -193,10 +207,12 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading,
   return means;
 }
 
-Eigen::VectorXd SignalSeries::drift_dph(const std::vector<model::EffectTerm>& terms) const {
+Eigen::VectorXd SignalSeries::drift_dph(const std::vector<model::EffectTerm>& terms,
+                                        Reading reading) const {
   Eigen::VectorXd drift = Eigen::VectorXd::Zero(rows_.size());
-  for (const model::EffectTerm& term : terms) {
-    drift += regressors(term) * term.coefficients();
+  for (const model::EffectTerm& own : terms) {
+    const model::EffectTerm term = reading == Reading::of_gyro ? model::of_gyro(own) : own;
+    drift += regressors(term, reading) * term.coefficients();
   }
   return drift;
 }
@@ -216,7 +232,8 @@ std::optional<std::uint64_t> SignalSeries::recording_of(std::size_t row) const {
   return recordings.front();
 }
 
-Eigen::MatrixXd SignalSeries::regressors(const model::EffectTerm& term, Reading reading) const {
+Eigen::MatrixXd SignalSeries::regressors(const model::EffectTerm& term, Reading reading,
+                                         const TemperatureChange& change) const {
   struct Part {
     std::unique_ptr<model::RealEffect> effect;
     std::size_t size() const { return effect->regressor_count(); }
@@ -226,10 +243,11 @@ Eigen::MatrixXd SignalSeries::regressors(const model::EffectTerm& term, Reading 
     }
   };
   const auto part = [&](double block_s) {
-    return Part{model::make_effect(
-        phase_ == Phase::board ? term : model::for_present_block(term, block_s), block_s)};
+    const bool before = phase_ == Phase::board && reading != Reading::of_gyro;
+    return Part{
+        model::make_effect(before ? term : model::for_present_block(term, block_s), block_s)};
   };
-  Eigen::MatrixXd means = row_means(part, reading, model::follows_input_rate(term));
+  Eigen::MatrixXd means = row_means(part, reading, model::follows_input_rate(term), change);
   const std::vector<recording::RowRange> runs = rows_.runs();
   for (std::size_t i = 0; i < runs.size(); ++i) {
     auto of_run = means.middleRows(static_cast<Eigen::Index>(runs[i].first),
@@ -250,8 +268,8 @@ model::SignalRanges SignalSeries::signal_ranges() const {
     ranges[i] = {kInfinite, -kInfinite};
     for (const Run& run : runs_) {
       for (std::size_t block = 0; block < run.blocks.size(); ++block) {
-        const double value = model::value_of(static_cast<fog::Input>(i),
-                                             run.signals(block, Reading::of_sensor), run.block_s);
+        const double value =
+            model::value_of(static_cast<fog::Input>(i), run.signals(block), run.block_s);
         ranges[i] = {std::min(ranges[i].min, value), std::max(ranges[i].max, value)};
       }
     }

@@ -7,6 +7,7 @@
 
 #include "model/model.hpp"
 #include "series/block_series.hpp"
+#include "series/measured_temperature.hpp"
 #include "series/rows.hpp"
 
 namespace fogcomp::series {
@@ -19,8 +20,15 @@ enum class Phase : std::uint8_t {
 
 /// Temperature used by the effects.
 enum class Reading : std::uint8_t {
-  of_sensor,  ///< with noise and resolution of the sensor, like the board
-  smoothed,   ///< with little of them: through two more lags, forward and backward
+  of_sensor,      ///< with noise, steps and the derivative's delay, like the board
+  without_noise,  ///< with the delay, but of the temperature itself (measured_temperature.hpp)
+  of_gyro,        ///< without the delay: the gyro's own temperature and its rate
+};
+
+/// A change of the gyro's own temperature, to see what a drift makes of it.
+struct TemperatureChange {
+  double degc = 0;
+  double degc_per_min = 0;
 };
 
 /// Inputs of effects over one or more recordings, stored so that an effect of any shape can be run
@@ -45,12 +53,16 @@ class SignalSeries {
   std::optional<std::uint64_t> recording_of(std::size_t row) const;
 
   /// Row means of an effect's regressors, rows x regressors; 0 in runs on which an event does not
-  /// act, less EffectTerm::others_part in its own. In Phase::zero both readings are the same.
-  Eigen::MatrixXd regressors(const model::EffectTerm& term,
-                             Reading reading = Reading::of_sensor) const;
+  /// act, less EffectTerm::others_part in its own. In Phase::zero all readings are the same.
+  /// `change`: only of Reading::of_gyro.
+  Eigen::MatrixXd regressors(const model::EffectTerm& term, Reading reading = Reading::of_sensor,
+                             const TemperatureChange& change = {}) const;
+  /// Of the recording whose temperature is known worst; as it is in Phase::board.
+  const Thermometer& thermometer() const { return thermometer_; }
   Phase phase() const { return phase_; }
-  /// Row means of the terms' drift with their coefficients, deg/h.
-  Eigen::VectorXd drift_dph(const std::vector<model::EffectTerm>& terms) const;
+  /// Row means of the terms' drift, deg/h, with their coefficients or the gyro's own.
+  Eigen::VectorXd drift_dph(const std::vector<model::EffectTerm>& terms,
+                            Reading reading = Reading::of_sensor) const;
 
   /// Min and max of each signal available to an expression, over all blocks.
   model::SignalRanges signal_ranges() const;
@@ -91,12 +103,14 @@ class SignalSeries {
     std::vector<PowerOn> power_on;      ///< per block; empty if it is time 0 for all
     std::vector<InputRate> input_rate;  ///< per block; empty if the recording lacks it
     std::vector<Extension> extension;   ///< the same
-    std::vector<Seen> smoothed;         ///< per block; empty in Phase::zero
+    std::vector<Seen> delayed;          ///< without noise, per block; empty in Phase::zero
+    std::vector<TemperatureNow> own;    ///< the gyro's, per block; empty in Phase::zero
     decltype(BlockSeries::input_rates) rates_within;  ///< owners of what `input_rate` points to
 
     void keep(const Signals& signals, bool restart);
-    void read(std::size_t block, Reading reading, Signals& signals) const;
-    Signals signals(std::size_t block, Reading reading) const;
+    void read(std::size_t block, Reading reading, const TemperatureChange& change,
+              Signals& signals) const;
+    Signals signals(std::size_t block) const;
   };
   template <class Keep>
   class Recorder;
@@ -107,12 +121,13 @@ class SignalSeries {
   // step(signals, values). `follows_rate`: for effects of the samples' own input rate.
   template <class Make>
   Eigen::MatrixXd row_means(const Make& make, Reading reading = Reading::of_sensor,
-                            bool follows_rate = false) const;
+                            bool follows_rate = false, const TemperatureChange& change = {}) const;
 
   model::Model model_;
   Phase phase_;
   std::vector<Run> runs_;
   Rows rows_;
+  Thermometer thermometer_;
 };
 
 }  // namespace fogcomp::series

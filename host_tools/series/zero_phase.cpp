@@ -105,20 +105,4 @@ ZeroPhaseSignals zero_phase_signals(const BlockSeries& series, double derivative
   return result;
 }
 
-std::vector<double> smooth_temperatures(const BlockSeries& series, double tau_s) {
-  const std::size_t beyond = run_in(series.block_s, tau_s);
-  std::vector<double> temperatures;
-  temperatures.reserve(series.blocks.size());
-  each_stretch(series, [&](std::size_t first, std::size_t end) {
-    const std::vector<double> smooth =
-        smoothed(bridged(series, first, end), beyond, series.block_s, tau_s);
-    for (std::size_t i = first; i < end; ++i) {
-      const auto at =
-          static_cast<std::size_t>(series.blocks[i].number - series.blocks[first].number);
-      temperatures.push_back(smooth[beyond + at]);
-    }
-  });
-  return temperatures;
-}
-
 }  // namespace fogcomp::series

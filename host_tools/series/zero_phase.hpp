@@ -19,7 +19,4 @@ struct ZeroPhaseSignals {
 /// continues as a ramp; gaps over which the board holds its drift are interpolated.
 ZeroPhaseSignals zero_phase_signals(const BlockSeries& series, double derivative_tau_s);
 
-/// Temperature of each block, degC, smoothed by such lags forward and backward.
-std::vector<double> smooth_temperatures(const BlockSeries& series, double tau_s);
-
 }  // namespace fogcomp::series

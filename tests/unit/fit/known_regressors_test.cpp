@@ -29,7 +29,7 @@ TEST_F(KnownRegressorsOfARun, AreThoseOfTheSeriesHoweverMany) {
   }
   for (const double tau_s : {900.0, 901.0, 900.0}) {
     lag.parameters[0].value = tau_s;
-    for (const auto reading : {series::Reading::of_sensor, series::Reading::smoothed}) {
+    for (const auto reading : {series::Reading::of_sensor, series::Reading::without_noise}) {
       EXPECT_EQ(*known_(lag, reading), series_.regressors(lag, reading)) << tau_s;
     }
   }
@@ -41,7 +41,7 @@ TEST_F(KnownRegressorsOfARun, OfAnEffectWithTwoPartsAreItsOwn) {
        {"polarization_ripple:period=9,period2=31,chirp=0.05",
         "thermal_hysteresis:radius=3,radius2=12", "polarization_ripple:period=9"}) {
     const model::EffectTerm term = model::parse_effects(effect)[0];
-    for (const auto reading : {series::Reading::of_sensor, series::Reading::smoothed}) {
+    for (const auto reading : {series::Reading::of_sensor, series::Reading::without_noise}) {
       EXPECT_EQ(*known_(term, reading), series_.regressors(term, reading)) << effect;
     }
   }

@@ -48,20 +48,5 @@ TEST(ZeroPhase, StartsAnewAfterALongGap) {
   for (const double rate : seen.temperature_rate) EXPECT_NEAR(rate, 0, 1e-9);
 }
 
-TEST(ZeroPhase, SmoothsATemperatureAndLeavesARampAsItIs) {
-  const auto ramp = series_of(300, [](double time_s) { return 20 + time_s / 60; });
-  const auto noisy = series_of(
-      300, [](double time_s) { return 20 + time_s / 60 + 0.03 * std::sin(2.4 * time_s); });
-  const auto smooth_ramp = smooth_temperatures(ramp, 60);
-  const auto smooth = smooth_temperatures(noisy, 60);
-  for (std::size_t i = 0; i < 300; ++i) {
-    const double degc = ramp.blocks[i].means.temperature;
-    EXPECT_NEAR(smooth_ramp[i], degc, 1e-3) << i;
-    // The point at which a stretch is reflected keeps its noise.
-    const double remaining = i > 30 && i < 270 ? 0.003 : 0.03;
-    EXPECT_NEAR(smooth[i], degc, remaining) << i;
-  }
-}
-
 }  // namespace
 }  // namespace fogcomp::series

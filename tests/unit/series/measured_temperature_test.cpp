@@ -1,0 +1,90 @@
+#include "series/measured_temperature.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace fogcomp::series {
+namespace {
+
+// Two soaks and a ramp of 0.5 degC/min between, in seconds.
+double degc_at(double time_s) {
+  constexpr double kRamp_s = 3600;
+  constexpr double kPerMinute = 0.5;
+  const double ramped_s = std::clamp(time_s - kRamp_s, 0.0, kRamp_s);
+  return 20 + kPerMinute * ramped_s / 60;
+}
+
+constexpr double kInRamp_s = 5400;
+constexpr double kSoak_s = 9900;
+
+recording::Recording read_by(double step_degc, double noise_degc) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  recording::Recording recording;
+  recording.period_s = 1;
+  recording.stretch_starts = {0};
+  for (int i = 0; i < 3 * 3600; ++i) {
+    recording.time_s.push_back(i);
+    const double degc = degc_at(i) + noise_degc * normal(random);
+    recording.temperature_degc.push_back(step_degc > 0 ? step_degc * std::round(degc / step_degc)
+                                                       : degc);
+    recording.rate_dph.push_back(normal(random));
+  }
+  return recording;
+}
+
+// Rms of the rate's error around a time, away from the corners.
+double rate_error(const MeasuredTemperature& measured, double around_s, double degc_per_min) {
+  double square = 0;
+  constexpr int kAround = 900;
+  for (int i = -kAround; i < kAround; ++i) {
+    const auto number = static_cast<std::int64_t>(around_s) + i;
+    square += std::pow(measured.at(number).degc_per_min - degc_per_min, 2);
+  }
+  return std::sqrt(square / (2 * kAround));
+}
+
+class MeasuredTemperatureTest : public testing::TestWithParam<std::pair<double, double>> {};
+
+TEST_P(MeasuredTemperatureTest, FollowsARampAndASoakThroughStepsAndNoise) {
+  const auto [step_degc, noise_degc] = GetParam();
+  const MeasuredTemperature measured =
+      measured_temperature(make_blocks(read_by(step_degc, noise_degc)));
+  EXPECT_NEAR(measured.at(static_cast<int>(kInRamp_s)).degc, degc_at(kInRamp_s),
+              0.2 * (step_degc + noise_degc));
+  EXPECT_LT(rate_error(measured, kInRamp_s, 0.5), 0.1);
+  // Within one step of 1 degC nothing tells where the temperature is.
+  EXPECT_LT(rate_error(measured, kSoak_s, 0), std::max(0.05, 0.5 * step_degc));
+  EXPECT_DOUBLE_EQ(measured.thermometer.resolution_degc, step_degc);
+}
+
+INSTANTIATE_TEST_SUITE_P(Thermometers, MeasuredTemperatureTest,
+                         testing::Values(std::pair{1.0, 0.05}, std::pair{0.25, 0.05},
+                                         std::pair{0.0625, 0.03}, std::pair{0.00390625, 0.004}));
+
+TEST(MeasuredTemperature, HasAValueForEachBlockOfAGap) {
+  recording::Recording recording = read_by(0.25, 0.05);
+  const auto drop = [](std::vector<double>& column) {
+    column.erase(column.begin() + 5000, column.begin() + 5020);
+  };
+  drop(recording.time_s);
+  drop(recording.temperature_degc);
+  drop(recording.rate_dph);
+  recording.stretch_starts = {0, 5000};
+  const MeasuredTemperature measured = measured_temperature(make_blocks(recording));
+  ASSERT_EQ(measured.parts.size(), 1U);
+  EXPECT_NEAR(measured.at(5010).degc, degc_at(5010), 0.1);
+}
+
+TEST(MeasuredTemperature, IsThatOfAReadingThatNeverChanges) {
+  recording::Recording recording = read_by(0, 0);
+  for (double& degc : recording.temperature_degc) degc = 25;
+  const MeasuredTemperature measured = measured_temperature(make_blocks(recording));
+  EXPECT_NEAR(measured.at(4000).degc, 25, 1e-3);
+  EXPECT_NEAR(measured.at(4000).degc_per_min, 0, 1e-3);
+}
+
+}  // namespace
+}  // namespace fogcomp::series
