@@ -176,8 +176,8 @@ void require_held(const model::EffectTerm& term, std::size_t coefficient, int fr
   const fog::CoefficientDescription description = model::info_of(term).coefficients[coefficient];
   std::string text =
       format("%s = %.5g %s is more than the board's numbers hold, %.5g %s", description.symbol,
-             model::natural_coefficient(term, coefficient).value, description.unit,
-             model::in_natural_unit(max, description), description.unit);
+             model::in_natural_unit(term.coefficients_dph[coefficient].value, description),
+             description.unit, model::in_natural_unit(max, description), description.unit);
   for (const model::ShapeDoubt& doubt : model::shape_doubts(term)) text += "; " + doubt.sentence;
   throw InputError("effect '" + term.name + "'",
                    text + "; fit again without it or with its shape given");
@@ -205,7 +205,8 @@ void write_effects(TableWriter& out, const model::Model& model, const Timing& ti
     out.integer(static_cast<std::int64_t>(term.coefficients_dph.size()), "coefficients");
     for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
       out.note(format("%s = %.9g %s", entry.coefficients[i].symbol,
-                      model::natural_coefficient(term, i).value, entry.coefficients[i].unit));
+                      model::in_natural_unit(term.coefficients_dph[i].value, entry.coefficients[i]),
+                      entry.coefficients[i].unit));
       require_held(term, i, fraction);
       out.real(term.coefficients_dph[i].value, fraction, term.name.c_str());
     }

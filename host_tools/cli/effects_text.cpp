@@ -29,10 +29,10 @@ std::string without_value(const model::CatalogueEntry& entry,
 
 std::string range(const model::CatalogueEntry& entry, const fog::ParameterDescription& parameter) {
   const bool lag = parameter.time == fog::Time::constant_of_rate;
-  return format("%g to %g%s; not given: %s%s", parameter.min_milli / 1000.0,
-                parameter.max_milli / 1000.0, model::unit_behind_number(parameter).c_str(),
-                without_value(entry, parameter).c_str(),
-                lag ? "; behind the lags of dT/dt: `fit` prints the gyro's own beside it" : "");
+  return format(
+      "%g to %g%s; not given: %s%s", parameter.min_milli / 1000.0, parameter.max_milli / 1000.0,
+      model::unit_behind_number(parameter).c_str(), without_value(entry, parameter).c_str(),
+      lag ? "; `fit` prints the gyro's own; the board's is behind the lags of its dT/dt" : "");
 }
 
 std::string entry_text(const model::CatalogueEntry& entry) {

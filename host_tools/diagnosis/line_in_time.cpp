@@ -3,7 +3,8 @@
 #include <cmath>
 
 #include "diagnosis/decision_rules.hpp"
-#include "fit/coefficient_covariance.hpp"
+#include "fit/predict.hpp"
+#include "fit/undetermined.hpp"
 #include "support/least_squares.hpp"
 #include "support/units.hpp"
 
@@ -21,8 +22,8 @@ std::optional<LineInTime> find_line_in_time(const DiagnosisData& data,
   const Eigen::MatrixXd beside = side_by_side({fit::run_offset_columns(rows), hours}, rows.size());
   const fit::NoiseWeightedFit with =
       fit::fit_rows(data.series(), fit.terms, beside, {{}, fit.noise, true});
-  const Eigen::MatrixXd covariance = fit::coefficient_covariance(rows, with);
-  if (covariance.size() == 0) return std::nullopt;
+  if (!fit::is_determined(with)) return std::nullopt;
+  const Eigen::MatrixXd covariance = fit::predict(rows, with).covariance();
   const Eigen::Index line = with.linear() - 1;
   return LineInTime{with.coefficients[line], std::sqrt(covariance(line, line))};
 }

@@ -19,7 +19,7 @@ struct LineInTime {
 
 /// The line that fits best beside the effects of `fit`, whose coefficients and shapes are solved
 /// for again with it. `fit`: fit_for_diagnosis() of `data`. The standard deviation is that of
-/// fit::coefficient_covariance(): it covers flicker and a random walk of the bias. Nothing if the
+/// fit::predict(): it covers flicker and a random walk of the bias. Nothing if the
 /// rows do not determine the line, e.g. beside another effect of time.
 std::optional<LineInTime> find_line_in_time(const DiagnosisData& data,
                                             const fit::NoiseWeightedFit& fit);

@@ -47,10 +47,14 @@ void add_rows(Document& document, const FitOutcome& fit) {
       text + " deg/h (" +
       (noise.from_quiet_parts ? "from the soaks" : "from neighbouring rows: no soak") +
       words(format("); misfit %.2f", identified.birge_ratio)));
+  const auto& better = fit.better_derivative;
   document.sentence(
       words(format("of the error, the board's delay (block means, derivative filter) makes %.2g "
                    "deg/h rms",
-                   fit.delay_rms_dph)));
+                   fit.delay_rms_dph) +
+            (better ? format("; --derivative-tau %.3g would leave %.2g of it", better->tau_s,
+                             better->delay_rms_dph)
+                    : "")));
 }
 
 void add_steps(Document& document, const FitOutcome& fit) {
@@ -84,13 +88,17 @@ void add_model(Document& document, const FitOutcome& fit) {
   const fit::Identification& identified = fit.result.identified;
   document.heading("Model");
   document.listing(model::describe(fit.model));
+  if (std::any_of(fit.model.terms.begin(), fit.model.terms.end(),
+                  [](const model::EffectTerm& term) { return term.gyro.has_value(); })) {
+    document.sentence(
+        "these are the gyro's own values; those of the board make up for the delay, noise and "
+        "steps of its derivative");
+  }
   for (std::size_t i = 0; i < fit.model.terms.size(); ++i) {
     document.sentence(
         verbatim(fit.model.terms[i].name) +
         words(format(" would show from a peak of %.2g deg/h on", identified.visible_dph[i])));
   }
-  for (const fit::PhysicalLag& lag : fit.physical_lags)
-    document.sentence(words(fit::physical_lag_words(lag)));
   for (std::size_t i = 0; i < identified.run_offsets_dph.size(); ++i) {
     document.sentence(words(format("power-on %zu lies %s deg/h from the first", i + 2,
                                    signed_rounded(identified.run_offsets_dph[i]).c_str())));

@@ -12,14 +12,21 @@ Json each(const Figures& figures, double Figures::value_type::*figure) {
   return json_array(figures, [&](const auto& one) { return Json(one.*figure); });
 }
 
+// The gyro's own values, and those with which the board makes up for its delay.
 Json terms_json(const model::Model& model) {
   return json_array(model.terms, [&](const model::EffectTerm& term) {
+    std::vector<model::Estimate> shape;
+    for (std::size_t i = 0; i < term.parameters.size(); ++i)
+      shape.push_back(model::shape_value(term, i));
+    const auto& coefficients_dph = term.gyro ? term.gyro->coefficients_dph : term.coefficients_dph;
     return Json::object()
         .set("effect", term.name)
-        .set("parameters", each(term.parameters, &model::Parameter::value))
-        .set("parameter_sigma", each(term.parameters, &model::Parameter::sigma))
-        .set("coefficients_dph", each(term.coefficients_dph, &model::Estimate::value))
-        .set("sigma_dph", each(term.coefficients_dph, &model::Estimate::sigma));
+        .set("parameters", each(shape, &model::Estimate::value))
+        .set("parameter_sigma", each(shape, &model::Estimate::sigma))
+        .set("coefficients_dph", each(coefficients_dph, &model::Estimate::value))
+        .set("sigma_dph", each(coefficients_dph, &model::Estimate::sigma))
+        .set("board_parameters", each(term.parameters, &model::Parameter::value))
+        .set("board_coefficients_dph", each(term.coefficients_dph, &model::Estimate::value));
   });
 }
 
@@ -40,13 +47,12 @@ Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
   result.set("run_offsets_dph", identified.run_offsets_dph).set("notes", std::move(notes));
   set_turn_on(fit.turn_on, result);
   result.set("delay_rms_dph", fit.delay_rms_dph);
-  result.set("physical_lags", json_array(fit.physical_lags, [](const fit::PhysicalLag& lag) {
-               return Json::object()
-                   .set("effect", lag.effect)
-                   .set("parameter", lag.parameter)
-                   .set("value_s", lag.value_s)
-                   .set("sigma_s", lag.sigma_s);
-             }));
+  const auto& better = fit.better_derivative;
+  result.set(
+      "better_derivative",
+      better
+          ? Json::object().set("tau_s", better->tau_s).set("delay_rms_dph", better->delay_rms_dph)
+          : Json());
   result.set("steps", bias_steps_json(fit.model, fit.step_places))
       .set("masked_rows", identified.masked);
   result.set("effects", terms_json(fit.model));

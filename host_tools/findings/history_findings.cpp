@@ -65,9 +65,9 @@ Table terms_table(const model::Model& model) {
                  info.coefficients[i].unit, false);
     }
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-      const model::Parameter& own = term.parameters[i];
+      const model::Estimate own = model::shape_value(term, i);
       add_figure(table, effect, words(info.parameters[i].name), own.value, own.sigma,
-                 info.parameters[i].unit, !own.identified);
+                 info.parameters[i].unit, !term.parameters[i].identified);
     }
   }
   return table;

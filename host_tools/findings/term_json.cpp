@@ -7,7 +7,7 @@ namespace fogcomp::findings {
 void set_parameters(Json& object, const model::EffectTerm& term) {
   const model::TermInfo info = model::info_of(term);
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-    object.set(info.parameters[i].name, term.parameters[i].value);
+    object.set(info.parameters[i].name, model::shape_value(term, i).value);
   }
 }
 

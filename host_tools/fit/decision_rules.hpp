@@ -19,12 +19,6 @@ constexpr double kRampDegcPerMin = 0.1;
 /// degC beyond the coldest and warmest row, so that sensor noise at the end of the range does not
 /// count as outside. tests/unit/compare/trained_range_test.
 constexpr double kRangeMarginDegc = 1;
-/// Factor by which the derivative's time constant is shorter when the gyro's own lags are
-/// identified. Zero-phase smoothing has no delay but rounds corners, where a short lag shows: with
-/// the board's time constant 300 s would become 277 s, with a quarter of it 300 s.
-/// physical_lags_test.
-constexpr double kSharperDerivative = 4;
-
 /// Probability of a reported bias difference between runs of one gyro that differ only by noise: 1
 /// %, as in the other tests of the project. turn_on_bias_test.
 constexpr double kFalseTurnOn = 0.01;

@@ -57,16 +57,20 @@ void set_expression_ranges(std::vector<model::EffectTerm>& terms,
   }
 }
 
-void set_expression_scale(model::EffectTerm& term, const series::SignalSeries& series) {
-  if (!term.expression) return;
+int set_expression_scale(model::EffectTerm& term, const series::SignalSeries& series) {
+  if (!term.expression) return 0;
   const Eigen::VectorXd column = series.regressors(term);
   check(term, column);
   const int scale_log2 = term.expression->scale_log2 + std::ilogb(column.cwiseAbs().maxCoeff());
   const int risen = scale_log2 - term.expression->scale_log2;
   term.expression->scale_log2 = scale_log2;
-  for (model::Estimate& coefficient : term.coefficients_dph) {
-    coefficient = {std::ldexp(coefficient.value, risen), std::ldexp(coefficient.sigma, risen)};
-  }
+  const auto rescale = [&](std::vector<model::Estimate>& coefficients_dph) {
+    for (model::Estimate& coefficient : coefficients_dph)
+      coefficient = {std::ldexp(coefficient.value, risen), std::ldexp(coefficient.sigma, risen)};
+  };
+  rescale(term.coefficients_dph);
+  if (term.gyro) rescale(term.gyro->coefficients_dph);
+  return risen;
 }
 
 }  // namespace fogcomp::fit

@@ -15,8 +15,8 @@ void set_expression_ranges(std::vector<model::EffectTerm>& terms,
                            const series::SignalSeries& series);
 
 /// Chooses the scale of an expression's regressor: the power of two with which it stays below 2, a
-/// quarter of the board's range, over the recordings. Scales the coefficient accordingly. Other
-/// terms are unchanged.
-void set_expression_scale(model::EffectTerm& term, const series::SignalSeries& series);
+/// quarter of the board's range, over the recordings. Scales the coefficient accordingly, and
+/// returns by which power of two. Other terms are unchanged.
+int set_expression_scale(model::EffectTerm& term, const series::SignalSeries& series);
 
 }  // namespace fogcomp::fit

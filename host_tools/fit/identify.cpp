@@ -5,10 +5,11 @@
 #include <optional>
 #include <utility>
 
-#include "fit/coefficient_covariance.hpp"
 #include "fit/decision_rules.hpp"
 #include "fit/expression_survey.hpp"
+#include "fit/gyro_fit.hpp"
 #include "fit/noise_weighted_fit.hpp"
+#include "fit/predict.hpp"
 #include "fit/reference_values.hpp"
 #include "fit/soak_uncertainty.hpp"
 #include "fit/turn_on_repeatability.hpp"
@@ -81,10 +82,6 @@ void set_ranges(model::Model& model, const series::Rows& rows) {
       range_of(count, [&](std::size_t i) { return rows.inputs[i].input_rate; });
 }
 
-bool is_sought(const model::EffectTerm& term) {
-  return model::is_event(term) && term.parameters[0].identified;
-}
-
 struct SoughtSteps {
   std::optional<model::EffectTerm> step;  // as requested
   std::size_t max = 0;
@@ -94,12 +91,12 @@ struct SoughtSteps {
 SoughtSteps take_out_steps(std::vector<model::EffectTerm>& terms, std::size_t max_new) {
   SoughtSteps sought;
   for (const model::EffectTerm& term : terms) {
-    if (!is_sought(term)) continue;
+    if (!model::is_found_event(term)) continue;
     const bool was_found = !term.coefficients_dph.empty();
     sought.max += was_found ? 1 : max_new;
     sought.step = term;
   }
-  terms.erase(std::remove_if(terms.begin(), terms.end(), is_sought), terms.end());
+  terms.erase(std::remove_if(terms.begin(), terms.end(), model::is_found_event), terms.end());
   if (terms.empty() && sought.step) {
     throw InputError("--effects", "names no effect beside " + sought.step->name + "; add bias");
   }
@@ -181,6 +178,14 @@ void set_shape_sigmas(std::vector<model::EffectTerm>& terms, const NoiseWeighted
   }
 }
 
+void set_gyro(model::Model& model, const std::optional<GyroFit>& gyro) {
+  model.uncertainty.reset();
+  for (model::EffectTerm& term : model.terms) term.gyro.reset();
+  if (!gyro) return;
+  model.uncertainty = gyro->uncertainty;
+  for (std::size_t i = 0; i < model.terms.size(); ++i) model.terms[i].gyro = gyro->terms[i];
+}
+
 // Stores a step as a term of the model and as an event of its recording.
 void add_step(model::Model& model, Identification& result, const series::SignalSeries& series,
               const LocatedStep& located, model::EffectTerm step, double size_dph,
@@ -225,6 +230,18 @@ void judge_uncertainty(model::Model& model, const NoiseWeightedFit& fit,
   }
 }
 
+void set_expression_scales(model::Model& model, const series::SignalSeries& series) {
+  Eigen::Index at = 0;
+  for (model::EffectTerm& term : model.terms) {
+    const double rise = std::ldexp(1, set_expression_scale(term, series));
+    if (model.uncertainty && term.expression) {
+      model.uncertainty->covariance.row(at) *= rise;
+      model.uncertainty->covariance.col(at) *= rise;
+    }
+    at += static_cast<Eigen::Index>(term.coefficients_dph.size());
+  }
+}
+
 // Warnings about the whole model, and its residual.
 void judge_model(model::Model& model, const NoiseWeightedFit& fit,
                  const series::SignalSeries& series, Identification& result) {
@@ -235,7 +252,7 @@ void judge_model(model::Model& model, const NoiseWeightedFit& fit,
   }
   const Eigen::MatrixXd of_noise = std::pow(std::max(1.0, result.birge_ratio), 2) * fit.covariance;
   judge_uncertainty(model, fit, of_noise, rows, result);
-  for (model::EffectTerm& term : model.terms) set_expression_scale(term, series);
+  set_expression_scales(model, series);
   const Eigen::VectorXd counted = noise::counted_weights(rows, fit.row_weights);
   model.residual_rms_dph = std::sqrt(result.residual_dph.cwiseAbs2().dot(counted) / counted.sum());
 }
@@ -243,7 +260,7 @@ void judge_model(model::Model& model, const NoiseWeightedFit& fit,
 }  // namespace
 
 bool searches_steps(const std::vector<model::EffectTerm>& terms) {
-  return std::any_of(terms.begin(), terms.end(), is_sought);
+  return std::any_of(terms.begin(), terms.end(), model::is_found_event);
 }
 
 Identification identify(model::Model& model, const KnownRegressors& known,
@@ -263,15 +280,17 @@ Identification identify(model::Model& model, const KnownRegressors& known,
   const std::vector<series::ColumnRange> columns = series::columns_of(model.terms, rows.row_s);
   const Eigen::Index behind = columns.back().first + columns.back().count;
   Identification result;
-  Eigen::MatrixXd covariance = coefficient_covariance(rows, fit);
-  set_offsets({bias_column(model.terms, columns), {behind, offsets.cols()}}, fit, covariance,
-              result);
+  const series::ColumnRange offset_columns{behind, offsets.cols()};
+  const std::optional<GyroFit> gyro = fit_gyro(series, fit, offset_columns);
+  Eigen::MatrixXd covariance = predict(rows, fit).covariance();
+  set_offsets({bias_column(model.terms, columns), offset_columns}, fit, covariance, result);
   set_noise_and_residual(found, result);
   const Eigen::VectorXd sigma = covariance.diagonal().cwiseSqrt();
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
     result.visible_dph.push_back(set_coefficients(model.terms[i], columns[i], fit, covariance));
   }
   set_shape_sigmas(model.terms, fit, sigma);
+  set_gyro(model, gyro);
   result.warnings = confusions(model.terms, columns, fit.covariance);
 
   for (std::size_t i = 0; i < found.steps.size(); ++i) {

@@ -53,8 +53,8 @@ struct IdentifySettings {
 ///
 /// Noise-weighted: rows are whitened with white and Gauss-Markov noise estimated in the soaks.
 /// Shape parameters by variable projection: a bounded grid for each, then Gauss-Newton on all.
-/// Smoothed temperatures as instruments keep the sensor's noise from biasing the coefficients.
-/// Outliers have weight 0. Standard deviations are those of coefficient_covariance().
+/// Outliers have weight 0. These values compensate best on a board, whose derivative has noise,
+/// steps and a delay; the gyro's own, and all uncertainties, are those of fit_gyro().
 ///
 /// Replaces an event without a time by any number of found steps (step_search.hpp), each fitted to
 /// its own recording. Throws InputError for too few rows, and for effects that the recordings do

@@ -31,6 +31,18 @@ Eigen::MatrixXd all_columns(const KnownRegressors& regressors,
   return all;
 }
 
+Eigen::MatrixXd shape_columns(const WhitenedProblem& problem, const NoiseWeightedFit& fit,
+                              double row_s) {
+  const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, row_s);
+  Eigen::MatrixXd all(fit.columns.rows(), static_cast<Eigen::Index>(fit.shapes.size()));
+  for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
+    const series::ColumnRange& range = columns[fit.shapes[i].term];
+    all.col(static_cast<Eigen::Index>(i)) =
+        problem.derivative(fit.shapes[i], fit.coefficients.segment(range.first, range.count));
+  }
+  return all;
+}
+
 // Relative to the quiet rows, for which the noise model is. Without quiet rows the scale is 1:
 // differences between parts may be drift as well as noise.
 Eigen::VectorXd relative_scale(const std::vector<recording::RowRange>& quiet,
@@ -113,8 +125,11 @@ NoiseWeightedFit fit_rows(const KnownRegressors& known, const std::vector<model:
     fit.whitened = problem.jacobian(fit.shapes);
     fit.whitened_measured = problem.measured();
     fit.whitened_residual = solved.residual;
-    if (last) fit.covariance = problem.solve(fit.shapes).covariance;
     if (!fit.shapes.empty()) fit.columns = all_columns(known, fit.terms, nuisance);
+    if (last) {
+      fit.covariance = problem.solve(fit.shapes).covariance;
+      fit.shape_columns = shape_columns(problem, fit, rows.row_s);
+    }
     fit.residual_dph = rows.drift_dph - fit.columns * fit.coefficients;
   }
   return fit;

@@ -23,9 +23,10 @@ struct NoiseWeightedFit {
   Eigen::VectorXd row_weights;  ///< time covered by a row, times `robust`, over its noise variance
   std::size_t outliers = 0;     ///< rows left out as such (outlier_rows.hpp)
 
-  Eigen::MatrixXd columns;       ///< rows x linear: regressors of all terms, then nuisance columns
-  Eigen::VectorXd coefficients;  ///< linear
-  Eigen::VectorXd residual_dph;  ///< per row
+  Eigen::MatrixXd columns;        ///< rows x linear: regressors of all terms, then nuisance columns
+  Eigen::VectorXd coefficients;   ///< linear
+  Eigen::VectorXd residual_dph;   ///< per row
+  Eigen::MatrixXd shape_columns;  ///< rows x shapes: derivatives of the drift by their positions
 
   Eigen::MatrixXd whitened;           ///< the whitened columns, then one per shape parameter
   Eigen::VectorXd whitened_measured;  ///< noise variance 1

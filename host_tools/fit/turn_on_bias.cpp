@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/coefficient_covariance.hpp"
 #include "fit/decision_rules.hpp"
 #include "fit/noise_weighted_fit.hpp"
+#include "fit/predict.hpp"
 #include "fit/turn_on_repeatability.hpp"
 #include "fit/undetermined.hpp"
 #include "model/drift_model.hpp"
@@ -53,7 +53,7 @@ struct Offsets {
 // Nothing if the fit does not determine them. What formulas are off by is another bias for each.
 Offsets offsets_of(const series::Rows& rows, const NoiseWeightedFit& fit, Eigen::Index count) {
   if (rows.size() <= fit.linear() || !is_determined(fit)) return {};
-  Offsets offsets{{}, coefficient_covariance(rows, fit)};
+  Offsets offsets{{}, predict(rows, fit).covariance()};
   offsets.covariance.bottomRightCorner(count, count) +=
       rules::kModelFormTolerance * drift_square(rows, fit) / 2 * covariance_of_offsets(count);
   for (Eigen::Index i = fit.linear() - count; i < fit.linear(); ++i) {

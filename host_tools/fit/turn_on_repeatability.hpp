@@ -23,7 +23,7 @@ struct TurnOnRepeatability {
 };
 
 /// The spread that is most likely beside the effects of a fit (restricted maximum likelihood,
-/// Patterson & Thompson 1971); 0 if noise explains it. `covariance`: coefficient_covariance() of
+/// Patterson & Thompson 1971); 0 if noise explains it. `covariance`: that of predict() of
 /// the fit, which has slow noise and missing effects; empty if the effects are not determined
 /// beside the offsets: then the noise of the fit alone counts. The chance is that of the ratio of
 /// likelihoods (Self & Liang 1987), too large for few power-ons.
@@ -46,7 +46,7 @@ Eigen::MatrixXd covariance_of_offsets(Eigen::Index offsets);
 /// effects are found within the recordings as far as these show them, and between them as well as
 /// biases that vary allow: recordings at one temperature each tell a drift with temperature. Shapes
 /// are those found. Changes coefficients, residuals and covariance of the fit, and `covariance`,
-/// which is that of coefficient_covariance(). In the fit's covariance the bias is the mean of these
+/// which is that of predict(). In the fit's covariance the bias is the mean of these
 /// power-ons, in the other that of all to come; the coefficient stays the first power-on's.
 void expect_repeatability(double repeatability_dph, const BiasColumns& columns,
                           NoiseWeightedFit& fit, Eigen::MatrixXd& covariance);

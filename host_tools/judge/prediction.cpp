@@ -23,6 +23,7 @@ constexpr double kStepOfTemperature = 2;
 constexpr double kMaxTemperature = 256;
 // Standard deviation of the logarithm by which the thermometer's errors are not as expected.
 constexpr double kTemperatureFactor = 0.7;
+constexpr double kRounding = 1e-14;
 constexpr double kNegligible = 1e-6;  // of the largest probability
 
 // Rows that count as they are, the others interpolated: measured and columns alike, so that a model
@@ -257,7 +258,9 @@ class Problem {
     const Eigen::Index size = bands_.columns - 1;
     const Eigen::LDLT<Eigen::MatrixXd> solved(all.topLeftCorner(size, size));
     const Eigen::VectorXd with = all.col(size).head(size);
-    const double square = all(size, size) - with.dot(solved.solve(with));
+    // A model that is exact leaves rounding.
+    const double square =
+        std::max(all(size, size) - with.dot(solved.solve(with)), kRounding * all(size, size));
     double flat = 0;
     double log_determinant = 0;
     for (Eigen::Index i = 0; i < size; ++i) {

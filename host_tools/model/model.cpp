@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/catalogue.hpp"
+#include "model/shape_parameter.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::model {
@@ -42,6 +43,7 @@ void EffectTerm::set_coefficients(const Eigen::Ref<const Eigen::VectorXd>& value
   for (std::size_t i = 0; i < coefficients_dph.size(); ++i) {
     coefficients_dph[i].value = values_dph[static_cast<Eigen::Index>(i)];
   }
+  gyro.reset();
 }
 
 const char* EffectTerm::bias_of_others() const {
@@ -119,9 +121,39 @@ double in_natural_unit(double coefficient_dph, const fog::CoefficientDescription
 
 Estimate natural_coefficient(const EffectTerm& term, std::size_t index) {
   const fog::CoefficientDescription description = info_of(term).coefficients[index];
-  const Estimate& coefficient = term.coefficients_dph[index];
+  const Estimate& coefficient =
+      term.gyro ? term.gyro->coefficients_dph[index] : term.coefficients_dph[index];
   return {in_natural_unit(coefficient.value, description),
           in_natural_unit(coefficient.sigma, description)};
+}
+
+Estimate shape_value(const EffectTerm& term, std::size_t index) {
+  if (term.gyro) return term.gyro->shape[index];
+  const Parameter& parameter = term.parameters[index];
+  return {parameter.value, parameter.identified ? parameter.sigma : 0};
+}
+
+EffectTerm of_gyro(EffectTerm term) {
+  if (!term.gyro) return term;
+  for (std::size_t i = 0; i < term.parameters.size(); ++i) {
+    term.parameters[i].value = term.gyro->shape[i].value;
+    term.parameters[i].sigma = term.gyro->shape[i].sigma;
+  }
+  term.coefficients_dph = term.gyro->coefficients_dph;
+  return term;
+}
+
+bool is_found_event(const EffectTerm& term) {
+  return is_event(term) && term.parameters[0].identified;
+}
+
+Eigen::Index unknowns_of(const Model& model) {
+  std::size_t count = 0;
+  for (const EffectTerm& term : model.terms) {
+    if (is_found_event(term)) continue;
+    count += term.coefficients_dph.size() + shape_parameters({term}).size();
+  }
+  return static_cast<Eigen::Index>(count);
 }
 
 std::string describe(const Model& model) {
@@ -132,8 +164,9 @@ std::string describe(const Model& model) {
     for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
       const Parameter& parameter = term.parameters[i];
       if (parameter.is_left_at_zero()) continue;
-      text += format(", %s %.5g", entry.parameters[i].name.c_str(), parameter.value);
-      if (parameter.identified) text += format(" +- %.2g", parameter.sigma);
+      const Estimate value = shape_value(term, i);
+      text += format(", %s %.5g", entry.parameters[i].name.c_str(), value.value);
+      if (parameter.identified) text += format(" +- %.2g", value.sigma);
       if (!entry.parameters[i].unit.empty()) text += " " + entry.parameters[i].unit;
     }
     text += '\n';

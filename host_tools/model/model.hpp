@@ -43,11 +43,19 @@ struct Estimate {
   double sigma;  ///< one standard deviation
 };
 
+/// The gyro's own values of a term. The board's make up for the delay, noise and steps of its
+/// derivative, so that they compensate best; these are what a physicist measures.
+struct GyroValues {
+  std::vector<Estimate> shape;
+  std::vector<Estimate> coefficients_dph;
+};
+
 /// An effect or expression in a model: its shape and the identified values.
 struct EffectTerm {
   std::string name;                          ///< in the catalogue, or of the expression
   std::vector<Parameter> parameters{};       ///< its shape, in the order of the catalogue
   std::vector<Estimate> coefficients_dph{};  ///< one per regressor (dimensionless, within +-8)
+  std::optional<GyroValues> gyro{};          ///< nothing: those above are the gyro's, too
   std::optional<ExpressionTerm> expression{};
   /// Of an event that a fit has found: hash of the rows (recording::rows_hash) of the recording in
   /// which it is. Nothing: it acts on all.
@@ -61,7 +69,7 @@ struct EffectTerm {
   std::vector<double> shape() const;
   /// Values of the coefficients, deg/h.
   Eigen::VectorXd coefficients() const;
-  /// One value per regressor; what is known of their uncertainties stays.
+  /// One value per regressor; what is known of their uncertainties stays, but not the gyro's own.
   void set_coefficients(const Eigen::Ref<const Eigen::VectorXd>& values_dph);
   /// `others_part` as a word: "before", "after" or "mean".
   const char* bias_of_others() const;
@@ -150,13 +158,35 @@ struct Model {
     std::string words() const;
   };
   std::optional<Uncertain> uncertain{};
+  /// How well the fit knows the drift, and the noise beside it (IEEE Std 952); missing in old
+  /// files.
+  struct Uncertainty {
+    /// Of all coefficients, term by term, then of the values of the identified shape parameters.
+    Eigen::MatrixXd covariance;
+    double white_dph = 0;  ///< standard deviation of a row's white noise
+    double flicker_dph = 0;
+    double walk_dph_per_rth = 0;
+    double turn_on_dph = 0;  ///< of the bias from power-on to power-on; 0: one power-on, or none
+  };
+  std::optional<Uncertainty> uncertainty{};
 
   const EffectTerm* find(const std::string& name) const;
 };
 
+/// The term with the gyro's own values.
+EffectTerm of_gyro(EffectTerm term);
+/// Whether it is an event whose time a fit has found.
+bool is_found_event(const EffectTerm& term);
+
 /// A coefficient in the natural unit of the catalogue.
 double in_natural_unit(double coefficient_dph, const fog::CoefficientDescription& description);
+/// The gyro's own coefficient in that unit.
 Estimate natural_coefficient(const EffectTerm& term, std::size_t index);
+/// The gyro's own value of a shape parameter.
+Estimate shape_value(const EffectTerm& term, std::size_t index);
+
+/// Coefficients and identified shape parameters of all terms but events that a fit has found.
+Eigen::Index unknowns_of(const Model& model);
 
 /// The drift as a readable equation, one line per effect.
 std::string describe(const Model& model);

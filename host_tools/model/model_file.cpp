@@ -122,6 +122,39 @@ EffectTerm read_expression(ModelReader& in) {
   return term;
 }
 
+// The term as read so far is the gyro's own.
+void read_on_board(ModelReader& in, Model& model) {
+  if (model.terms.empty()) in.fail(std::string("'") + kOnBoard + "' belongs behind an effect");
+  EffectTerm& term = model.terms.back();
+  GyroValues gyro{{}, term.coefficients_dph};
+  for (std::size_t i = 0; i < term.parameters.size(); ++i) {
+    Parameter& parameter = term.parameters[i];
+    gyro.shape.emplace_back(parameter.value, parameter.sigma);
+    parameter.value = in.number();
+  }
+  for (Estimate& coefficient : term.coefficients_dph)
+    coefficient.value = in.number(-kMaxModelDph, kMaxModelDph);
+  term.gyro = std::move(gyro);
+}
+
+void read_uncertainty(ModelReader& in, Model& model) {
+  constexpr std::size_t kMaxUnknowns = 1000;
+  Model::Uncertainty known;
+  known.white_dph = in.number(0, kMaxModelDph);
+  known.flicker_dph = in.number(0, kMaxModelDph);
+  known.walk_dph_per_rth = in.number(0, kMaxModelDph);
+  known.turn_on_dph = in.number(0, kMaxModelDph);
+  const auto size = static_cast<Eigen::Index>(in.count(kMaxUnknowns));
+  known.covariance.resize(size, size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) {
+      known.covariance(i, j) = in.number();
+      known.covariance(j, i) = known.covariance(i, j);
+    }
+  }
+  model.uncertainty = std::move(known);
+}
+
 RealLayer read_layer(ModelReader& in, Eigen::Index columns) {
   constexpr std::array<fog::Activation, 3> kActivations{
       fog::Activation::logsig, fog::Activation::tansig, fog::Activation::linear};
@@ -287,6 +320,8 @@ const std::map<std::string, LineReader> kLines{
      }},
     {"denoise", read_denoiser},
     {"effect", [](ModelReader& in, Model& m) { m.terms.push_back(read_effect(in)); }},
+    {kOnBoard, read_on_board},
+    {"uncertainty", read_uncertainty},
     {kEventRecording, read_event_recording},
     {"expression", [](ModelReader& in, Model& m) { m.terms.push_back(read_expression(in)); }},
     {"input", read_network_input},
@@ -350,6 +385,9 @@ Model parse_model(const std::string& given, const std::string& file) {
     in.fail("scale_factor, derivative_tau_s or every effect is missing");
   }
   if (!is_whole(model.network)) in.fail("a part of the network is missing");
+  if (model.uncertainty && model.uncertainty->covariance.rows() != unknowns_of(model)) {
+    in.fail("the uncertainty is of another model");
+  }
   return model;
 }
 

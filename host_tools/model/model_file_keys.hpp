@@ -15,6 +15,7 @@ inline constexpr const char* kHistoryForced = "history_forced";
 inline constexpr const char* kEventRecording = "event_recording";
 inline constexpr const char* kOthersFollow = "others_follow";
 inline constexpr const char* kOthersPart = "others_part";
+inline constexpr const char* kOnBoard = "on_board";
 inline constexpr const char* kTitleLine = "fogcomp-model 2";
 
 /// CRC-32 of the first `size` characters.

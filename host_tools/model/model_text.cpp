@@ -47,20 +47,47 @@ void write_history(ModelWriter& out, const HistoryEntry& entry) {
   if (entry.forced) out.word(kHistoryForced).end_line();
 }
 
-void write_term(ModelWriter& out, const EffectTerm& term) {
-  if (term.expression) return write_expression(out, term);
+void write_effect(ModelWriter& out, const EffectTerm& term) {
   out.word("effect").word(term.name).number(static_cast<double>(term.parameters.size()));
   out.each(term.parameters, &Parameter::value).each(term.parameters, &Parameter::identified);
   out.each(term.parameters, &Parameter::sigma);
   out.number(static_cast<double>(term.coefficients_dph.size()));
   out.each(term.coefficients_dph, &Estimate::value).each(term.coefficients_dph, &Estimate::sigma);
   out.end_line();
+}
+
+// The gyro's own values come first: they are what one reads a model file for.
+void write_term(ModelWriter& out, const EffectTerm& term) {
+  (term.expression ? write_expression : write_effect)(out, of_gyro(term));
+  if (term.gyro) {
+    out.word(kOnBoard).each(term.parameters, &Parameter::value);
+    out.each(term.coefficients_dph, &Estimate::value).end_line();
+  }
   if (!term.recording) return;
   out.word(kEventRecording).hash(*term.recording);
   if (term.others_part == 1) {
     out.word(kOthersFollow);
   } else if (term.others_part > 0) {
     out.word(kOthersPart).number(term.others_part);
+  }
+  out.end_line();
+}
+
+void write_input_ranges(ModelWriter& out, const InputRanges& ranges) {
+  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
+    const auto& input = ranges[i];
+    if (!input) continue;
+    out.word("input_range").word(description_of(fog::extension_input(i)).name);
+    out.number(input->range.min).number(input->range.max).number(input->step).end_line();
+  }
+}
+
+void write_uncertainty(ModelWriter& out, const Model::Uncertainty& known) {
+  out.word("uncertainty").number(known.white_dph).number(known.flicker_dph);
+  out.number(known.walk_dph_per_rth).number(known.turn_on_dph);
+  out.number(static_cast<double>(known.covariance.rows()));
+  for (Eigen::Index i = 0; i < known.covariance.rows(); ++i) {
+    for (Eigen::Index j = 0; j <= i; ++j) out.number(known.covariance(i, j));
   }
   out.end_line();
 }
@@ -97,12 +124,7 @@ std::string model_text(const Model& model) {
   if (const auto& input_rate = model.input_rate_range_dph) {
     out.word("range_input_rate_dph").number(input_rate->min).number(input_rate->max).end_line();
   }
-  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    const auto& input = model.input_ranges[i];
-    if (!input) continue;
-    out.word("input_range").word(description_of(fog::extension_input(i)).name);
-    out.number(input->range.min).number(input->range.max).number(input->step).end_line();
-  }
+  write_input_ranges(out, model.input_ranges);
   out.word("noise_dph_rthz").number(model.noise_dph_rthz).end_line();
   out.word("residual_rms_dph").number(model.residual_rms_dph).end_line();
   if (const auto& uncertain = model.uncertain) {
@@ -110,6 +132,7 @@ std::string model_text(const Model& model) {
     if (uncertain->at_power_on) out.number(1);
     out.end_line();
   }
+  if (model.uncertainty) write_uncertainty(out, *model.uncertainty);
   out.word("average_s").number(model.average_s).end_line();
   out.word("denoise").word(model.denoise.wavelet).number(model.denoise.levels);
   out.word(kBoardRules[static_cast<std::size_t>(model.denoise.rule)]);

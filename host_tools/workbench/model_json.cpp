@@ -20,7 +20,8 @@ Json parameters_json(const model::EffectTerm& term, const model::TermInfo& info)
     Json one = Json::object();
     one.set("name", parameter.name).set("unit", unit_of(parameter.unit));
     const model::Parameter& own = term.parameters[i];
-    one.set("value", own.value).set("sigma", own.sigma);
+    const model::Estimate value = model::shape_value(term, i);
+    one.set("value", value.value).set("sigma", value.sigma);
     one.set("identified", own.identified).set("left_out", own.is_left_at_zero());
     one.set("min", parameter.bounds.min).set("max", parameter.bounds.max);
     one.set("whole", parameter.scale == fog::Scale::whole);

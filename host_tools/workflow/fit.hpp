@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "compare/model_on_runs.hpp"
+#include "fit/derivative_choice.hpp"
 #include "fit/fit_model.hpp"
-#include "fit/physical_lags.hpp"
 #include "runs/run.hpp"
 #include "runs/runs.hpp"
 #include "workflow/observer.hpp"
@@ -47,10 +47,10 @@ struct FitOutcome {
   double row_s = 0;
   std::vector<runs::Run> runs;
   fit::FitResult result;
-  double delay_rms_dph = 0;              ///< part of the error due to the board's delay
+  double delay_rms_dph = 0;  ///< part of the error due to the board's delay
+  std::optional<fit::DerivativeChoice> better_derivative{};
   std::vector<std::string> step_places;  ///< of each found step: recording and segment
   bool searched_steps = false;
-  std::vector<fit::PhysicalLag> physical_lags;
   compare::TurnOn turn_on;
 
   std::size_t refused_rows() const;  ///< of all recordings

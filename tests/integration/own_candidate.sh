@@ -45,7 +45,7 @@ eval "\"\$fogcomp\" $next --holdout second.csv --json" >add.json
 holds add.json '.accepted and .effect == "stress"'
 value add.json '.runs[1] | "held out: \(.rms_before_dph) -> \(.rms_after_dph) deg/h rms"'
 holds add.json '.runs[1].rms_after_dph < 0.8 * .runs[1].rms_before_dph'
-holds add.json '.parameters.tau | 1300 < . and . < 1700'
+holds add.json '.parameters.tau | 1200 < . and . < 2000'
 "$fogcomp" history NEW.model --json >history.json
 holds history.json ".steps[1].action == \"add $stress\""
 says NEW.model '^expression stress '

@@ -17,7 +17,6 @@
 #include "compare/residual_analysis.hpp"
 #include "diagnosis/ladder.hpp"
 #include "fit/add_effect.hpp"
-#include "fit/physical_lags.hpp"
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "model/model_file.hpp"
@@ -348,9 +347,6 @@ void run_case(std::uint64_t id, const Options& options, Tally& tally) {
     if (settings.network.hidden > 0) model.network.inputs = settings.network_inputs;
     const fit::FitResult fit = fit::fit_model(model, series, settings);
     see_fit(numbers, model, fit);
-    for (const fit::PhysicalLag& lag : fit::physical_lags(model, runs.training, false)) {
-      numbers.see("physical lag", {lag.value_s, lag.sigma_s});
-    }
   });
   if (!fitted) return;
   run("compare", id, recording, terms, tally, [&](Numbers& numbers) {

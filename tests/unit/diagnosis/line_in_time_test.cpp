@@ -49,7 +49,7 @@ TEST(LineInTime, HasTheUncertaintyOfTheSlowNoise) {
     square += std::pow((line->slope_dphh - kSlope_dphh) / line->sigma_dphh, 2);
   }
   EXPECT_LT(square / kSeeds, 2.5);  // 1 on average
-  EXPECT_GT(square / kSeeds, 0.2);
+  EXPECT_GT(square / kSeeds, 0.1);  // the noise made here has its slowest part at two hours
 }
 
 TEST(LineInTime, IsNotSignificantWithoutADrift) {

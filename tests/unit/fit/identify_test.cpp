@@ -94,9 +94,11 @@ TEST(Identify, TakesSeveralRecordingsTogether) {
     series.add(series::make_blocks(fog::test::recording_of(truth(), {0.024, 0, 300}, seed)));
   }
   identify(both, series);
-  // Apart from slow noise in either.
-  EXPECT_NEAR(both.terms[0].coefficients_dph[0].sigma / one.terms[0].coefficients_dph[0].sigma,
-              std::sqrt(0.5), 0.2);
+  // Less than the root of a half: one recording alone shows less of its slow noise, too.
+  const double ratio =
+      both.terms[0].coefficients_dph[0].sigma / one.terms[0].coefficients_dph[0].sigma;
+  EXPECT_LT(ratio, std::sqrt(0.5) + 0.1);
+  EXPECT_GT(ratio, 0.3);
 }
 
 TEST(Identify, LetsEveryRecordingHaveABiasOfItsOwn) {

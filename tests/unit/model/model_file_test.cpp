@@ -108,6 +108,39 @@ TEST(ModelFile, KeepsTheRecordingOfAnEvent) {
   EXPECT_NE(error.find("belongs behind an event"), std::string::npos) << error;
 }
 
+TEST(ModelFile, KeepsTheGyrosOwnValuesBesideTheBoards) {
+  Model model = fog::test::paper_like_model();
+  EffectTerm& term = model.terms.back();
+  GyroValues& gyro = term.gyro.emplace();
+  for (const Parameter& parameter : term.parameters)
+    gyro.shape.emplace_back(1.01 * parameter.value, 0.5);
+  for (const Estimate& coefficient : term.coefficients_dph)
+    gyro.coefficients_dph.emplace_back(2 * coefficient.value, 0.25);
+  const Model read = parse_model(model_text(model), "gyro.model");
+  ASSERT_TRUE(read.terms.back().gyro);
+  EXPECT_EQ(read.terms.back().shape(), term.shape());
+  EXPECT_EQ(read.terms.back().coefficients(), term.coefficients());
+  EXPECT_EQ(of_gyro(read.terms.back()).shape(), of_gyro(term).shape());
+  EXPECT_EQ(natural_coefficient(read.terms.back(), 0).value, natural_coefficient(term, 0).value);
+  EXPECT_EQ(model_text(read), model_text(model));
+}
+
+TEST(ModelFile, KeepsTheUncertaintyOfItsOwnUnknownsOnly) {
+  Model model = fog::test::paper_like_model();
+  const Eigen::Index unknowns = unknowns_of(model);
+  model.uncertainty =
+      Model::Uncertainty{Eigen::MatrixXd::Identity(unknowns, unknowns), 0.02, 0.003, 0.01, 0.1};
+  model.uncertainty->covariance(1, 0) = model.uncertainty->covariance(0, 1) = 0.25;
+  const Model read = parse_model(model_text(model), "gyro.model");
+  ASSERT_TRUE(read.uncertainty);
+  EXPECT_EQ(read.uncertainty->covariance, model.uncertainty->covariance);
+  EXPECT_EQ(read.uncertainty->turn_on_dph, 0.1);
+  model.uncertainty->covariance.resize(unknowns - 1, unknowns - 1);
+  model.uncertainty->covariance.setIdentity();
+  EXPECT_NE(error_of(model_text(model)).find("the uncertainty is of another model"),
+            std::string::npos);
+}
+
 TEST(ModelFile, KeepsTheLimitsOfTheGyro) {
   Model model = fog::test::paper_like_model();
   model.limits = {200, 2500};

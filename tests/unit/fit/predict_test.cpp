@@ -1,4 +1,4 @@
-#include "fit/coefficient_covariance.hpp"
+#include "fit/predict.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ using fog::test::truth;
 
 // A gyro with slow drift that is neither an effect nor noise; the rows where it is largest are
 // excluded.
-TEST(CoefficientCovariance, IsAVarianceWhereTheRowsLeftOutAreTheLargest) {
+TEST(Predict, IsAVarianceWhereTheRowsLeftOutAreTheLargest) {
   const model::Model model = truth();
   recording::Recording recording = recording_of(model, {}, 1);
   const auto rows = static_cast<double>(recording.rows());
@@ -31,7 +31,7 @@ TEST(CoefficientCovariance, IsAVarianceWhereTheRowsLeftOutAreTheLargest) {
   const Eigen::Index tenth = series.rows().size() / 10;
   for (const Eigen::Index at : {tenth * 4, tenth * 9}) fit.row_weights.segment(at, tenth).setZero();
 
-  const Eigen::MatrixXd covariance = coefficient_covariance(series.rows(), fit);
+  const Eigen::MatrixXd covariance = predict(series.rows(), fit).covariance();
   EXPECT_TRUE(covariance.allFinite());
   EXPECT_GT(covariance.diagonal().minCoeff(), 0);
 }

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/model.hpp"
+#include "runs/run.hpp"
+
+namespace fogcomp::fit {
+
+/// Another time constant of the board's derivative, with which it would follow the gyro better.
+struct DerivativeChoice {
+  double tau_s = 0;
+  double delay_rms_dph = 0;  ///< what delay, noise and steps of the derivative would leave
+};
+
+/// A shorter derivative has less delay, a longer one less of the thermometer's noise. Tried are
+/// `kTimes` the model's own, each with the coefficients that then follow the gyro's drift best.
+/// Nothing if none lowers the model's error by more than a comparison tells apart
+/// (compare::rules::kTellsApart); `delay_rms_dph`: the part that the present one has in the error.
+std::optional<DerivativeChoice> better_derivative(const model::Model& model,
+                                                  const std::vector<runs::Run>& runs,
+                                                  double delay_rms_dph);
+
+}  // namespace fogcomp::fit

@@ -1,0 +1,93 @@
+#include "fit/gyro_fit.hpp"
+
+#include <cmath>
+
+#include "fit/predict.hpp"
+#include "fit/undetermined.hpp"
+
+namespace fogcomp::fit {
+namespace {
+
+// Root mean square of what a change of the temperature by 1 degC, or of its rate by 1 degC/min,
+// makes of the drift.
+double slope(const series::SignalSeries& series, const NoiseWeightedFit& fit,
+             const series::TemperatureChange& change) {
+  const series::Rows& rows = series.rows();
+  const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, rows.row_s);
+  Eigen::VectorXd above = Eigen::VectorXd::Zero(rows.size());
+  for (std::size_t i = 0; i < fit.terms.size(); ++i) {
+    const auto [first, count] = columns[i];
+    const Eigen::MatrixXd changed =
+        series.regressors(fit.terms[i], series::Reading::of_gyro, change);
+    above +=
+        (changed - fit.columns.middleCols(first, count)) * fit.coefficients.segment(first, count);
+  }
+  return std::sqrt(above.squaredNorm() / static_cast<double>(above.size()));
+}
+
+judge::TemperatureError temperature_error(const series::SignalSeries& series,
+                                          const NoiseWeightedFit& fit) {
+  // Small beside what bends a drift with temperature, large beside rounding.
+  constexpr double kSmall = 1e-3;
+  judge::TemperatureError error;
+  error.white_degc2_s = series.thermometer().white_degc2_s;
+  error.rate_walk_degc2_per_s3 = series.thermometer().rate_walk_degc2_per_s3;
+  error.slope_dph_per_degc = slope(series, fit, {kSmall, 0}) / kSmall;
+  error.slope_dph_min_per_degc = slope(series, fit, {0, kSmall}) / kSmall;
+  return error;
+}
+
+// Values and covariance of the terms' coefficients and shapes; `linear`: columns before the shapes.
+GyroFit values_of(const judge::Prediction& found, const NoiseWeightedFit& fit, double row_s) {
+  const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, row_s);
+  const Eigen::Index coefficients = columns.back().first + columns.back().count;
+  const auto shapes = static_cast<Eigen::Index>(fit.shapes.size());
+  const Eigen::Index linear = found.mean().size() - shapes;
+  std::vector<Eigen::Index> own;
+  for (Eigen::Index i = 0; i < coefficients; ++i) own.push_back(i);
+  for (Eigen::Index i = 0; i < shapes; ++i) own.push_back(linear + i);
+  Eigen::VectorXd unit = Eigen::VectorXd::Ones(coefficients + shapes);  // positions -> values
+  for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
+    const model::ShapeParameter& shape = fit.shapes[i];
+    unit[coefficients + static_cast<Eigen::Index>(i)] =
+        shape.slope(fit.terms[shape.term].parameters[shape.index].value);
+  }
+  GyroFit gyro;
+  Eigen::MatrixXd& covariance = gyro.uncertainty.covariance;
+  covariance = unit.asDiagonal() * found.covariance()(own, own) * unit.asDiagonal();
+  const Eigen::VectorXd sigma = covariance.diagonal().cwiseMax(0).cwiseSqrt();
+  for (std::size_t i = 0; i < fit.terms.size(); ++i) {
+    const auto [first, count] = columns[i];
+    model::GyroValues& values = gyro.terms.emplace_back();
+    for (const model::Parameter& parameter : fit.terms[i].parameters)
+      values.shape.emplace_back(parameter.value);
+    for (Eigen::Index k = first; k < first + count; ++k)
+      values.coefficients_dph.emplace_back(found.mean()[k], sigma[k]);
+  }
+  for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
+    gyro.terms[fit.shapes[i].term].shape[fit.shapes[i].index].sigma =
+        sigma[coefficients + static_cast<Eigen::Index>(i)];
+  }
+  gyro.uncertainty.white_dph = found.noise().white_dph;
+  gyro.uncertainty.flicker_dph = found.noise().flicker_dph;
+  gyro.uncertainty.walk_dph_per_rth = found.noise().walk_dph_per_rth;
+  gyro.uncertainty.turn_on_dph = found.noise().turn_on_dph;
+  return gyro;
+}
+
+}  // namespace
+
+std::optional<GyroFit> fit_gyro(const series::SignalSeries& series, const NoiseWeightedFit& board,
+                                const series::ColumnRange& offsets) {
+  const series::Rows& rows = series.rows();
+  const std::vector<series::ColumnRange> columns = series::columns_of(board.terms, rows.row_s);
+  const Eigen::Index beside = board.linear() - columns.back().first - columns.back().count;
+  constexpr bool kShapesFound = true;  // the same minimum, not a better one elsewhere
+  const NoiseWeightedFit fit =
+      fit_rows(KnownRegressors(series, series::Reading::of_gyro), board.terms,
+               board.columns.rightCols(beside), {board.robust, std::nullopt, kShapesFound});
+  if (!is_determined(fit)) return std::nullopt;
+  return values_of(predict(rows, fit, offsets, temperature_error(series, fit)), fit, rows.row_s);
+}
+
+}  // namespace fogcomp::fit
