@@ -11,37 +11,15 @@ namespace fogcomp::compare {
 namespace {
 
 struct Delay {
-  Eigen::VectorXd drift_dph;  // per row of the board: with the delay less without
+  Eigen::VectorXd drift_dph;  // per row: as the board computes it, less the gyro's own
   Eigen::VectorXd weights;
 };
 
-struct Drift {
-  std::vector<double> time_s;
-  double row_s;
-  Eigen::VectorXd weights;
-  Eigen::VectorXd dph;
-};
-
-// One after the other, because the signals of a long recording are large.
-Drift drift_of(const model::Model& model, const runs::Run& run, series::Phase phase) {
-  series::SignalSeries series(model, phase);
-  series.add(run.blocks);
-  const series::Rows& rows = series.rows();
-  return {rows.time_s, rows.row_s, rows.weights, series.drift_dph(model.terms)};
-}
-
-// After a start or a gap the two have different rows, which are matched by their times.
 Delay delay_of(const model::Model& model, const runs::Run& run) {
-  const Drift coil = drift_of(model, run, series::Phase::zero);
-  const Drift board = drift_of(model, run, series::Phase::board);
-  Delay delay{board.dph, board.weights};
-  std::size_t at = 0;
-  for (std::size_t row = 0; row < board.time_s.size(); ++row) {
-    const double middle_s = board.time_s[row] - board.row_s / 2;
-    while (at + 1 < coil.time_s.size() && coil.time_s[at] < middle_s) ++at;
-    delay.drift_dph[static_cast<Eigen::Index>(row)] -= coil.dph[static_cast<Eigen::Index>(at)];
-  }
-  return delay;
+  series::SignalSeries series(model);
+  series.add(run.blocks);
+  return {series.drift_dph(model.terms) - series.drift_dph(model.terms, series::Reading::of_gyro),
+          series.rows().weights};
 }
 
 }  // namespace
@@ -68,7 +46,7 @@ void BoardError::add(const BoardError& other) {
 }
 
 bool BoardError::delay_matters() const {
-  return std::abs(rms_dph - without_delay_dph) > rules::kTellsApart * rms_dph;
+  return rms_dph - without_delay_dph > rules::kTellsApart * rms_dph;
 }
 
 std::string delay_words(const BoardError& error) {

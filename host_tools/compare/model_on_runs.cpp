@@ -12,7 +12,7 @@ ModelOnRun try_model(const model::Model& model, const runs::Run& run, double row
   Comparison comparison = compare_with(model, run, row_s);
   ResidualAnalysis analysis = analyse_residual(comparison);
   const BoardError error = board_error(model, run, comparison);
-  return {std::move(comparison), std::move(analysis), error};
+  return {std::move(comparison), std::move(analysis), error, band_of(model, run)};
 }
 
 bool is_below_floor(const Comparison& comparison) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/band.hpp"
 #include "compare/board_delay.hpp"
 #include "compare/comparison.hpp"
 #include "compare/residual_analysis.hpp"
@@ -13,6 +14,7 @@ struct ModelOnRun {
   Comparison comparison;
   ResidualAnalysis analysis;
   BoardError error;  ///< of the whole run
+  std::optional<PredictiveBand> band{};
 };
 
 /// In rows of `row_s` seconds. Throws InputError if the run lacks a column that the model needs.

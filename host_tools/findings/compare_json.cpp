@@ -131,6 +131,16 @@ Json outside_json(const compare::OutsideTraining& outside) {
   return object;
 }
 
+Json band_json(const compare::PredictiveBand& band) {
+  return Json::object()
+      .set("row_s", band.row_s)
+      .set("within_1_sigma", band.share_within(1))
+      .set("within_2_sigma", band.share_within(2))
+      .set("time_s", band.time_s)
+      .set("residual_dph", band.residual_dph)
+      .set("sigma_dph", band.sigma_dph);
+}
+
 Json run_json(const compare::ModelOnRun& run) {
   const compare::Comparison& comparison = run.comparison;
   const compare::Comparison::SegmentError& whole = comparison.whole;
@@ -160,6 +170,7 @@ Json run_json(const compare::ModelOnRun& run) {
       .set("structure", structure_json(run.comparison, run.analysis))
       .set("autocorrelation", autocorrelation_json(run.analysis))
       .set("allan", allan_json(run.analysis))
+      .set("band", run.band ? band_json(*run.band) : Json())
       .set("outside_training", outside_json(comparison.outside));
   return object;
 }

@@ -108,6 +108,14 @@ std::vector<std::string> remarks(const compare::ModelOnRun& run) {
   return found;
 }
 
+std::string band_words(const compare::PredictiveBand& band) {
+  return format(
+      "of %zu means over %.3g min, %.0f %% lie within the 1 sigma that the model promises of a run "
+      "it was not fitted to, %.0f %% within 2 (expected: 68 and 95)",
+      band.time_s.size(), band.row_s / kSecondsPerMinute, 100 * band.share_within(1),
+      100 * band.share_within(2));
+}
+
 std::vector<std::string> range_warnings(const compare::Comparison& comparison,
                                         const model::Model& model) {
   const compare::OutsideTraining& outside = comparison.outside;

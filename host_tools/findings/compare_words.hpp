@@ -15,6 +15,9 @@ std::string error_words(const compare::Comparison& comparison);
 /// because everything slow depends on time.
 std::string structure_words(const compare::ModelOnRun& run);
 
+/// How often the run lies within what the model promises, as a part of a sentence.
+std::string band_words(const compare::PredictiveBand& band);
+
 /// Remarks about the values, as parts of sentences: rows left out, effect of the board's delay, an
 /// implausible noise floor.
 std::vector<std::string> remarks(const compare::ModelOnRun& run);

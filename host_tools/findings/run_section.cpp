@@ -12,6 +12,7 @@
 #include "noise/autocorrelation.hpp"
 #include "noise/noise_coefficients.hpp"
 #include "support/text.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp::findings {
 namespace {
@@ -48,6 +49,7 @@ void add_words(Document& document, const Models& models, std::size_t run, Shown 
     const compare::ModelOnRun& judged = models[i]->runs[run];
     document.sentence(name + words(error_words(judged.comparison)), shown);
     document.sentence(name + words(structure_words(judged)), shown);
+    if (judged.band) document.sentence(name + words(band_words(*judged.band)), shown);
     for (const std::string& remark : remarks(judged))
       document.sentence(name + words(remark), shown);
     for (const std::string& warning : range_warnings(judged.comparison, models[i]->model)) {
@@ -149,6 +151,30 @@ void add_over_time(Document& document, const Models& models, std::size_t run) {
   residual.caption = (several ? residual_names[0] + ": rms " : Text("Rms ")) +
                      number(best.whole.rms_dph) + " deg/h. " + worst_segment(best);
   document.plot(residual);
+}
+
+void add_band(Document& document, const compare::ModelOnRuns& model, std::size_t run) {
+  const std::optional<compare::PredictiveBand>& band = model.runs[run].band;
+  if (!band) return;
+  Curve residual{"residual", "residual", band->residual_dph};
+  residual.look = Look::points;
+  Curve above{"2 sigma", "model", {}};
+  above.look = Look::dashed;
+  Curve below = above;
+  Plot plot;
+  plot.title = words(format("Residual over %.3g min, and the band that the model promises.",
+                            band->row_s / kSecondsPerMinute));
+  plot.x_label = "time, h";
+  plot.y_label = "residual, deg/h";
+  for (std::size_t i = 0; i < band->time_s.size(); ++i) {
+    plot.x.push_back(band->time_s[i] / kSecondsPerHour);
+    above.y.push_back(2 * band->sigma_dph[i]);
+    below.y.push_back(-2 * band->sigma_dph[i]);
+  }
+  plot.curves = {above, below, residual};
+  plot.caption = words(format("Within 1 sigma: %.0f %%, within 2: %.0f %%.",
+                              100 * band->share_within(1), 100 * band->share_within(2)));
+  document.plot(plot);
 }
 
 void add_parts(Document& document, const compare::ModelOnRuns& model, std::size_t run) {
@@ -305,6 +331,7 @@ void add_run(Document& document, const Models& models, std::size_t run, Shown sh
   if (best.size() < 2) return;
   add_over_time(document, models, run);
   add_dependences(document, *models[0], run);
+  add_band(document, *models[0], run);
   add_parts(document, *models[0], run);
   for (const compare::ModelOnRuns* model : models) {
     if (several) document.heading(verbatim(model->file), Shown::in_details);

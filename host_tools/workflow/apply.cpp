@@ -10,6 +10,7 @@
 #include "model/model_file.hpp"
 #include "recording/columns.hpp"
 #include "series/block_walk.hpp"
+#include "series/drift_uncertainty.hpp"
 #include "series/required_inputs.hpp"
 #include "workflow/reading.hpp"
 
@@ -21,6 +22,7 @@ constexpr int kRateDecimals = 6;
 constexpr int kBoardRateDecimals = 10;  // exact for multiples of 1/1024
 const char* const kDrift = "drift_dph";
 const char* const kCompensated = "compensated_dph";
+const char* const kSigma = "sigma_dph";
 
 SeriesSink::Column column(recording::Column column) {
   const recording::ColumnInfo& info = recording::column_info(column);
@@ -93,10 +95,12 @@ class RealSeries {
     samples_per_block_ = blocks.samples_per_block;
     begin();
     const model::Model acting = model::as_it_acts_on(model_, blocks.recordings);
+    if (model_.uncertainty) sigma_dph_ = sigma_of(blocks);
     model::RealDriftModel drift(acting, blocks.block_s);
     series::run_blocks(blocks, drift, [&](const series::BlockSeries::Block& block) {
       rows_before(block.number);
       rows_of(block, drift);
+      ++drifts_;
     });
     rows_before(std::numeric_limits<std::int64_t>::max());
   }
@@ -113,7 +117,18 @@ class RealSeries {
     if (model_.network.present()) columns.push_back({"drift_network_dph", kRateDecimals});
     columns.push_back({kDrift, kRateDecimals});
     columns.push_back({kCompensated, kRateDecimals});
+    if (model_.uncertainty) columns.push_back({kSigma, kRateDecimals});
     out_.begin(columns);
+  }
+
+  // Of each block with a drift; one that is masked has a drift like any other.
+  Eigen::VectorXd sigma_of(series::BlockSeries blocks) const {
+    for (series::BlockSeries::Block& block : blocks.blocks) block.masked = false;
+    model::Model single = model_;
+    single.average_s = blocks.block_s;
+    series::SignalSeries series(single);
+    series.add(blocks);
+    return series::drift_sigma_dph(model_, series);
   }
 
   bool has_input() const { return !recording_.input_rate_dph.empty(); }
@@ -125,7 +140,7 @@ class RealSeries {
   void rows_before(std::int64_t block) {
     for (; row_ < recording_.rows() && block_of(row_) < block; ++row_) {
       std::vector<double> values = measured();
-      values.insert(values.end(), parts() + 2, kNoValue);
+      values.insert(values.end(), parts() + (model_.uncertainty ? 3 : 2), kNoValue);
       out_.add(values, fog::Status::drift_given_up, RowsOut::Rate::none, 0, 0);
     }
   }
@@ -147,6 +162,7 @@ class RealSeries {
       const double compensated_dph = rate_dph - drift.drift_dph();
       values.push_back(drift.drift_dph());
       values.push_back(compensated_dph);
+      if (model_.uncertainty) values.push_back(sigma_dph_[drifts_]);
       out_.add(values, flags, block.masked ? RowsOut::Rate::masked : RowsOut::Rate::counts,
                rate_dph - input_dph, compensated_dph - input_dph);
     }
@@ -174,6 +190,8 @@ class RealSeries {
   bool follows_rate_;
   std::uint32_t samples_per_block_ = 1;
   std::size_t row_ = 0;
+  Eigen::VectorXd sigma_dph_;
+  Eigen::Index drifts_ = 0;  // blocks so far
 };
 
 /// The board's samples one by one; those of a capture have their time from their numbers.

@@ -174,9 +174,10 @@ TEST_F(UseCases, ApplyGivesTheSeriesWhoseMeansCompareHas) {
   AppliedSeries series;
   const ApplyOutcome outcome = apply(request, series.sink());
   EXPECT_EQ(outcome.rows, 5955U);
-  EXPECT_EQ(series.columns, (std::vector<std::string>{
-                                "time_s", "temperature_degc", "rate_dph", "drift_bias_dph",
-                                "drift_bias_temperature_dph", "drift_dph", "compensated_dph"}));
+  EXPECT_EQ(series.columns,
+            (std::vector<std::string>{"time_s", "temperature_degc", "rate_dph", "drift_bias_dph",
+                                      "drift_bias_temperature_dph", "drift_dph", "compensated_dph",
+                                      "sigma_dph"}));
   double square = 0;
   double mean = 0;
   for (const std::vector<double>& row : series.rows) {
