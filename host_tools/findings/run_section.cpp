@@ -162,8 +162,9 @@ void add_band(Document& document, const compare::ModelOnRuns& model, std::size_t
   above.look = Look::dashed;
   Curve below = above;
   Plot plot;
-  plot.title = words(format("Residual over %.3g min, and the band that the model promises.",
-                            band->row_s / kSecondsPerMinute));
+  plot.title =
+      words(format("Means of the residual over %.3g min, and the band that the model promises.",
+                   band->row_s / kSecondsPerMinute));
   plot.x_label = "time, h";
   plot.y_label = "residual, deg/h";
   for (std::size_t i = 0; i < band->time_s.size(); ++i) {
