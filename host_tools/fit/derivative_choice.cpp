@@ -26,13 +26,12 @@ double left_by(const model::Model& model, const std::vector<runs::Run>& runs) {
 }  // namespace
 
 std::optional<DerivativeChoice> better_derivative(const model::Model& model,
-                                                  const std::vector<runs::Run>& runs,
-                                                  double delay_rms_dph) {
+                                                  const std::vector<runs::Run>& runs) {
   if (!model.uncertainty) return std::nullopt;
-  const double square = std::pow(model.residual_rms_dph, 2);
+  const double now_dph = left_by(model, runs);
+  const double other_square = std::pow(model.residual_rms_dph, 2) - now_dph * now_dph;
   const auto tells_apart = [&](double left_dph) {
-    const double after =
-        std::sqrt(std::max(0.0, square - delay_rms_dph * delay_rms_dph + left_dph * left_dph));
+    const double after = std::sqrt(std::max(0.0, other_square + left_dph * left_dph));
     return model.residual_rms_dph - after > compare::rules::kTellsApart * model.residual_rms_dph;
   };
   if (!tells_apart(0)) return std::nullopt;  // the derivative makes too little of the error

@@ -15,11 +15,10 @@ struct DerivativeChoice {
 };
 
 /// A shorter derivative has less delay, a longer one less of the thermometer's noise. Tried are
-/// `kTimes` the model's own, each with the coefficients that then follow the gyro's drift best.
-/// Nothing if none lowers the model's error by more than a comparison tells apart
-/// (compare::rules::kTellsApart); `delay_rms_dph`: the part that the present one has in the error.
+/// a thirtieth to thirty times its length, and the present one, each with the coefficients that
+/// follow the gyro's drift best. Nothing if none lowers the model's error by more than a comparison
+/// tells apart (compare::rules::kTellsApart).
 std::optional<DerivativeChoice> better_derivative(const model::Model& model,
-                                                  const std::vector<runs::Run>& runs,
-                                                  double delay_rms_dph);
+                                                  const std::vector<runs::Run>& runs);
 
 }  // namespace fogcomp::fit

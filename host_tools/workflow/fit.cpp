@@ -175,7 +175,7 @@ FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& obser
   observer.should_continue("judging",
                            0);  // the result is kept even if the user has ended the training
   outcome.delay_rms_dph = compare::delay_error_dph(model, training);
-  outcome.better_derivative = fit::better_derivative(model, training, outcome.delay_rms_dph);
+  outcome.better_derivative = fit::better_derivative(model, training);
   const bool is_known = turn_on && !model.network.present();
   outcome.turn_on = is_known ? std::move(*turn_on) : fit::turn_on_biases(model, training);
   for (const fit::FoundStep& step : outcome.result.identified.steps) {
