@@ -8,8 +8,7 @@ namespace fogcomp::fit {
 
 /// What the rows of a fit say of its coefficients and, after them, of the positions of its shapes
 /// in their ranges (0 to 1; any is equally probable beforehand): in the noise of all rows, white,
-/// flicker and random walk, not only in that of the weights. Everything is NaN or larger than what
-/// it is worth where the rows do not determine it; see is_determined().
+/// flicker and random walk, not only in that of the weights. Requires is_determined().
 judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit);
 
 /// The same with a bias for each power-on, whose spread is found, instead of the columns `offsets`,

@@ -37,7 +37,6 @@ Eigen::VectorXd regressors(const model::EffectTerm& term, const Signals& signals
 // Derivative of the drift by each unknown, in the order of the fit's covariance.
 Eigen::VectorXd gradient(const std::vector<model::EffectTerm>& terms, const NoiseWeightedFit& fit,
                          const Signals& signals, double row_s) {
-  constexpr double kStep = 1e-4;  // fraction of a shape's range
   Eigen::VectorXd result = Eigen::VectorXd::Zero(fit.covariance.rows());
   const std::vector<series::ColumnRange> columns = series::columns_of(terms, row_s);
   for (std::size_t i = 0; i < terms.size(); ++i) {
@@ -46,17 +45,11 @@ Eigen::VectorXd gradient(const std::vector<model::EffectTerm>& terms, const Nois
   for (std::size_t i = 0; i < fit.shapes.size(); ++i) {
     const model::ShapeParameter& shape = fit.shapes[i];
     const series::ColumnRange& range = columns[shape.term];
-    model::EffectTerm moved = terms[shape.term];
-    const double unit = shape.unit_in(moved);
-    const double up = std::min(unit + kStep, 1.0);
-    const double down = std::max(unit - kStep, 0.0);
-    const auto drift_at = [&](double place) {
-      shape.set_unit(moved, place);
-      return regressors(moved, signals, row_s)
-          .dot(fit.coefficients.segment(range.first, range.count));
-    };
-    const double above = drift_at(up);
-    result[fit.linear() + static_cast<Eigen::Index>(i)] = (above - drift_at(down)) / (up - down);
+    result[fit.linear() + static_cast<Eigen::Index>(i)] = model::derivative_by_unit(
+        shape, terms[shape.term], [&](const model::EffectTerm& moved) -> double {
+          return regressors(moved, signals, row_s)
+              .dot(fit.coefficients.segment(range.first, range.count));
+        });
   }
   return result;
 }

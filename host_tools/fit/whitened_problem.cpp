@@ -11,7 +11,6 @@
 namespace fogcomp::fit {
 namespace {
 
-constexpr double kDifferenceStep = 1e-4;    // of a parameter's range, for derivatives
 constexpr double kDependent = 1e-8;         // of a column's length: only rounding is left
 constexpr double kRoughlyDependent = 1e-5;  // where differences of squares have to show it
 constexpr std::size_t kTogether = 8;  // shapes of a grid that are whitened and projected at once
@@ -131,14 +130,10 @@ LinearFit WhitenedProblem::solve(const std::vector<model::ShapeParameter>& param
 
 Eigen::VectorXd WhitenedProblem::derivative(const model::ShapeParameter& parameter,
                                             const Eigen::VectorXd& coefficients) const {
-  model::EffectTerm moved = terms_[parameter.term];
-  const double unit = parameter.unit_in(moved);
-  const double up = std::min(unit + kDifferenceStep, 1.0);
-  const double down = std::max(unit - kDifferenceStep, 0.0);
-  parameter.set_unit(moved, up);
-  const Eigen::VectorXd above = *(*regressors_)(moved)*coefficients;
-  parameter.set_unit(moved, down);
-  return (above - *(*regressors_)(moved)*coefficients) / (up - down);
+  return model::derivative_by_unit(parameter, terms_[parameter.term],
+                                   [&](const model::EffectTerm& moved) -> Eigen::VectorXd {
+                                     return *(*regressors_)(moved)*coefficients;
+                                   });
 }
 
 Eigen::MatrixXd WhitenedProblem::derivatives(const std::vector<model::ShapeParameter>& parameters,

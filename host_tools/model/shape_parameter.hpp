@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/effects/effect.hpp"
@@ -26,6 +27,21 @@ struct ShapeParameter {
   /// d value / d unit.
   double slope(double value) const;
 };
+
+/// Derivative of `drift_of(term)`, a number or a vector, by the parameter's position in its range.
+template <class DriftOf>
+auto derivative_by_unit(const ShapeParameter& shape, EffectTerm term, const DriftOf& drift_of) {
+  constexpr double kStep = 1e-4;
+  const double unit = shape.unit_in(term);
+  const double up = std::min(unit + kStep, 1.0);
+  const double down = std::max(unit - kStep, 0.0);
+  shape.set_unit(term, up);
+  auto change = drift_of(term);
+  shape.set_unit(term, down);
+  change -= drift_of(term);
+  change /= up - down;
+  return change;
+}
 
 std::vector<ShapeParameter> shape_parameters(const std::vector<EffectTerm>& terms);
 

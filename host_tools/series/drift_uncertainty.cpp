@@ -1,30 +1,12 @@
 #include "series/drift_uncertainty.hpp"
 
-#include <algorithm>
 #include <vector>
 
-#include "model/catalogue.hpp"
 #include "model/shape_parameter.hpp"
 #include "series/term_columns.hpp"
 
 namespace fogcomp::series {
 namespace {
-
-// By the value of a shape parameter.
-Eigen::VectorXd derivative(const SignalSeries& series, const model::EffectTerm& term,
-                           const model::ShapeParameter& shape) {
-  constexpr double kStep = 1e-4;  // of its range
-  const double value = term.parameters[shape.index].value;
-  const double unit = shape.to_unit(value);
-  model::EffectTerm moved = term;
-  const auto drift_at = [&](double place) -> Eigen::VectorXd {
-    shape.set_unit(moved, place);
-    return series.regressors(moved, Reading::of_gyro) * term.coefficients();
-  };
-  const double up = std::min(unit + kStep, 1.0);
-  const double down = std::max(unit - kStep, 0.0);
-  return (drift_at(up) - drift_at(down)) / ((up - down) * shape.slope(value));
-}
 
 // Of the gyro's drift by each unknown, in the order of the covariance.
 Eigen::MatrixXd unknown_columns(const model::Model& model, const SignalSeries& series) {
@@ -40,8 +22,14 @@ Eigen::MatrixXd unknown_columns(const model::Model& model, const SignalSeries& s
         series.regressors(terms[i], Reading::of_gyro);
   }
   Eigen::Index at = ranges.back().first + ranges.back().count;
-  for (const model::ShapeParameter& shape : shapes)
-    columns.col(at++) = derivative(series, terms[shape.term], shape);
+  for (const model::ShapeParameter& shape : shapes) {
+    const model::EffectTerm& term = terms[shape.term];
+    const auto drift_of = [&](const model::EffectTerm& moved) -> Eigen::VectorXd {
+      return series.regressors(moved, Reading::of_gyro) * term.coefficients();
+    };
+    columns.col(at++) = model::derivative_by_unit(shape, term, drift_of) /
+                        shape.slope(term.parameters[shape.index].value);
+  }
   return columns;
 }
 
