@@ -11,12 +11,12 @@
 namespace fogcomp::compare {
 
 /// Error due to the board's delay: rms over all rows, deg/h, of the effects' drift for the board's
-/// signals (means of the preceding block, causal derivative) less the drift for signals without
-/// delay (zero_phase.hpp).
+/// signals (means of the preceding block, causal derivative) less the gyro's own
+/// (series/measured_temperature.hpp).
 double delay_error_dph(const model::Model& model, const std::vector<runs::Run>& runs);
 
-/// Error of a model as the board computes it, and without the board's delay with the same
-/// coefficients: rms of the rows that count, deg/h.
+/// Error of a model as the board computes it, and without the board's delay with the gyro's own
+/// values: rms of the rows that count, deg/h.
 struct BoardError {
   double rms_dph = 0;
   double without_delay_dph = 0;
@@ -24,7 +24,7 @@ struct BoardError {
 
   /// Combines several runs.
   void add(const BoardError& other);
-  /// Whether the two values differ enough to print both: by more than 1 %.
+  /// Whether the delay makes more than 1 % of the error: then both are printed.
   bool delay_matters() const;
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "recording/decision_rules.hpp"
+#include "series/measured_temperature.hpp"
 
 namespace fogcomp::runs {
 namespace {
@@ -58,6 +59,7 @@ void append(BlockSeries& run, const BlockSeries& next) {
   series::widen(run.input_ranges, next.input_ranges);
   run.rounding_dph = std::max(run.rounding_dph, next.rounding_dph);
   run.temperature_step_degc = std::max(run.temperature_step_degc, next.temperature_step_degc);
+  run.temperature = nullptr;  // of the first part only
 }
 
 // Joins a soak that both files contain; makes other names unique.
@@ -119,6 +121,7 @@ std::vector<Run> join_continued(std::vector<Run> runs, std::vector<std::string>&
     runs.erase(next);
     if (place < i) --i;
   }
+  for (Run& run : runs) run.blocks.temperature = series::temperature_of(run.blocks);
   return runs;
 }
 

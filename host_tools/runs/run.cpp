@@ -6,6 +6,7 @@
 #include "noise/noise_floor.hpp"
 #include "recording/rate_resolution.hpp"
 #include "runs/decision_rules.hpp"
+#include "series/measured_temperature.hpp"
 #include "series/rows.hpp"
 #include "support/text.hpp"
 
@@ -32,6 +33,7 @@ Run run_of(const recording::Recording& recording, const std::vector<double>& row
   run.files = {recording.file};
   run.refused_rows = recording.refused_rows;
   run.blocks = series::make_blocks(recording);
+  run.blocks.temperature = series::temperature_of(run.blocks);
   run.segments = recording::find_segments(recording);
   for (const double row_s : row_lengths_s) {
     if (run.noise_floor_dph(row_s)) continue;  // asked for twice

@@ -12,6 +12,8 @@
 
 namespace fogcomp::series {
 
+struct MeasuredTemperature;
+
 /// Block means of a recording, in the blocks in which the board would take it.
 struct BlockSeries {
   std::string file;
@@ -38,6 +40,8 @@ struct BlockSeries {
   double rounding_dph = 0;
   /// Smallest change between readings of the temperature; 0: noise hides it within a block.
   double temperature_step_degc = 0;
+  /// Once it has been measured (measured_temperature.hpp); nothing: it has not.
+  std::shared_ptr<const MeasuredTemperature> temperature;
 };
 
 /// Number of a sample in a stream without gaps, from its time.

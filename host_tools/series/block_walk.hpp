@@ -14,6 +14,20 @@ inline std::uint32_t hold_blocks(double block_s) {
   return static_cast<std::uint32_t>(std::max(1.0, std::round(recording::kHoldSeconds / block_s)));
 }
 
+/// Calls visit(first, end) for the blocks of every part in which the board does not restart.
+template <class Visit>
+void each_part(const BlockSeries& series, const Visit& visit) {
+  const auto max_held = static_cast<std::int64_t>(hold_blocks(series.block_s));
+  std::size_t first = 0;
+  for (std::size_t end = 1; end <= series.blocks.size(); ++end) {
+    const bool goes_on = end < series.blocks.size() && !series.blocks[end].restarts &&
+                         series.blocks[end].number - series.blocks[end - 1].number - 1 <= max_held;
+    if (goes_on) continue;
+    visit(first, end);
+    first = end;
+  }
+}
+
 /// Runs a model (start(means), step(means), see_rate(means)) over a recording like the
 /// board: the first sample starts it; a block's means act from the next block on; a gap is bridged
 /// by the board's own rule or, if longer than the board holds its drift, restarts the model, as a

@@ -112,16 +112,8 @@ struct Part {
 };
 
 std::vector<Part> parts_of(const BlockSeries& series) {
-  const auto max_held = static_cast<std::int64_t>(hold_blocks(series.block_s));
-  std::vector<Part> parts{{0, 0}};
-  for (std::size_t i = 1; i < series.blocks.size(); ++i) {
-    const BlockSeries::Block& block = series.blocks[i];
-    if (block.restarts || block.number - series.blocks[i - 1].number - 1 > max_held) {
-      parts.back().end = i;
-      parts.push_back({i, 0});
-    }
-  }
-  parts.back().end = series.blocks.size();
+  std::vector<Part> parts;
+  each_part(series, [&](std::size_t first, std::size_t end) { parts.push_back({first, end}); });
   return parts;
 }
 
@@ -219,6 +211,11 @@ const TemperatureNow& MeasuredTemperature::at(std::int64_t number) const {
   const auto last = static_cast<std::int64_t>(part.values.size()) - 1;
   const std::int64_t index = std::clamp<std::int64_t>(number - part.first_number, 0, last);
   return part.values[static_cast<std::size_t>(index)];
+}
+
+std::shared_ptr<const MeasuredTemperature> temperature_of(const BlockSeries& series) {
+  if (series.temperature) return series.temperature;
+  return std::make_shared<const MeasuredTemperature>(measured_temperature(series));
 }
 
 MeasuredTemperature measured_temperature(const BlockSeries& series) {

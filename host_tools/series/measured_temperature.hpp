@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "series/block_series.hpp"
@@ -45,5 +47,8 @@ struct MeasuredTemperature {
 
 /// `series`: with at least one block.
 MeasuredTemperature measured_temperature(const BlockSeries& series);
+
+/// BlockSeries::temperature, which a run has from the start; else measured here.
+std::shared_ptr<const MeasuredTemperature> temperature_of(const BlockSeries& series);
 
 }  // namespace fogcomp::series

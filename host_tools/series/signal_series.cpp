@@ -120,7 +120,8 @@ void SignalSeries::add(const BlockSeries& series) {
 
 void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows) {
   Run& run = runs_.back();
-  const MeasuredTemperature own = measured_temperature(series);
+  const std::shared_ptr<const MeasuredTemperature> measured = temperature_of(series);
+  const MeasuredTemperature& own = *measured;
   if (own.thermometer.white_degc2_s > thermometer_.white_degc2_s) thermometer_ = own.thermometer;
   run.delayed.reserve(series.blocks.size() + 1);
   Recorder delayed_recorder(model_, series.block_s, [&](const Signals& signals, bool) {

@@ -57,7 +57,7 @@ class SignalSeries {
   /// `change`: only of Reading::of_gyro.
   Eigen::MatrixXd regressors(const model::EffectTerm& term, Reading reading = Reading::of_sensor,
                              const TemperatureChange& change = {}) const;
-  /// Of the recording whose temperature is known worst; as it is in Phase::board.
+  /// Of the recording whose temperature is known worst; in Phase::zero it is not known.
   const Thermometer& thermometer() const { return thermometer_; }
   Phase phase() const { return phase_; }
   /// Row means of the terms' drift, deg/h, with their coefficients or the gyro's own.

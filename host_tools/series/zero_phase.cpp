@@ -74,25 +74,11 @@ std::vector<double> rates(const std::vector<double>& temperature_degc, double bl
   return result;
 }
 
-// Calls visit(first, end) for the blocks of every stretch in which the board does not restart.
-template <class Visit>
-void each_stretch(const BlockSeries& series, const Visit& visit) {
-  const auto max_held = static_cast<std::int64_t>(hold_blocks(series.block_s));
-  std::size_t first = 0;
-  for (std::size_t end = 1; end <= series.blocks.size(); ++end) {
-    const bool goes_on = end < series.blocks.size() && !series.blocks[end].restarts &&
-                         series.blocks[end].number - series.blocks[end - 1].number - 1 <= max_held;
-    if (goes_on) continue;
-    visit(first, end);
-    first = end;
-  }
-}
-
 }  // namespace
 
 ZeroPhaseSignals zero_phase_signals(const BlockSeries& series, double derivative_tau_s) {
   ZeroPhaseSignals result;
-  each_stretch(series, [&](std::size_t first, std::size_t end) {
+  each_part(series, [&](std::size_t first, std::size_t end) {
     const std::vector<double> rate =
         rates(bridged(series, first, end), series.block_s, derivative_tau_s);
     for (std::size_t i = first; i < end; ++i) {
