@@ -2,58 +2,69 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/model_fit.hpp"
 #include "diagnosis/refit.hpp"
-#include "fit/decision_rules.hpp"
+#include "model/catalogue.hpp"
 #include "support/parallel.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
 
-// Sets the candidate's probability among the hypotheses. Returns the most probable hypothesis that
-// contains it, if one does.
-const Hypothesis* set_probability(std::size_t candidate, const EvidenceSpace& evidence,
-                                  const std::vector<Hypothesis>& hypotheses,
-                                  CandidateFinding& finding) {
-  const Hypothesis* likeliest = nullptr;
-  for (const Hypothesis& hypothesis : hypotheses) {
-    if (!hypothesis.has(candidate)) continue;
-    finding.probability += hypothesis.probability;
-    if (leading_candidate(evidence.space, evidence.regressors, hypothesis) == candidate) {
-      finding.lead += hypothesis.probability;
-    }
-    if (likeliest == nullptr) likeliest = &hypothesis;
+// Gives a term the first part of `other` as its optional second part, if it has none yet.
+void add_part(model::EffectTerm& term, const model::EffectTerm& other) {
+  const auto& parameters = model::find_effect(term.name).parameters;
+  for (std::size_t i = 1; i < parameters.size(); ++i) {
+    if (!model::is_optional_part(parameters[i]) || term.parameters[i].value != 0) continue;
+    double& first = term.parameters[i - 1].value;
+    std::tie(first, term.parameters[i].value) = std::minmax({first, other.parameters[i - 1].value});
+    return;
   }
-  return likeliest;
+}
+
+// An effect of a set: with the shape of its part, or, where it occurs twice, with both shapes, the
+// smaller first.
+model::EffectTerm term_in(const std::vector<judge::Part>& parts, std::size_t candidate,
+                          const std::vector<Candidate>& candidates) {
+  std::optional<model::EffectTerm> term;
+  for (const judge::Part& part : parts) {
+    if (part.effect != candidate) continue;
+    const model::EffectTerm& one = candidates[candidate].shapes[part.shape].term;
+    if (term) {
+      add_part(*term, one);
+    } else {
+      term = one;
+    }
+  }
+  return *term;
 }
 
 CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
-                         const std::vector<Hypothesis>& hypotheses, double excess,
+                         const judge::Explanations& explanations,
                          const series::SignalSeries& series, const fit::NoiseWeightedFit& fit) {
   const Candidate& own = evidence.candidates[candidate];
-  const std::vector<series::ColumnRange>& ranges = evidence.regressors[candidate];
-  const BestShape best = best_shape(evidence.space, ranges, {}, evidence.space.projection());
+  const judge::Explanations::Effect& effect = explanations.effects[candidate];
   CandidateFinding finding;
   finding.effect = own.effect;
-  const Hypothesis* const likeliest = set_probability(candidate, evidence, hypotheses, finding);
-  const std::size_t shape = likeliest == nullptr ? best.shape : likeliest->shape_of(candidate);
-  finding.evidence = best.log_evidence;
-  if (excess > 0) {
-    const auto columns = static_cast<double>(ranges[shape].count);
-    finding.explained_fraction = std::clamp((best.chi2_drop - columns) / excess, 0.0, 1.0);
-  }
-  const double all_but =
-      best.chi2_drop - rules::kPossible * (1 + fit::rules::kModelFormTolerance * best.chi2_drop);
-  for (std::size_t s = 0; s < ranges.size(); ++s) {
-    if (s != shape && evidence.space.chi2_drop({ranges[s]}) < all_but) continue;
+  finding.probability = effect.probability;
+  finding.lead = effect.largest;
+  finding.evidence = effect.log_odds;
+  finding.explained_fraction = effect.explained;
+  const double best = *std::max_element(effect.log_likelihood.begin(), effect.log_likelihood.end());
+  for (std::size_t s = 0; s < own.shapes.size(); ++s) {
+    if (effect.log_likelihood[s] < best - rules::kPossible / 2 && s != effect.shape) continue;
     finding.possible.push_back(own.shapes[s].term);
   }
+  const auto likeliest =
+      std::find_if(explanations.all.begin(), explanations.all.end(),
+                   [&](const judge::Explanation& one) { return one.has(candidate); });
   std::vector<model::EffectTerm> terms = fit.terms;
-  put(terms, likeliest == nullptr ? own.shapes[shape].term
-                                  : term_in(*likeliest, candidate, evidence.candidates));
+  put(terms, likeliest == explanations.all.end()
+                 ? own.shapes[effect.shape].term
+                 : term_in(likeliest->parts, candidate, evidence.candidates));
   Refit completed = refit(std::move(terms), series, fit);
   finding.rms_after_dph = rms_of_rows(series.rows(), fit, completed.residual_dph);
   finding.completed = std::move(completed.terms);
@@ -63,23 +74,14 @@ CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
 }  // namespace
 
 std::vector<CandidateFinding> find_of_candidates(const EvidenceSpace& evidence,
-                                                 const std::vector<Hypothesis>& hypotheses,
-                                                 double excess, const series::SignalSeries& series,
+                                                 const judge::Explanations& explanations,
+                                                 const series::SignalSeries& series,
                                                  const fit::NoiseWeightedFit& fit) {
   std::vector<CandidateFinding> findings(evidence.candidates.size());
   for_each_index(findings.size(), [&](std::size_t i) {
-    findings[i] = find_of(i, evidence, hypotheses, excess, series, fit);
+    findings[i] = find_of(i, evidence, explanations, series, fit);
   });
   return findings;
-}
-
-void limit_to_own_evidence(std::vector<CandidateFinding>& findings, double chance_of_walk) {
-  for (CandidateFinding& finding : findings) {
-    const double believed =
-        std::min(1.0, std::exp(finding.evidence) / rules::kBelievedOdds) * (1 - chance_of_walk);
-    finding.probability *= believed;
-    finding.lead *= believed;
-  }
 }
 
 // Order by probability of being the largest; differences by rounding count as equal, and then

@@ -23,18 +23,14 @@ struct CandidateFinding {
   bool is_expression() const { return term().expression.has_value(); }
 };
 
-/// Findings for all candidates, the one that is most probably the largest effect first. `excess`:
-/// chi^2 above noise that is to be explained.
+/// Findings for all candidates, in their order.
 std::vector<CandidateFinding> find_of_candidates(const EvidenceSpace& evidence,
-                                                 const std::vector<Hypothesis>& hypotheses,
-                                                 double excess, const series::SignalSeries& series,
+                                                 const judge::Explanations& explanations,
+                                                 const series::SignalSeries& series,
                                                  const fit::NoiseWeightedFit& fit);
 
-/// For a diagnosis whose tests find only noise: limits each effect's probability to what its own
-/// evidence supports and to what a random walk does not explain.
-void limit_to_own_evidence(std::vector<CandidateFinding>& findings, double chance_of_walk);
-
-/// Sorts into the order in which all outputs list the findings.
+/// Sorts into the order in which all outputs list the findings: the one that is most probably the
+/// largest effect first.
 void sort_by_lead(std::vector<CandidateFinding>& findings);
 
 }  // namespace fogcomp::diagnosis

@@ -12,9 +12,10 @@ namespace fogcomp::diagnosis {
 struct Candidate {
   std::string effect;  ///< or the expression's name
   struct Shape {
-    model::EffectTerm term;  ///< what would be added, or what the model's own would become
-    Eigen::MatrixXf basis;   ///< rows x 1 or more, orthonormal: what that adds, whitened
-    std::size_t row = 0;     ///< of a bias step: from which on it is there
+    model::EffectTerm term;     ///< what would be added, or what the model's own would become
+    Eigen::MatrixXf basis;      ///< rows x 1 or more, orthonormal: what that adds, whitened
+    std::size_t row = 0;        ///< of a bias step: from which on it is there
+    Eigen::MatrixXf columns{};  ///< rows x 1 or more: what that adds
 
     /// Decrease of chi^2 when this shape alone is fitted to the whitened residual.
     double chi2_drop(const Eigen::VectorXd& residual) const {

@@ -187,9 +187,9 @@ LikelyFormulas likely_formulas(const model::Model& model, const Diagnosis& diagn
   }
   const Diagnosis offered = diagnose(model, data.with_offered(terms), settings);
   LikelyFormulas likely;
-  likely.chance = offered.chance;
+  likely.chance = offered.nothing;
   likely.show_something =
-      offered.verdict != Verdict::none && !offered.faint && !offered.walk.may_be_all();
+      offered.verdict != Verdict::none && !offered.faint && !offered.may_be_noise();
   if (!diagnosis.experiment) likely.experiment = offered.experiment;
   double explained_fraction = 1;
   for (const CandidateFinding& finding : offered.candidates) {

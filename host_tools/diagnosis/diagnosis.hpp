@@ -15,7 +15,6 @@
 #include "diagnosis/line_in_time.hpp"
 #include "diagnosis/network_learnt.hpp"
 #include "diagnosis/residual_place.hpp"
-#include "diagnosis/walk_finding.hpp"
 #include "model/model.hpp"
 #include "noise/noise_model.hpp"
 #include "series/signal_series.hpp"
@@ -58,8 +57,7 @@ struct Diagnosis {
   std::string variable;               ///< on which what is left depends most
   std::vector<NamedShare> variables;  ///< how much of it each variable alone could describe
   std::vector<NamedShare> segments;   ///< where in the runs it sits; sums to 1
-  /// For the verdict unknown: noise alone may look like this, but an effect would lower the error
-  /// clearly.
+  /// For the verdict unknown: noise alone may look like this.
   bool faint = false;
   bool only_by_formula = false;  ///< for the verdict unknown: set by shown_by_formulas()
   /// For the verdict unknown: what was named until it was refuted; else "".
@@ -82,17 +80,22 @@ struct Diagnosis {
   std::size_t outliers = 0;      ///< rows left out of all figures
   Eigen::VectorXd residual_dph;  ///< row by row
   double noise_floor_dph = 0;
-  double unexplained_fraction = 0;  ///< of the excess, by the best of the catalogue
-  double chance = 1;                ///< that noise alone would look like this
-  /// ln p of each test: an effect of the catalogue, smooth structure, fast structure.
-  std::vector<double> tests;
-  WalkFinding walk;
+  double unexplained_fraction = 0;   ///< of what is above the noise, by the best of the catalogue
+  double nothing = 1;                ///< probability that nothing is missing
+  double something_else = 0;         ///< that something is that is no effect of the catalogue
+  double mostly_something_else = 0;  ///< and that this is most of it
+  double walk_dph_per_rth = 0;       ///< random walk of the bias, if nothing is missing
+  bool has_static = false;           ///< the noise is known from a recording at rest
   noise::NoiseModel noise;
   Eigen::Index rows = 0;
   double row_s = 0;
   std::optional<NetworkLearnt> network;  ///< of the model, if it has one
   std::vector<std::string> notes;        ///< whole sentences: what limits the answer
 
+  /// Whether all that is left may be noise.
+  bool may_be_noise() const;
+  /// That a random walk explains slow changes, "them", and what would tell.
+  std::string walk_words() const;
   /// Finding for an effect; nullptr if it cannot be tested.
   const CandidateFinding* find(const std::string& name) const;
 };
@@ -101,8 +104,8 @@ struct Diagnosis {
 /// or the best of the indistinguishable ones. Empty if that one alone lowers the error.
 std::vector<std::string> effects_together(const Diagnosis& diagnosis);
 
-/// Effect to add: the named one; among indistinguishable ones the most probable, unless another
-/// that is nearly as probable leaves clearly less, provided that it lowers the error; if not
+/// Effect to add: the named one; among indistinguishable ones the most probable, provided that it
+/// lowers the error; if not
 /// everything is understood, an effect that is certainly the main part and lowers the error; else
 /// "".
 std::string effect_to_add(const Diagnosis& diagnosis);
@@ -124,7 +127,7 @@ bool helps_clearly(const Diagnosis& diagnosis, const CandidateFinding& finding);
 bool is_mainly_fast(const Diagnosis& diagnosis);
 
 /// Only formulas outside the catalogue show that something is missing: the verdict becomes unknown.
-void shown_by_formulas(Diagnosis& diagnosis, double chance);
+void shown_by_formulas(Diagnosis& diagnosis, double nothing);
 
 /// Takes a name back: the verdict becomes unknown.
 void withdraw_name(Diagnosis& diagnosis, Refuted refuted);

@@ -5,26 +5,19 @@
 
 #include "diagnosis/candidates.hpp"
 #include "diagnosis/diagnosis_data.hpp"
-#include "diagnosis/hypotheses.hpp"
 #include "diagnosis/structure.hpp"
 #include "diagnosis/visible_part.hpp"
-#include "fit/explained_space.hpp"
-#include "fit/walk_rival.hpp"
+#include "judge/explanations.hpp"
 
 namespace fogcomp::diagnosis {
 
-/// Second stage of a diagnosis: columns of all possible explanations of the residual, whitened and
-/// with the model projected out, and their inner products.
+/// Second stage of a diagnosis: columns of all possible explanations of the residual, as they are,
+/// and whitened with the model projected out.
 struct EvidenceSpace {
   Residualizer residualizer;
   std::vector<Candidate> candidates;
   std::vector<Untestable> untestable;
   VisibleStructure smooth;  ///< smooth functions of everything: no physics
-  fit::ExplainedSpace space;
-  // Column ranges in `space`:
-  RegressorBasis regressors;  ///< the shapes of each candidate
-  series::ColumnRange structure;
-  fit::WalkModes walk;  ///< of a random walk of the bias
 
   /// Whitened residual of the model.
   const Eigen::VectorXd& residual() const { return residualizer.residual(); }
@@ -35,9 +28,9 @@ struct EvidenceSpace {
 EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
                                   const std::function<void(double)>& progress);
 
-/// Whitened residual less the parts explained by a hypothesis and by smooth functions; one value
-/// per row.
-Eigen::VectorXd without(const EvidenceSpace& evidence, const Hypothesis& hypothesis,
+/// Whitened residual less the parts explained by a set of effects and by smooth functions; one
+/// value per row.
+Eigen::VectorXd without(const EvidenceSpace& evidence, const std::vector<judge::Part>& parts,
                         Eigen::Index rows);
 
 }  // namespace fogcomp::diagnosis

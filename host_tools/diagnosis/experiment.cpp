@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "diagnosis/hypotheses.hpp"
 #include "fit/decision_rules.hpp"
 #include "fit/noise_weighted_fit.hpp"
 #include "model/catalogue.hpp"

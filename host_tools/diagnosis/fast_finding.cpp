@@ -17,10 +17,10 @@ namespace fogcomp::diagnosis {
 namespace {
 
 std::vector<model::EffectTerm> completed_by(const EvidenceSpace& evidence,
-                                            const Hypothesis& hypothesis,
+                                            const judge::Explanation& explanation,
                                             std::vector<model::EffectTerm> terms) {
-  for (const Hypothesis::Part& part : hypothesis.parts) {
-    put(terms, term_in(hypothesis, part.candidate, evidence.candidates));
+  for (const judge::Part& part : explanation.parts) {
+    put(terms, evidence.candidates[part.effect].shapes[part.shape].term);
   }
   return terms;
 }
@@ -89,11 +89,11 @@ double excess_of(const FastFinding& finding, Eigen::Index rows) {
 
 }  // namespace
 
-FastFinding find_fast(const EvidenceSpace& evidence, const Hypothesis& best,
+FastFinding find_fast(const EvidenceSpace& evidence, const judge::Explanation& best,
                       const series::SignalSeries& series, const fit::NoiseWeightedFit& fit) {
   const series::Rows& rows = series.rows();
   FastFinding finding;
-  finding.left = without_input_rate(evidence, rows, without(evidence, best, rows.size()));
+  finding.left = without_input_rate(evidence, rows, without(evidence, best.parts, rows.size()));
   finding.spectrum = find_fast_structure(rows, finding.left);
   const std::vector<model::EffectTerm> terms = completed_by(evidence, best, fit.terms);
   if (!best.parts.empty() && finding.spectrum.band_log_p < rules::kFastLogP &&

@@ -11,7 +11,7 @@ namespace fogcomp::diagnosis {
 /// Structure that no smooth function describes.
 enum class FastKind : std::uint8_t { none, line, band, two_levels };
 
-/// Fast structure in the residual of the best hypothesis and smooth functions.
+/// Fast structure in the residual of the best explanation and smooth functions.
 struct FastFinding {
   FastStructure spectrum;
   TwoLevels jumps;
@@ -21,7 +21,7 @@ struct FastFinding {
   Eigen::VectorXd left;            ///< whitened residual of each row in which it is
 };
 
-FastFinding find_fast(const EvidenceSpace& evidence, const Hypothesis& best,
+FastFinding find_fast(const EvidenceSpace& evidence, const judge::Explanation& best,
                       const series::SignalSeries& series, const fit::NoiseWeightedFit& fit);
 
 }  // namespace fogcomp::diagnosis

@@ -32,10 +32,10 @@ bool is_mainly_fast(const Diagnosis& diagnosis) {
   return diagnosis.fast_share >= rules::kMainPart;
 }
 
-void shown_by_formulas(Diagnosis& diagnosis, double chance) {
+void shown_by_formulas(Diagnosis& diagnosis, double nothing) {
   diagnosis.verdict = Verdict::unknown;
   diagnosis.only_by_formula = true;
-  diagnosis.chance = chance;
+  diagnosis.nothing = nothing;
   diagnosis.blind_spot.clear();
 }
 
@@ -49,6 +49,17 @@ void withdraw_name(Diagnosis& diagnosis, Refuted refuted) {
   diagnosis.experiment.reset();
 }
 
+bool Diagnosis::may_be_noise() const {
+  return nothing >= rules::kDoubtful;
+}
+
+std::string Diagnosis::walk_words() const {
+  return format(
+      "a random walk of the bias of %.2g deg/h/sqrt(h) explains them as well as any effect: one "
+      "more run of the programme%s would tell",
+      walk_dph_per_rth, has_static ? "" : ", or a recording at rest with --static,");
+}
+
 const CandidateFinding* Diagnosis::find(const std::string& name) const {
   const auto found =
       std::find_if(candidates.begin(), candidates.end(),
@@ -58,16 +69,8 @@ const CandidateFinding* Diagnosis::find(const std::string& name) const {
 
 namespace {
 
-// The most probable rival, unless one that is nearly as probable leaves clearly less.
 const CandidateFinding& best_rival(const Diagnosis& diagnosis) {
-  const CandidateFinding* best = diagnosis.find(diagnosis.confusable.front());
-  const double alike = rules::kNearlyAsLikely * best->lead;
-  for (const std::string& effect : diagnosis.confusable) {
-    const CandidateFinding* other = diagnosis.find(effect);
-    const bool leaves_less = other->rms_after_dph < rules::kClearlyLess * best->rms_after_dph;
-    if (other->lead >= alike && leaves_less) best = other;
-  }
-  return *best;
+  return *diagnosis.find(diagnosis.confusable.front());
 }
 
 // Not asked of an event, which explains a moment: with the rest still missing, the fit that
@@ -103,7 +106,7 @@ std::string effect_to_add(const Diagnosis& diagnosis) {
     const CandidateFinding& best = best_rival(diagnosis);
     return lowers_the_error(diagnosis, best) ? best.effect : "";
   }
-  if (diagnosis.verdict != Verdict::unknown || diagnosis.walk.may_be_all()) return "";
+  if (diagnosis.verdict != Verdict::unknown || diagnosis.may_be_noise()) return "";
   const auto main = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
                                  [&](const CandidateFinding& finding) {
                                    return finding.probability >= rules::kNamed &&

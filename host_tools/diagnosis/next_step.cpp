@@ -229,7 +229,7 @@ bool is_function_of_signals(const Diagnosis& diagnosis) {
   const bool has_rate =
       std::any_of(diagnosis.variables.begin(), diagnosis.variables.end(),
                   [](const NamedShare& variable) { return variable.name == "input_rate_dph"; });
-  return (!is_mainly_fast(diagnosis) || has_rate) && !diagnosis.walk.may_be_all();
+  return (!is_mainly_fast(diagnosis) || has_rate) && !diagnosis.may_be_noise();
 }
 
 // What may describe the residual, those that explain most first. `named`: a certain part of what is
@@ -245,7 +245,7 @@ std::vector<Description> possible_descriptions(const Diagnosis& diagnosis,
         {*request_of(diagnosis, named), diagnosis.find(named[0])->explained_fraction, true});
   }
   if (is_unknown && is_function) append(sets_of_effects(diagnosis, named), all);
-  if (!diagnosis.walk.may_be_all()) append(single_effects(diagnosis, named), all);
+  if (!diagnosis.may_be_noise()) append(single_effects(diagnosis, named), all);
   if (is_function) {
     tell(formulas(), next);
     append(formulas().descriptions, all);
@@ -300,7 +300,7 @@ bool may_learn(const model::Model& model, const Diagnosis& diagnosis, const runs
 bool noise_may_hide(const Diagnosis& diagnosis) {
   const bool may_be_noise = diagnosis.verdict == Verdict::none
                                 ? !diagnosis.blind_spot.empty()
-                                : diagnosis.walk.may_be_all() && !is_mainly_fast(diagnosis);
+                                : diagnosis.may_be_noise() && !is_mainly_fast(diagnosis);
   return may_be_noise &&
          diagnosis.residual_rms_dph > (1 + rules::kMuchAboveWhite) * diagnosis.noise.white_dph();
 }

@@ -49,11 +49,14 @@ std::optional<Candidate::Shape> ShapeMaker::operator()(const model::EffectTerm& 
   if (part.visible.maxCoeff() < rules::kMinVisible) return std::nullopt;
   // One of two columns may be invisible (the static part of an effect next to a polynomial).
   Eigen::Index kept = 0;
+  Eigen::MatrixXf columns(all.rows(), added);
   for (Eigen::Index i = 0; i < added; ++i) {
     if (part.visible[i] < rules::kMinVisible) continue;
+    columns.col(kept) = all.col(owned_ + i).cast<float>();
     part.columns.col(kept++) = part.columns.col(i);
   }
-  return Candidate::Shape{term, orthonormal(part.columns.leftCols(kept), kRank).cast<float>(), 0};
+  return Candidate::Shape{term, orthonormal(part.columns.leftCols(kept), kRank).cast<float>(), 0,
+                          columns.leftCols(kept)};
 }
 
 double overlap(const Candidate::Shape& a, const Candidate::Shape& b) {

@@ -28,7 +28,8 @@ std::optional<Candidate::Shape> step_shape(const series::SignalSeries& series,
   step.parameters[0].value = rows.time_s[row];
   step.parameters[0].identified = false;
   step.recording = series.recording_of(row);
-  return Candidate::Shape{std::move(step), part.columns.colwise().normalized().cast<float>(), row};
+  return Candidate::Shape{std::move(step), part.columns.colwise().normalized().cast<float>(), row,
+                          fit::step_column(rows, row).cast<float>()};
 }
 
 }  // namespace

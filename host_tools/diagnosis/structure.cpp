@@ -130,7 +130,8 @@ Eigen::MatrixXf principal(const Eigen::MatrixXd& columns) {
 VisibleStructure visible_structure(const series::Rows& rows, const Residualizer& residualizer) {
   VisibleStructure structure;
   std::vector<Eigen::MatrixXd> parts;
-  for (const StructureGroup& group : structure_groups(rows)) {
+  structure.raw = structure_groups(rows);
+  for (const StructureGroup& group : structure.raw) {
     const VisiblePart part = residualizer(group.columns);
     Eigen::MatrixXd kept(part.columns.rows(), part.columns.cols());
     Eigen::Index count = 0;

@@ -42,6 +42,7 @@ struct VisibleStructure {
   std::vector<std::string> variables;
   std::vector<Eigen::MatrixXf> groups;
   Eigen::MatrixXf all;
+  std::vector<StructureGroup> raw;  ///< all groups, as they are
 };
 VisibleStructure visible_structure(const series::Rows& rows, const Residualizer& residualizer);
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "diagnosis/decision_rules.hpp"
-#include "diagnosis/hypotheses.hpp"
 #include "fit/decision_rules.hpp"
+#include "judge/explanations.hpp"
 #include "model/catalogue.hpp"
 #include "series/row_filters.hpp"
 #include "series/term_columns.hpp"
@@ -18,32 +18,10 @@ namespace {
 constexpr double kRankThreshold = 1e-8;
 // Prior knowledge of how exactly the model's terms describe the physics, one standard deviation
 // each. Time by which the sensor leads or lags the coil.
-constexpr double kSensorDelay_s = 60;
-// Smoothing of the corners of a ramp: they may be rounder or sharper by this.
-constexpr double kRounding_s = 40;
-// A coil of many layers is not one body: these fractions of the drift may follow with such lags;
-// more is an effect of its own. The rate terms depend on heat flowing through the layers and show
-// it most.
-struct Lagging {
-  double share;
-  double lag_s;
-  bool rate_terms_only;
-};
-constexpr std::array<Lagging, 6> kLagging{{{0.1, 60, false},
-                                           {0.1, 240, false},
-                                           {0.1, 960, false},
-                                           {0.2, 30, true},
-                                           {0.2, 120, true},
-                                           {0.2, 480, true}}};
-constexpr Eigen::Index kTimings = 2 + kLagging.size();
-// Error of an effect's formula: a fraction of its drift that bends with temperature. Polynomials
-// and cosines of temperature differ from a first-principles simulation by up to 4 %; terms of the
-// temperature rate differ less, but an additional effect may bend them by a fifth.
-constexpr double kStaticBend = 0.05;
-constexpr double kRateBend = 0.02;
-// Upper limit, in units of the white noise of 10 s means: a residual far above noise is not an
-// error of the formulas.
-constexpr double kMaxBend = 0.1;
+constexpr double kSensorDelay_s = 20;
+// A part of a term's drift (judge::kInexact) bends with temperature, or follows the heat through a
+// coil of many layers with such lags.
+constexpr std::array<double, 2> kLags_s{60, 600};
 constexpr Eigen::Index kBends = 2;  // orders T and T^2
 
 // Drift of the model's terms, or of those of the temperature rate. Without what the input rate
@@ -77,13 +55,6 @@ Eigen::VectorXd slope(const series::Rows& rows, const Eigen::VectorXd& values) {
   return result;
 }
 
-bool is_of_rate(const model::EffectTerm& term) {
-  const model::TermInfo info = model::info_of(term);
-  return std::any_of(
-      info.coefficients.begin(), info.coefficients.end(),
-      [](const auto& coefficient) { return model::of_temperature_rate(coefficient); });
-}
-
 // Possible bending of each term: its drift without its mean, times Legendre polynomials of the
 // temperature over the range of these rows.
 Eigen::MatrixXd bent_terms(const series::Rows& rows, const fit::NoiseWeightedFit& fit) {
@@ -95,16 +66,13 @@ Eigen::MatrixXd bent_terms(const series::Rows& rows, const fit::NoiseWeightedFit
   const Eigen::ArrayXd u = (degc - (degc.maxCoeff() + degc.minCoeff()) / 2) / half_range;
   const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, rows.row_s);
   Eigen::MatrixXd bent(rows.size(), kBends * static_cast<Eigen::Index>(columns.size()));
-  const double max_bend_dph = kMaxBend * fit.noise.white_dph() * std::sqrt(rows.row_s / 10);
   Eigen::Index at = 0;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto [first, count] = columns[i];
     Eigen::ArrayXd drift =
         (fit.columns.middleCols(first, count) * fit.coefficients.segment(first, count)).array();
     drift -= drift.mean();
-    const double rms = std::sqrt(drift.square().mean());
-    const double share = is_of_rate(fit.terms[i]) ? kRateBend : kStaticBend;
-    drift *= std::min(share, max_bend_dph / std::max(rms, 1e-300));
+    drift *= judge::kInexact;
     bent.col(at++) = drift * u;
     bent.col(at++) = drift * (3 * u.square() - 1) / 2;
   }
@@ -113,16 +81,12 @@ Eigen::MatrixXd bent_terms(const series::Rows& rows, const fit::NoiseWeightedFit
 
 // Possible errors of the model's terms, each of one standard deviation.
 Eigen::MatrixXd inexact_terms(const series::Rows& rows, const fit::NoiseWeightedFit& fit) {
-  const Eigen::VectorXd drift = thermal_drift(rows, fit, false);
   const Eigen::VectorXd of_rate = thermal_drift(rows, fit, true);
-  Eigen::MatrixXd timings(rows.size(), kTimings);
-  timings.col(0) = kSensorDelay_s * slope(rows, drift);
-  timings.col(1) = drift - series::smoothed(rows, drift, kRounding_s);
-  for (std::size_t i = 0; i < kLagging.size(); ++i) {
-    const Lagging& part = kLagging[i];
-    const Eigen::VectorXd& whole = part.rate_terms_only ? of_rate : drift;
-    timings.col(static_cast<Eigen::Index>(i) + 2) =
-        part.share * (whole - series::first_order_lag(rows, whole, part.lag_s));
+  Eigen::MatrixXd timings(rows.size(), 1 + kLags_s.size());
+  timings.col(0) = kSensorDelay_s * slope(rows, thermal_drift(rows, fit, false));
+  for (std::size_t i = 0; i < kLags_s.size(); ++i) {
+    timings.col(static_cast<Eigen::Index>(i) + 1) =
+        judge::kInexact * (of_rate - series::first_order_lag(rows, of_rate, kLags_s[i]));
   }
   return side_by_side({timings, bent_terms(rows, fit)}, rows.size());
 }
@@ -130,13 +94,12 @@ Eigen::MatrixXd inexact_terms(const series::Rows& rows, const fit::NoiseWeighted
 }  // namespace
 
 Residualizer::Residualizer(const series::Rows& rows, const fit::NoiseWeightedFit& fit)
-    : whitening_(fit.noise, rows, fit.row_weights) {
-  const Eigen::MatrixXd inexact = inexact_terms(rows, fit);
-  priors_ = inexact.cols();
+    : whitening_(fit.noise, rows, fit.row_weights), inexact_(inexact_terms(rows, fit)) {
+  priors_ = inexact_.cols();
   Eigen::MatrixXd columns =
       Eigen::MatrixXd::Zero(rows.size() + priors_, fit.whitened.cols() + priors_);
   columns.topLeftCorner(rows.size(), fit.whitened.cols()) = fit.whitened;
-  columns.topRightCorner(rows.size(), priors_) = whitening_.apply(inexact);
+  columns.topRightCorner(rows.size(), priors_) = whitening_.apply(inexact_);
   // With a residual far above noise the rows determine these less well than their noise suggests.
   const auto size = static_cast<double>(rows.size());
   const double excess = std::max(0.0, fit.whitened_residual.squaredNorm() - size);

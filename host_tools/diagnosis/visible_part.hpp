@@ -21,6 +21,8 @@ class Residualizer {
   /// Whitened residual of the model.
   const Eigen::VectorXd& residual() const { return residual_; }
   const noise::Whitening& whitening() const { return whitening_; }
+  /// Possible errors of the model's terms, rows x any number, each of one standard deviation.
+  const Eigen::MatrixXd& inexact() const { return inexact_; }
   /// Fall of the squares of `left`, any number of whitened residuals without the model, by a step
   /// at each row: one per row and residual. 0 where less than rules::kMinVisible of the step is
   /// visible. O(rows).
@@ -31,6 +33,7 @@ class Residualizer {
   Eigen::MatrixXd without_model(const Eigen::MatrixXd& columns) const;
 
   noise::Whitening whitening_;
+  Eigen::MatrixXd inexact_;
   Eigen::Index priors_ = 0;  // rows of prior knowledge
   Eigen::MatrixXd basis_;    // orthonormal
   Eigen::VectorXd residual_;

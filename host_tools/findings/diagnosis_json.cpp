@@ -102,7 +102,6 @@ void set_verdict(Json& result, const diagnosis::Diagnosis& diagnosis,
             .set("explained_fraction", explanation.explained_fraction);
       });
   result.set("untestable", std::move(untestable)).set("explanations", std::move(explanations));
-  result.set("tests", diagnosis.tests);
 }
 
 // Size of the residual relative to the noise.
@@ -179,18 +178,16 @@ Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::Next
                           .set("variables", shares_json(diagnosis.variables))
                           .set("segments", shares_json(diagnosis.segments)));
   set_residual(result, diagnosis);
-  result.set("random_walk", diagnosis.walk.chance > 0
-                                ? Json::object()
-                                      .set("coefficient", diagnosis.walk.coefficient)
-                                      .set("chance", diagnosis.walk.chance)
-                                : Json());
+  result.set("random_walk_dph_per_rth", diagnosis.walk_dph_per_rth);
   const std::optional<diagnosis::LineInTime>& line = diagnosis.line;
   result.set(
       "line_in_time",
       line ? Json::object().set("slope_dphh", line->slope_dphh).set("sigma_dphh", line->sigma_dphh)
            : Json());
   result.set("network", network_json(diagnosis.network));
-  result.set("chance", diagnosis.chance).set("faint", diagnosis.faint);
+  result.set("nothing_missing", diagnosis.nothing)
+      .set("something_else", diagnosis.something_else)
+      .set("faint", diagnosis.faint);
   result.set("notes", diagnosis.notes);
   return result;
 }

@@ -69,14 +69,14 @@ Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
   if (is_fast) {
     return {"something is missing that no effect of the catalogue explains: " + fast, ""};
   }
-  if (diagnosis.walk.may_be_all()) {
-    return {"slow changes are left, which may be noise", diagnosis.walk.words()};
+  if (diagnosis.may_be_noise()) {
+    return {"slow changes are left, which may be noise", diagnosis.walk_words()};
   }
   const bool offered = std::any_of(
       diagnosis.candidates.begin(), diagnosis.candidates.end(),
       [](const diagnosis::CandidateFinding& finding) { return finding.is_expression(); });
-  return {"something is missing that no effect of the catalogue" +
-              std::string(offered ? " and no expression offered" : "") + " explains (" +
+  return {"something is missing that no three effects of the catalogue" +
+              std::string(offered ? " and no expression offered" : "") + " explain (" +
               percent(diagnosis.unexplained_fraction) + " of it is left unexplained)",
           ""};
 }
@@ -84,7 +84,7 @@ Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
 // One name alone, where several further ones share what is left of the probability.
 std::string which_words(const std::vector<std::string>& confusable) {
   return confusable.size() == 1
-             ? confusable[0] + " or one that looks like it here"
+             ? confusable[0] + ", or something that is no effect of the catalogue"
              : join_list(confusable, "or") + "; these recordings cannot tell which";
 }
 
@@ -229,7 +229,7 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
   if (!is_none || next.addition) add_next(words, diagnosis, next, files);
   if (diagnosis.outliers > 0)
     words.limits.push_back(noise::outlier_words(diagnosis.outliers, diagnosis.row_s));
-  words.limits.push_back(chance_words(diagnosis.chance));
+  words.limits.push_back(probability_words(diagnosis));
   const std::string network = network_words(diagnosis);
   if (!network.empty()) words.limits.push_back(network);
   add_notes(words, diagnosis, next);

@@ -82,10 +82,10 @@ std::string fast_words(const diagnosis::Diagnosis& diagnosis) {
 }
 
 // Far beyond the draws of the test, the probability is an extrapolation.
-std::string chance_words(double chance) {
-  constexpr double kTiny = 1e-6;
-  return "chance that noise alone looks like this: " +
-         (chance < kTiny ? "less than one in a million" : format("%.2g", chance));
+std::string probability_words(const diagnosis::Diagnosis& diagnosis) {
+  return "probability that nothing is missing: " + format("%.2f", diagnosis.nothing) +
+         ", that something is which is no effect of the catalogue: " +
+         format("%.2f", diagnosis.something_else);
 }
 
 std::string network_words(const diagnosis::Diagnosis& diagnosis) {

@@ -16,7 +16,7 @@ std::string as_given_words(const diagnosis::Diagnosis& diagnosis);
 std::string where_words(const diagnosis::Diagnosis& diagnosis);
 /// Cycles and jumps, which do not depend on the inputs.
 std::string fast_words(const diagnosis::Diagnosis& diagnosis);
-std::string chance_words(double chance);
+std::string probability_words(const diagnosis::Diagnosis& diagnosis);
 /// What the network, which the diagnosis excludes, had learnt.
 std::string network_words(const diagnosis::Diagnosis& diagnosis);
 

@@ -172,7 +172,10 @@ Doubt doubt_of(const model::EffectTerm& term, const model::Model& before) {
   const model::EffectTerm* own = model::is_event(term) ? nullptr : before.find(term.name);
   for (const model::ShapeDoubt& doubt : model::shape_doubts(term)) {
     if (own != nullptr && own->parameters[doubt.parameter].identified) continue;
-    return {doubt.sentence, doubt.instead == model::kLineInTime, doubt.wants_more};
+    // Other bounds are values like any: what is flat there, and what a simpler effect would do as
+    // well, is said of the model and no reason against it.
+    const bool may_be_line = doubt.instead == model::kLineInTime;
+    if (may_be_line || doubt.wants_more) return {doubt.sentence, may_be_line, doubt.wants_more};
   }
   // With a free shape the coefficient may be uncertain although the curve is known well: for t <<
   // t0 the logarithm of aging is a line with the slope coefficient / t0.

@@ -5,10 +5,9 @@
 #include "support/least_squares.hpp"
 
 namespace fogcomp::fit {
-namespace {
 
-judge::Rows rows_of(const series::Rows& rows, const NoiseWeightedFit& fit,
-                    const series::ColumnRange& without) {
+judge::Rows judged_rows(const series::Rows& rows, const NoiseWeightedFit& fit,
+                        const series::ColumnRange& without) {
   const double anywhere = std::sqrt(1.0 / 12);  // standard deviation of a uniform position
   judge::Rows judged;
   judged.row_s = rows.row_s;
@@ -25,16 +24,14 @@ judge::Rows rows_of(const series::Rows& rows, const NoiseWeightedFit& fit,
   return judged;
 }
 
-}  // namespace
-
 judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit) {
-  return judge::Prediction(rows_of(rows, fit, {fit.linear(), 0}));
+  return judge::Prediction(judged_rows(rows, fit, {fit.linear(), 0}));
 }
 
 judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit,
                           const series::ColumnRange& offsets,
                           const judge::TemperatureError& temperature) {
-  judge::Rows judged = rows_of(rows, fit, offsets);
+  judge::Rows judged = judged_rows(rows, fit, offsets);
   judged.temperature = temperature;
   const std::vector<recording::RowRange> power_ons = rows.power_ons();
   if (power_ons.size() > 1) judged.power_ons = power_ons;

@@ -6,6 +6,10 @@
 
 namespace fogcomp::fit {
 
+/// Rows for judge, with the columns of a fit but for `without`, and with its shapes.
+judge::Rows judged_rows(const series::Rows& rows, const NoiseWeightedFit& fit,
+                        const series::ColumnRange& without);
+
 /// What the rows of a fit say of its coefficients and, after them, of the positions of its shapes
 /// in their ranges (0 to 1; any is equally probable beforehand): in the noise of all rows, white,
 /// flicker and random walk, not only in that of the weights. Requires is_determined().

@@ -4,80 +4,61 @@
 #include <map>
 
 #include "support/cosine_transform.hpp"
-#include "support/decompositions.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp::judge {
-namespace {
 
-constexpr double kBandsPerOctave = 12;
-
-struct Band {
-  double log_angle = 0;
-  double count = 0;
-  Eigen::MatrixXd lower;  // sums of products, lower triangle
-};
-
-int band_of(double angle) {
-  return static_cast<int>(std::floor(kBandsPerOctave * std::log2(angle)));
-}
-
-void add_stretch(const Eigen::MatrixXd& modes, std::map<int, Band>& bands) {
-  const auto size = static_cast<double>(modes.rows());
-  const auto angle_of = [&](Eigen::Index k) {
-    return 2 * std::sin(kPi * std::max(static_cast<double>(k), 0.5) / (2 * size));
-  };
-  for (Eigen::Index first = 0; first < modes.rows();) {
-    const int number = band_of(angle_of(first));
-    Band& band = bands[number];
-    Eigen::Index end = first;
-    for (; end < modes.rows() && band_of(angle_of(end)) == number; ++end) {
-      band.log_angle += std::log(angle_of(end));
-      ++band.count;
-    }
-    if (band.lower.size() == 0) band.lower.setZero(modes.cols(), modes.cols());
-    add_to_gram(modes.middleRows(first, end - first), band.lower);
-    first = end;
-  }
-}
-
-}  // namespace
-
-ModeBands mode_bands(const Eigen::MatrixXd& columns,
-                     const std::vector<recording::RowRange>& stretches) {
-  std::map<int, Band> found;
+ModeBands::ModeBands(const std::vector<recording::RowRange>& stretches, double per_octave)
+    : stretches_(stretches) {
+  std::vector<int> number;
+  std::vector<double> angle;
+  std::map<int, Eigen::Index> counts;
   for (const recording::RowRange& stretch : stretches) {
-    add_stretch(cosine_transform(columns.middleRows(static_cast<Eigen::Index>(stretch.first),
-                                                    static_cast<Eigen::Index>(stretch.size()))),
-                found);
-  }
-  ModeBands bands;
-  bands.columns = columns.cols();
-  const auto size = static_cast<Eigen::Index>(found.size());
-  bands.angle.resize(size);
-  bands.count.resize(size);
-  bands.products.resize(bands.columns * (bands.columns + 1) / 2, size);
-  Eigen::Index at = 0;
-  for (const auto& [number, band] : found) {
-    bands.angle[at] = std::exp(band.log_angle / band.count);
-    bands.count[at] = band.count;
-    Eigen::Index place = 0;
-    for (Eigen::Index j = 0; j < bands.columns; ++j) {
-      for (Eigen::Index i = 0; i <= j; ++i) bands.products(place++, at) = band.lower(j, i);
+    const auto size = static_cast<double>(stretch.size());
+    for (std::size_t k = 0; k < stretch.size(); ++k) {
+      const double half_cycles = std::max(static_cast<double>(k), 0.5);
+      angle.push_back(2 * std::sin(kPi * half_cycles / (2 * size)));
+      number.push_back(static_cast<int>(std::floor(per_octave * std::log2(angle.back()))));
+      ++counts[number.back()];
     }
-    ++at;
   }
-  return bands;
+  std::map<int, Eigen::Index> next;
+  std::map<int, Eigen::Index> band;
+  first_.push_back(0);
+  for (const auto& [key, count] : counts) {
+    band[key] = static_cast<Eigen::Index>(band.size());
+    next[key] = first_.back();
+    first_.push_back(first_.back() + count);
+  }
+  Eigen::ArrayXd log_angle = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(band.size()));
+  count_ = log_angle;
+  for (std::size_t mode = 0; mode < angle.size(); ++mode) {
+    place_.push_back(next[number[mode]]++);
+    log_angle[band[number[mode]]] += std::log(angle[mode]);
+    ++count_[band[number[mode]]];
+  }
+  angle_ = (log_angle / count_).exp();
 }
 
-Eigen::MatrixXd weighted_products(const ModeBands& bands, const Eigen::VectorXd& weighted) {
-  Eigen::MatrixXd all(bands.columns, bands.columns);
-  Eigen::Index place = 0;
-  for (Eigen::Index j = 0; j < bands.columns; ++j) {
-    for (Eigen::Index i = 0; i <= j; ++i) {
-      all(i, j) = weighted[place++];
-      all(j, i) = all(i, j);
-    }
+Eigen::MatrixXd ModeBands::modes(const Eigen::MatrixXd& columns) const {
+  Eigen::MatrixXd sorted(static_cast<Eigen::Index>(place_.size()), columns.cols());
+  std::size_t mode = 0;
+  for (const recording::RowRange& stretch : stretches_) {
+    const Eigen::MatrixXd modes = cosine_transform(columns.middleRows(
+        static_cast<Eigen::Index>(stretch.first), static_cast<Eigen::Index>(stretch.size())));
+    for (Eigen::Index k = 0; k < modes.rows(); ++k) sorted.row(place_[mode++]) = modes.row(k);
+  }
+  return sorted;
+}
+
+Eigen::MatrixXd ModeBands::products(const Eigen::MatrixXd& left,
+                                    const Eigen::MatrixXd& right) const {
+  Eigen::MatrixXd all(left.cols() * right.cols(), size());
+  for (Eigen::Index band = 0; band < size(); ++band) {
+    const Eigen::Index first = first_[static_cast<std::size_t>(band)];
+    const Eigen::Index count = first_[static_cast<std::size_t>(band) + 1] - first;
+    Eigen::Map<Eigen::MatrixXd> here(&all(0, band), left.cols(), right.cols());
+    here.noalias() = left.middleRows(first, count).transpose() * right.middleRows(first, count);
   }
   return all;
 }

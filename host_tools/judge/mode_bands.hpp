@@ -7,22 +7,30 @@
 
 namespace fogcomp::judge {
 
-/// Sums of products of columns over bands of cosine modes. The spectrum of noise hardly changes
-/// within a band, so that they replace the rows: a likelihood takes microseconds.
-struct ModeBands {
-  Eigen::ArrayXd angle;  ///< per row, geometric mean of the band
-  Eigen::ArrayXd count;  ///< modes
-  /// Products of the columns i <= j, column j by column j, x bands.
-  Eigen::MatrixXd products;
-  Eigen::Index columns = 0;
+/// Bands of cosine modes of evenly spaced rows, in each of which the spectrum of noise hardly
+/// changes: sums of products over a band replace its rows, and a likelihood takes microseconds.
+class ModeBands {
+ public:
+  /// `stretches`: evenly spaced rows, apart. The mean of a stretch is at half the angle of its
+  /// first mode, where a random walk has its variance within a fifth.
+  ModeBands(const std::vector<recording::RowRange>& stretches, double per_octave);
+
+  Eigen::Index size() const { return angle_.size(); }
+  const Eigen::ArrayXd& angle() const { return angle_; }  ///< per row, geometric mean of each band
+  const Eigen::ArrayXd& count() const { return count_; }  ///< modes of each band
+
+  /// Cosine modes of columns of rows, band by band.
+  Eigen::MatrixXd modes(const Eigen::MatrixXd& columns) const;
+  /// Sums of products of such modes over each band: left x right columns, column by column, in a
+  /// column for each band.
+  Eigen::MatrixXd products(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right) const;
+
+ private:
+  std::vector<recording::RowRange> stretches_;
+  std::vector<Eigen::Index> place_;  // of each mode, stretch by stretch
+  std::vector<Eigen::Index> first_;  // mode of each band, and the end
+  Eigen::ArrayXd angle_;
+  Eigen::ArrayXd count_;
 };
-
-/// `columns`: rows x any number; `stretches`: evenly spaced rows. The mean of a stretch is at half
-/// the angle of its first mode, where a random walk has its variance within a fifth.
-ModeBands mode_bands(const Eigen::MatrixXd& columns,
-                     const std::vector<recording::RowRange>& stretches);
-
-/// Weighted sum of the products as a symmetric matrix.
-Eigen::MatrixXd weighted_products(const ModeBands& bands, const Eigen::VectorXd& weighted);
 
 }  // namespace fogcomp::judge

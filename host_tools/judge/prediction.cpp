@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "judge/mode_bands.hpp"
+#include "support/least_squares.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp::judge {
@@ -14,6 +14,7 @@ namespace {
 
 // Grid of each level: from a share of the white noise that the slowest mode hardly shows up to one
 // that exceeds it in nearly all; equal steps of the logarithm are equally probable beforehand.
+constexpr double kBandsPerOctave = 12;
 constexpr double kHardlySeen = 0.03;
 constexpr double kStepOfFlicker = 2;
 constexpr double kMaxFlicker = 16;
@@ -25,60 +26,6 @@ constexpr double kMaxTemperature = 256;
 constexpr double kTemperatureFactor = 0.7;
 constexpr double kRounding = 1e-14;
 constexpr double kNegligible = 1e-6;  // of the largest probability
-
-// Rows that count as they are, the others interpolated: measured and columns alike, so that a model
-// stays exact. All relative to the row's noise.
-Eigen::MatrixXd bridged(const Eigen::VectorXd& weights,
-                        const std::vector<recording::RowRange>& stretches, Eigen::MatrixXd values) {
-  values.array().colwise() *= weights.array().sqrt();
-  for (const recording::RowRange& stretch : stretches) {
-    const auto end = static_cast<Eigen::Index>(stretch.end);
-    Eigen::Index before = -1;
-    for (auto row = static_cast<Eigen::Index>(stretch.first); row < end; ++row) {
-      if (weights[row] > 0) {
-        before = row;
-        continue;
-      }
-      Eigen::Index after = row + 1;
-      while (after < end && !(weights[after] > 0)) ++after;
-      if (after == end && before < 0) break;  // no row of the stretch counts
-      const double part = before < 0 || after == end ? 0
-                                                     : static_cast<double>(row - before) /
-                                                           static_cast<double>(after - before);
-      const Eigen::RowVectorXd left = values.row(before < 0 ? after : before);
-      const Eigen::RowVectorXd right = values.row(after == end ? before : after);
-      values.row(row) = left + part * (right - left);
-    }
-  }
-  return values;
-}
-
-// Columns: the model's, then one per power-on, then the measured drift.
-Eigen::MatrixXd all_columns(const Rows& rows) {
-  const Eigen::Index own = rows.columns.cols();
-  const auto power_ons = static_cast<Eigen::Index>(rows.power_ons.size());
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(rows.drift_dph.size(), own + power_ons + 1);
-  all.leftCols(own) = rows.columns;
-  for (Eigen::Index i = 0; i < power_ons; ++i) {
-    const recording::RowRange& range = rows.power_ons[static_cast<std::size_t>(i)];
-    all.col(own + i)
-        .segment(static_cast<Eigen::Index>(range.first), static_cast<Eigen::Index>(range.size()))
-        .setOnes();
-  }
-  all.rightCols(1) = rows.drift_dph;
-  return all;
-}
-
-// Spectral density of what the smoothed temperature's errors make of the drift, in a mode's units.
-Eigen::ArrayXd density_of(const TemperatureError& error, const Eigen::ArrayXd& angle,
-                          double row_s) {
-  if (!(error.rate_walk_degc2_per_s3 > 0)) return Eigen::ArrayXd::Zero(angle.size());
-  const Eigen::ArrayXd square = (angle / row_s).square();  // (rad/s)^2
-  const Eigen::ArrayXd of_temperature =
-      1 / (1 / error.white_degc2_s + square.square() / error.rate_walk_degc2_per_s3) / row_s;
-  const double per_min = kSecondsPerMinute * error.slope_dph_min_per_degc;
-  return of_temperature * (std::pow(error.slope_dph_per_degc, 2) + per_min * per_min * square);
-}
 
 // Noise relative to the white noise of a row.
 struct Ratios {
@@ -108,15 +55,19 @@ class Problem {
   explicit Problem(const Rows& rows)
       : rows_(rows),
         own_(rows.columns.cols()),
-        power_ons_(static_cast<Eigen::Index>(rows.power_ons.size())) {
-    Eigen::MatrixXd all = bridged(rows.weights, rows.stretches, all_columns(rows));
+        power_ons_(static_cast<Eigen::Index>(rows.power_ons.size())),
+        bands_(rows.stretches, kBandsPerOctave) {
+    Eigen::MatrixXd all = bridged(
+        rows, side_by_side({rows.columns, power_on_columns(rows), rows.drift_dph}, rows.size()));
+    columns_ = all.cols();
     unit_ = all.colwise().norm().transpose() / std::sqrt(static_cast<double>(all.rows()));
     unit_ = (unit_.array() > 0).select(unit_, 1);
     all.array().rowwise() /= unit_.transpose().array();
-    bands_ = mode_bands(all, rows.stretches);
+    const Eigen::MatrixXd modes = bands_.modes(all);
+    products_ = bands_.products(modes, modes);
     const auto excluded = static_cast<double>((rows.weights.array() <= 0).count());
     excluded_share_ = excluded / static_cast<double>(rows.weights.size());
-    temperature_ = density_of(rows.temperature, bands_.angle, rows.row_s);
+    temperature_ = density_of_temperature(rows, bands_);
     most_of_temperature_ = temperature_.maxCoeff();
     if (most_of_temperature_ > 0) temperature_ /= most_of_temperature_;
     white_ = white_of_fast_modes();
@@ -124,7 +75,7 @@ class Problem {
 
   // Most probable noise first.
   std::vector<Solution> solve() {
-    const double slowest = bands_.angle.minCoeff();
+    const double slowest = bands_.angle().minCoeff();
     const std::vector<double> flickers =
         geometric(kHardlySeen * slowest, kMaxFlicker, kStepOfFlicker);
     const std::vector<double> walks =
@@ -144,22 +95,26 @@ class Problem {
   Eigen::Index power_ons() const { return power_ons_; }
 
  private:
+  Eigen::MatrixXd weighted(const Eigen::VectorXd& sums) const {
+    return Eigen::Map<const Eigen::MatrixXd>(sums.data(), columns_, columns_);
+  }
+
   // In the fastest quarter of the modes, less what all columns explain of it.
   double white_of_fast_modes() const {
-    const Eigen::VectorXd weights = (bands_.angle > 1.5).cast<double>().matrix();
-    const Eigen::MatrixXd sums = weighted_products(bands_, bands_.products * weights);
-    return sums(bands_.columns - 1, bands_.columns - 1) / (bands_.count.matrix().dot(weights)) *
-           std::pow(unit_[bands_.columns - 1], 2);
+    const Eigen::VectorXd weights = (bands_.angle() > 1.5).cast<double>().matrix();
+    const Eigen::MatrixXd sums = weighted(products_ * weights);
+    return sums(columns_ - 1, columns_ - 1) / (bands_.count().matrix().dot(weights)) *
+           std::pow(unit_[columns_ - 1], 2);
   }
 
   Eigen::ArrayXd density_of_noise(const Ratios& ratios) const {
-    return 1 + ratios.flicker / bands_.angle + ratios.walk / bands_.angle.square() +
+    return 1 + ratios.flicker / bands_.angle() + ratios.walk / bands_.angle().square() +
            ratios.temperature * temperature_;
   }
 
   void add_all(const std::vector<double>& flickers, const std::vector<double>& walks,
                double temperature, std::vector<Solution>& solutions) const {
-    Eigen::MatrixXd weights(bands_.angle.size(),
+    Eigen::MatrixXd weights(bands_.angle().size(),
                             static_cast<Eigen::Index>(flickers.size() * walks.size()));
     std::vector<Ratios> noises;
     Eigen::VectorXd log_density(weights.cols());
@@ -169,13 +124,13 @@ class Problem {
         noises.push_back({flicker, walk, temperature, 0});
         const Eigen::ArrayXd density = density_of_noise(noises.back());
         weights.col(at) = density.inverse();
-        log_density[at] = (bands_.count * density.log()).sum();
+        log_density[at] = (bands_.count() * density.log()).sum();
       }
     }
-    const Eigen::MatrixXd sums = bands_.products * weights;
+    const Eigen::MatrixXd sums = products_ * weights;
     for (std::size_t i = 0; i < noises.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
-      const Eigen::MatrixXd products = weighted_products(bands_, sums.col(at));
+      const Eigen::MatrixXd products = weighted(sums.col(at));
       for (const TurnOn& turn_on : turn_ons(products)) {
         Solution solution;
         solution.ratios = noises[i];
@@ -220,7 +175,7 @@ class Problem {
   // least their uncertainty.
   double shown_spread(const Eigen::MatrixXd& products) const {
     constexpr double kAny = 1e4;  // standard deviations of white noise
-    const Eigen::Index size = bands_.columns - 1;
+    const Eigen::Index size = columns_ - 1;
     const Eigen::MatrixXd all = with_priors(products, kAny * kAny);
     const Eigen::LDLT<Eigen::MatrixXd> solved(all.topLeftCorner(size, size));
     const Eigen::VectorXd biases = solved.solve(all.col(size).head(size)).segment(own_, power_ons_);
@@ -238,13 +193,13 @@ class Problem {
   // In the units of the columns, relative to the white noise.
   Eigen::MatrixXd with_priors(const Eigen::MatrixXd& products, double turn_on) const {
     Eigen::MatrixXd all = products;
-    const double measured = std::pow(unit_[bands_.columns - 1], 2);
+    const double measured = std::pow(unit_[columns_ - 1], 2);
     for (Eigen::Index i = 0; i < own_ + power_ons_; ++i) {
       const double variance = prior_variance(i, turn_on);
       if (variance > 0) all(i, i) += 1 / (variance * unit_[i] * unit_[i]);
     }
-    all.col(bands_.columns - 1) *= std::sqrt(measured / white_);
-    all.row(bands_.columns - 1) *= std::sqrt(measured / white_);
+    all.col(columns_ - 1) *= std::sqrt(measured / white_);
+    all.row(columns_ - 1) *= std::sqrt(measured / white_);
     return all;
   }
 
@@ -255,7 +210,7 @@ class Problem {
 
   // Probability of the noise, the white level integrated out.
   void judge(const Eigen::MatrixXd& all, Solution& solution) const {
-    const Eigen::Index size = bands_.columns - 1;
+    const Eigen::Index size = columns_ - 1;
     const Eigen::LDLT<Eigen::MatrixXd> solved(all.topLeftCorner(size, size));
     const Eigen::VectorXd with = all.col(size).head(size);
     // A model that is exact leaves rounding.
@@ -272,7 +227,7 @@ class Problem {
         ++flat;
       }
     }
-    const double freedom = std::max(1.0, bands_.count.sum() * (1 - excluded_share_) - flat);
+    const double freedom = std::max(1.0, bands_.count().sum() * (1 - excluded_share_) - flat);
     solution.log_probability -= (log_determinant + freedom * std::log(square)) / 2;
     solution.white = white_ * square / freedom;
     if (!(most_of_temperature_ > 0)) return;
@@ -284,9 +239,8 @@ class Problem {
   void complete(Solution& solution) const {
     const Eigen::ArrayXd density = density_of_noise(solution.ratios);
     const Eigen::MatrixXd all =
-        with_priors(weighted_products(bands_, bands_.products * density.inverse().matrix()),
-                    solution.ratios.turn_on);
-    const Eigen::Index size = bands_.columns - 1;
+        with_priors(weighted(products_ * density.inverse().matrix()), solution.ratios.turn_on);
+    const Eigen::Index size = columns_ - 1;
     const Eigen::LDLT<Eigen::MatrixXd> solved(all.topLeftCorner(size, size));
     const Eigen::VectorXd scale = unit_.head(size).cwiseInverse();
     solution.covariance =
@@ -308,8 +262,10 @@ class Problem {
   const Rows& rows_;
   Eigen::Index own_;
   Eigen::Index power_ons_;
-  Eigen::VectorXd unit_;  // rms of each column
+  Eigen::Index columns_ = 0;  // the model's, one per power-on, the measured drift
+  Eigen::VectorXd unit_;      // rms of each
   ModeBands bands_;
+  Eigen::MatrixXd products_;  // of all columns, in each band
   double excluded_share_ = 0;
   Eigen::ArrayXd temperature_;      // of the temperature's errors, 1 at most
   double most_of_temperature_ = 0;  // (deg/h)^2

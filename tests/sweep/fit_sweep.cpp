@@ -266,7 +266,7 @@ void see_comparison(Numbers& numbers, const compare::Comparison& comparison) {
 
 void see_diagnosis(Numbers& numbers, const diagnosis::Diagnosis& diagnosis) {
   numbers.see("diagnosis", {diagnosis.residual_rms_dph, diagnosis.noise_floor_dph,
-                            diagnosis.unexplained_fraction, diagnosis.chance,
+                            diagnosis.unexplained_fraction, diagnosis.nothing,
                             diagnosis.fast.line_share, diagnosis.fast.band_share});
   for (const diagnosis::CandidateFinding& finding : diagnosis.candidates) {
     numbers.see("candidate", {finding.explained_fraction, finding.rms_after_dph, finding.evidence,

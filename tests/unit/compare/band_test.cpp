@@ -15,7 +15,7 @@ runs::Run run_with(double white_dph, std::uint64_t seed = 1) {
 
 model::Model knowing(double white_dph) {
   model::Model model = fog::test::truth();
-  model.uncertainty.emplace();
+  model.uncertainty = model::Model::Uncertainty{};
   const Eigen::Index unknowns = model::unknowns_of(model);
   model.uncertainty->covariance = Eigen::MatrixXd::Zero(unknowns, unknowns);
   model.uncertainty->white_dph = white_dph;

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "diagnosis/decision_rules.hpp"
 #include "diagnosis/model_fit.hpp"
 #include "unit/diagnosis/made_evidence.hpp"
 
@@ -22,13 +19,6 @@ recording::Recording gyro_with_hysteresis() {
   return fog::test::thinned(fog::test::recording_of(gyro, fog::test::kQuietNoise, 1), 4);
 }
 
-Hypothesis hypothesis(std::vector<Hypothesis::Part> parts, double probability) {
-  Hypothesis one;
-  one.parts = std::move(parts);
-  one.probability = probability;
-  return one;
-}
-
 class CandidateFindingTest : public testing::Test {
  protected:
   // Ripple first; of hysteresis the second shape is the true one.
@@ -37,27 +27,29 @@ class CandidateFindingTest : public testing::Test {
         evidence_(
             made_.evidence({{"polarization_ripple:period=9"},
                             {"thermal_hysteresis:radius=1", "thermal_hysteresis:radius=5"}})) {}
-  std::vector<CandidateFinding> find(const std::vector<Hypothesis>& hypotheses,
-                                     double excess) const {
-    return find_of_candidates(evidence_, hypotheses, excess, made_.series(), made_.fit());
+  std::vector<CandidateFinding> find(const judge::Explanations& explanations) const {
+    return find_of_candidates(evidence_, explanations, made_.series(), made_.fit());
   }
-  double chi2_drop() const { return evidence_.space.chi2_drop({evidence_.regressors[1][1]}); }
 
   fog::test::MadeEvidence made_;
   EvidenceSpace evidence_;
 };
 
-// Alone in one set, largest in another, not in the third.
-TEST_F(CandidateFindingTest, ProbabilitiesAreSumsOverTheSetsThatHaveIt) {
-  const auto findings = find(
-      {hypothesis({{1, 1}}, 0.5), hypothesis({{0, 0}, {1, 1}}, 0.3), hypothesis({{0, 0}}, 0.2)},
-      chi2_drop());
-  ASSERT_EQ(findings.size(), 2U);
-  EXPECT_EQ(findings[1].effect, "thermal_hysteresis");
-  EXPECT_DOUBLE_EQ(findings[1].probability, 0.8);
-  EXPECT_DOUBLE_EQ(findings[1].lead, 0.8);
-  EXPECT_DOUBLE_EQ(findings[0].probability, 0.5);
-  EXPECT_DOUBLE_EQ(findings[0].lead, 0.2);
+// What the judge says of the two effects: the first shape of each, of likelihoods alike.
+judge::Explanations explanations_of(std::vector<judge::Explanation> all) {
+  judge::Explanations explanations;
+  explanations.all = std::move(all);
+  explanations.effects = {{0.5, 0.2, 3, {0}, 0, 0.1}, {0.8, 0.7, 9, {0, 0}, 0, 0.6}};
+  return explanations;
+}
+
+TEST_F(CandidateFindingTest, SaysWhatTheJudgeSays) {
+  const CandidateFinding finding = find(explanations_of({}))[1];
+  EXPECT_EQ(finding.effect, "thermal_hysteresis");
+  EXPECT_EQ(finding.probability, 0.8);
+  EXPECT_EQ(finding.lead, 0.7);
+  EXPECT_EQ(finding.evidence, 9);
+  EXPECT_EQ(finding.explained_fraction, 0.6);
 }
 
 // Two parts of one effect, the larger shape first in the set.
@@ -69,9 +61,11 @@ TEST(CandidateFinding, OfAnEffectThatStandsTwiceHasBothParts) {
       fog::test::thinned(fog::test::recording_of(gyro, fog::test::kQuietNoise, 1), 4));
   const EvidenceSpace evidence =
       made.evidence({{"thermal_hysteresis:radius=5", "thermal_hysteresis:radius=15"}});
-  const auto find = [&](std::vector<Hypothesis::Part> parts) {
-    return find_of_candidates(evidence, {hypothesis(std::move(parts), 1)}, 1, made.series(),
-                              made.fit())[0];
+  const auto find = [&](std::vector<judge::Part> parts) {
+    judge::Explanations explanations;
+    explanations.all.push_back({std::move(parts)});
+    explanations.effects = {{1, 1, 9, {0, 0}, 0, 1}};
+    return find_of_candidates(evidence, explanations, made.series(), made.fit())[0];
   };
   const CandidateFinding both = find({{0, 1}, {0, 0}});
   EXPECT_EQ(both.term().parameters[0].value, 5);
@@ -80,17 +74,11 @@ TEST(CandidateFinding, OfAnEffectThatStandsTwiceHasBothParts) {
   EXPECT_LT(both.rms_after_dph, 0.5 * find({{0, 1}}).rms_after_dph);
 }
 
-TEST_F(CandidateFindingTest, ExplainsItsGainLessWhatItsColumnsWouldByChance) {
-  const double own = chi2_drop() - 1;
-  EXPECT_NEAR(find({}, own)[1].explained_fraction, 1, 1e-9);
-  EXPECT_NEAR(find({}, 2 * own)[1].explained_fraction, 0.5, 1e-9);
-  EXPECT_EQ(find({}, own / 2)[1].explained_fraction, 1);
-  EXPECT_EQ(find({}, 0)[1].explained_fraction, 0);
-}
-
 // Refitted with it the model equals the gyro: the coefficient, and an rms of noise.
 TEST_F(CandidateFindingTest, CompletesTheModel) {
-  const CandidateFinding finding = find({}, chi2_drop())[1];
+  judge::Explanations explanations = explanations_of({});
+  explanations.effects[1].shape = 1;
+  const CandidateFinding finding = find(explanations)[1];
   EXPECT_EQ(finding.term().name, "thermal_hysteresis");
   EXPECT_EQ(finding.term().parameters[0].value, 5);
   EXPECT_NEAR(finding.term().coefficients_dph[0].value, kMissing_dph / 5, 0.1 * kMissing_dph / 5);
@@ -99,15 +87,15 @@ TEST_F(CandidateFindingTest, CompletesTheModel) {
             1.2 * finding.rms_after_dph);
 }
 
-// Uses the shape in the most probable set that contains the effect, and lists the shapes that
-// explain about as much.
+// Uses the shape in the most probable set that contains the effect, and lists the shapes that are
+// about as likely.
 TEST_F(CandidateFindingTest, TakesTheShapeOfItsLikeliestSet) {
-  const CandidateFinding finding =
-      find({hypothesis({{1, 0}}, 0.6), hypothesis({{1, 1}}, 0.4)}, chi2_drop())[1];
-  EXPECT_EQ(finding.term().parameters[0].value, 1);
-  ASSERT_EQ(finding.possible.size(), 2U);
-  EXPECT_EQ(finding.possible[1].parameters[0].value, 5);
-  EXPECT_EQ(find({}, chi2_drop())[1].possible.size(), 1U);
+  judge::Explanations explanations = explanations_of({{{{0, 0}}}, {{{1, 1}}}, {{{1, 0}}}});
+  EXPECT_EQ(find(explanations)[1].term().parameters[0].value, 5);
+  EXPECT_EQ(find(explanations)[1].possible.size(), 2U);
+  explanations.effects[1] = {0.8, 0.7, 9, {-100, 0}, 1, 0.6};
+  ASSERT_EQ(find(explanations)[1].possible.size(), 1U);
+  EXPECT_EQ(find(explanations)[1].possible[0].parameters[0].value, 5);
 }
 
 CandidateFinding finding(const std::string& effect, double lead, double probability,
@@ -118,16 +106,6 @@ CandidateFinding finding(const std::string& effect, double lead, double probabil
   one.probability = probability;
   one.evidence = evidence;
   return one;
-}
-
-TEST(BelieveLess, AsFarAsItsEvidenceGoesAndNoWalkExplainsIt) {
-  const double odds = rules::kBelievedOdds;
-  std::vector<CandidateFinding> findings{finding("half", 0.6, 0.8, std::log(odds / 2)),
-                                         finding("sure", 0.4, 0.5, std::log(100 * odds))};
-  limit_to_own_evidence(findings, 0.25);
-  EXPECT_NEAR(findings[0].probability, 0.8 * 0.5 * 0.75, 1e-12);
-  EXPECT_NEAR(findings[0].lead, 0.6 * 0.5 * 0.75, 1e-12);
-  EXPECT_NEAR(findings[1].probability, 0.5 * 0.75, 1e-12);
 }
 
 TEST(SortByLead, ThenByProbabilityThenByEvidenceAndEqualOnesStay) {

@@ -50,7 +50,8 @@ TEST(Ladder, AddsNoMoreThanItMayAndSaysWhatAStepBrought) {
   EXPECT_EQ(ladder.model.history.back().action, "add " + effect_to_add(ladder.first));
 }
 
-// A ripple beside a rate term that is fifty times as large: together they leave nothing.
+// A ripple beside a rate term that is fifty times as large: together they leave nothing. The rate
+// term has a board's delay here, so that a lag is as true.
 TEST(Ladder, AddsWhatIsNamedHoweverSmallBesideWhatWasAdded) {
   model::Model model = fog::test::truth();
   model.terms[2].coefficients_dph = {0.6};
@@ -58,7 +59,9 @@ TEST(Ladder, AddsWhatIsNamedHoweverSmallBesideWhatWasAdded) {
   const recording::Recording recording = fog::test::recording_of(model, fog::test::kQuietNoise, 1);
   model.terms = model::parse_effects("bias,bias_temperature:order=3");
   const Ladder ladder = fog::test::looped(model, recording, 3);
-  EXPECT_EQ(ladder.added(), (Names{"temperature_rate", "polarization_ripple"}));
+  ASSERT_EQ(ladder.steps.size(), 2U);
+  EXPECT_TRUE(ladder.added()[0] == "temperature_rate" || ladder.added()[0] == "thermal_lag");
+  EXPECT_EQ(ladder.added()[1], "polarization_ripple");
   EXPECT_FALSE(ladder.is_cut_off);
   EXPECT_FALSE(ladder.steps[0].addition.holdouts);
 }

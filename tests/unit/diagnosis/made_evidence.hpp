@@ -26,28 +26,19 @@ class MadeEvidence {
       const std::vector<std::vector<std::string>>& candidates = {}) const {
     fogcomp::diagnosis::Residualizer residualizer(series_.rows(), fit_);
     fogcomp::diagnosis::VisibleStructure smooth = visible_structure(series_.rows(), residualizer);
-    fogcomp::fit::ExplainedSpace space(residualizer.residual());
     std::vector<fogcomp::diagnosis::Candidate> all;
-    fogcomp::diagnosis::RegressorBasis regressors;
     for (const std::vector<std::string>& shapes : candidates) {
       all.emplace_back();
       for (const std::string& shape : shapes) {
         const fogcomp::model::EffectTerm term = fogcomp::model::parse_effects(shape)[0];
+        const Eigen::MatrixXd columns = series_.regressors(term);
         all.back().effect = term.name;
         all.back().shapes.push_back(
-            {term,
-             fogcomp::orthonormal(residualizer(series_.regressors(term)).columns).cast<float>(),
-             0});
-      }
-      regressors.emplace_back();
-      for (const fogcomp::diagnosis::Candidate::Shape& shape : all.back().shapes) {
-        regressors.back().push_back(space.add(shape.basis));
+            {term, fogcomp::orthonormal(residualizer(columns).columns).cast<float>(), 0,
+             columns.cast<float>()});
       }
     }
-    const fogcomp::series::ColumnRange structure = space.add(smooth.all);
-    space.finish();
-    return {std::move(residualizer), std::move(all),        {},        std::move(smooth),
-            std::move(space),        std::move(regressors), structure, {}};
+    return {std::move(residualizer), std::move(all), {}, std::move(smooth)};
   }
 
   const fogcomp::series::SignalSeries& series() const { return series_; }

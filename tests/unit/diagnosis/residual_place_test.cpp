@@ -15,7 +15,7 @@ using recording::SegmentKind;
 ResidualPlace place_of_rows(const Eigen::Vector4d& residual) {
   const Eigen::MatrixXf axes = Eigen::MatrixXf::Identity(4, 4);
   const VisibleStructure structure{
-      {"temperature_degc", "time_s"}, {axes.leftCols(2), axes.col(2)}, axes.leftCols(3)};
+      {"temperature_degc", "time_s"}, {axes.leftCols(2), axes.col(2)}, axes.leftCols(3), {}};
   const std::vector<Segment> segments{{"soak 20", SegmentKind::soak, 0, 20, {0, 2}},
                                       {"ramp 20..60", SegmentKind::ramp_up, 20, 40, {2, 4}}};
   return place_of(structure, residual, segments);

@@ -72,7 +72,7 @@ TEST(StepCandidates, AreMovedToTheRowOfAJumpWhereverItIs) {
 // An effect that is missing as well has no edges, however large it is.
 TEST(StepCandidates, AreMovedToTheJumpAlthoughALargeEffectIsMissing) {
   for (const double fraction : {0.395, 0.5}) {
-    const Placed placed = place(kJump_dph, fraction, "temperature_rate");
+    const Placed placed = place(1.5 * kJump_dph, fraction, "temperature_rate");
     EXPECT_TRUE(placed.has_the_jump()) << fraction;
   }
 }

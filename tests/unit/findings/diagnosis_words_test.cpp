@@ -92,7 +92,7 @@ TEST(DiagnosisWords, OfAFormulaInSlowNoiseSaySo) {
   found.verdict = diagnosis::Verdict::none;
   shown_by_formulas(found, 1e-9);
   EXPECT_EQ(found.verdict, diagnosis::Verdict::unknown);
-  EXPECT_EQ(found.chance, 1e-9);
+  EXPECT_EQ(found.nothing, 1e-9);
   EXPECT_EQ(words_of(found, {}, kFiles).verdict,
             "something is missing: what looks like slow noise follows a formula outside the "
             "catalogue");

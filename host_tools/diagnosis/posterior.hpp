@@ -1,0 +1,15 @@
+#pragma once
+
+#include "diagnosis/evidence_space.hpp"
+#include "fit/noise_weighted_fit.hpp"
+#include "judge/explanations.hpp"
+
+namespace fogcomp::diagnosis {
+
+/// Probabilities of all explanations of what the model of `fit` leaves: the candidates as effects,
+/// the smooth structure but for that of time as something else, and what is not exact in the
+/// model's own terms as nuisances.
+judge::Explanations explain(const EvidenceSpace& evidence, const series::SignalSeries& series,
+                            const fit::NoiseWeightedFit& fit);
+
+}  // namespace fogcomp::diagnosis

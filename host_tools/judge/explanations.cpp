@@ -1,0 +1,213 @@
+#include "judge/explanations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "support/decompositions.hpp"
+#include "support/units.hpp"
+
+namespace fogcomp::judge {
+namespace {
+
+constexpr double kCounts = 1e-6;  // probability of an explanation whose shares are asked
+
+// What sets explain in one noise, by any sizes.
+class Shares {
+ public:
+  Shares(const Rivals& rivals, const Likelihood& likelihood, const AtNoise& noise)
+      : rivals_(rivals), likelihood_(likelihood), noise_(noise) {}
+
+  // chi^2 above what as much noise would bring.
+  double explained(const std::vector<Part>& parts, bool with_something_else) const {
+    const auto [square, columns] = square_of(parts, with_something_else);
+    const double white = std::max((noise_.left - square) / rivals_.freedom(), 1e-12);
+    return square / white - columns;
+  }
+
+  // The likelihood of a set of any sizes.
+  double log_likelihood(const std::vector<Part>& parts) const {
+    return likelihood_(noise_.log_density, noise_.left - square_of(parts, false).square);
+  }
+
+ private:
+  struct Explained {
+    double square = 0;
+    double columns = 0;
+  };
+
+  Explained square_of(const std::vector<Part>& parts, bool with_something_else) const {
+    const double least = likelihood_.least_precision();
+    Eigen::VectorXd shrink = Eigen::VectorXd::Zero(noise_.smooth.size());
+    if (with_something_else) shrink = (noise_.smooth.array() + least).inverse();
+    const Explained by_smooth{(shrink.array() * noise_.with_smooth.array().square()).sum(),
+                              shrink.dot(noise_.smooth)};
+    if (parts.empty()) return by_smooth;
+    std::vector<Place> places;
+    for (const Part& part : parts) places.push_back(rivals_.places()[part.effect][part.shape]);
+    const Eigen::MatrixXd in_model = gathered(noise_.model_in_effects, places);
+    const Eigen::MatrixXd in_smooth = gathered(noise_.smooth_in_effects, places);
+    const Eigen::VectorXd sums = rivals_.band_products(places) * noise_.weights;
+    Eigen::MatrixXd own =
+        Eigen::Map<const Eigen::MatrixXd>(sums.data(), in_model.cols(), in_model.cols()) -
+        in_model.transpose() * in_model - in_smooth.transpose() * shrink.asDiagonal() * in_smooth;
+    own.diagonal().array() += least;
+    const Eigen::VectorXd with_drift =
+        gathered(noise_.with_drift.transpose(), places).transpose() -
+        in_smooth.transpose() * shrink.cwiseProduct(noise_.with_smooth);
+    return {by_smooth.square + with_drift.dot(solve_definite(own, with_drift)),
+            by_smooth.columns + static_cast<double>(own.cols())};
+  }
+
+  const Rivals& rivals_;
+  const Likelihood& likelihood_;
+  const AtNoise& noise_;
+};
+
+// Those in the noise in which a set is most probable.
+Shares shares_beside(const Rivals& rivals, const SetSearch& search,
+                     const std::vector<Part>& parts) {
+  const AtNoise* best = &search.noises().front();
+  double max = -HUGE_VAL;
+  for (const AtNoise& noise : search.noises()) {
+    const double likely = Shares(rivals, search.likelihood(), noise).log_likelihood(parts);
+    if (likely <= max) continue;
+    max = likely;
+    best = &noise;
+  }
+  return {rivals, search.likelihood(), *best};
+}
+
+// All sets, most probable first.
+void take_sets(const SetSearch& search, Explanations& found) {
+  double best = -HUGE_VAL;
+  for (const EffectSet& set : search.sets()) best = std::max(best, set.total());
+  double sum = 0;
+  for (const EffectSet& set : search.sets()) {
+    const auto probability = [&](std::size_t with) {
+      return std::exp(set.log_prior + set.log_likelihood[with] - best);
+    };
+    Explanation one;
+    one.parts = set.parts;
+    one.something_else = probability(1);
+    one.probability = one.something_else + probability(0);
+    sum += one.probability;
+    found.all.push_back(std::move(one));
+  }
+  for (Explanation& one : found.all) {
+    one.probability /= sum;
+    one.something_else /= sum;
+    found.something_else += one.something_else;
+    if (one.parts.empty()) found.nothing = one.probability - one.something_else;
+  }
+  std::stable_sort(
+      found.all.begin(), found.all.end(),
+      [](const Explanation& a, const Explanation& b) { return a.probability > b.probability; });
+}
+
+// The part without which the others explain least, and how much less that is.
+std::pair<std::size_t, double> largest_part(const Shares& shares, const std::vector<Part>& parts) {
+  const double all = shares.explained(parts, false);
+  std::pair<std::size_t, double> largest{parts.front().effect, 0};
+  for (const Part& part : parts) {
+    std::vector<Part> others;
+    for (const Part& other : parts) {
+      if (other.effect != part.effect) others.push_back(other);
+    }
+    const double less = all - shares.explained(others, false);
+    if (less > largest.second) largest = {part.effect, less};
+  }
+  return largest;
+}
+
+// What an explanation explains, and what of it is the largest: in the drift as it is, all rows
+// counting alike. Whether something else is more is asked beside the noise, which it would fit.
+void set_shares(const Shares& shares, const Shares& of_drift, double excess, Explanation& one) {
+  one.mostly_something_else = one.parts.empty();
+  if (one.parts.empty()) return;
+  one.largest = one.parts.front().effect;
+  if (one.probability < kCounts) return;
+  const double all = shares.explained(one.parts, false);
+  one.explained = std::clamp(all / excess, 0.0, 1.0);
+  one.largest = largest_part(of_drift, one.parts).first;
+  const double of_something_else = shares.explained(one.parts, true) - all;
+  one.mostly_something_else = of_something_else > largest_part(shares, one.parts).second;
+}
+
+void add_effects(const Rivals& rivals, const SetSearch& search, const Shares& shares,
+                 Explanations& found) {
+  for (std::size_t e = 0; e < rivals.effects().size(); ++e) {
+    const EffectSet& alone = search.sets()[e + 1];
+    Explanations::Effect effect;
+    effect.shape = alone.parts.front().shape;
+    effect.explained = std::clamp(shares.explained(alone.parts, false) / found.excess, 0.0, 1.0);
+    effect.log_odds = alone.likelihood() - search.sets().front().likelihood();
+    for (std::size_t s = 0; s < rivals.effects()[e].shapes.size(); ++s) {
+      effect.log_likelihood.push_back(search.of_shape(e, s));
+    }
+    bool is_likeliest = true;
+    for (const Explanation& one : found.all) {
+      const auto part = std::find_if(one.parts.begin(), one.parts.end(),
+                                     [&](const Part& own) { return own.effect == e; });
+      if (part == one.parts.end()) continue;
+      if (is_likeliest) effect.shape = part->shape;
+      is_likeliest = false;
+      effect.probability += one.probability;
+      if (one.largest != e) continue;
+      effect.largest += one.mostly_something_else ? 0 : one.probability;
+    }
+    found.effects.push_back(std::move(effect));
+  }
+}
+
+NoiseLevels noise_if_nothing(const Rivals& rivals, const SetSearch& search) {
+  const std::vector<double>& likely = search.of_nothing();
+  const double max = *std::max_element(likely.begin(), likely.end());
+  double total = 0;
+  NoiseLevels square;
+  for (std::size_t i = 0; i < likely.size(); ++i) {
+    const AtNoise& noise = search.noises()[i];
+    const double probability = std::exp(likely[i] - max);
+    const double white = probability * rivals.white() * noise.left / rivals.freedom();
+    total += probability;
+    square.white_dph += white;
+    square.flicker_dph += white * noise.ratios.flicker;
+    square.walk_dph_per_rth += white * noise.ratios.walk;
+    square.turn_on_dph += white * noise.ratios.turn_on;
+  }
+  return {std::sqrt(square.white_dph / total), std::sqrt(square.flicker_dph / total),
+          std::sqrt(square.walk_dph_per_rth / total / rivals.rows().row_s * kSecondsPerHour),
+          std::sqrt(square.turn_on_dph / total)};
+}
+
+}  // namespace
+
+bool Explanation::has(std::size_t effect) const {
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](const Part& part) { return part.effect == effect; });
+}
+
+Explanations explain(const Rows& rows, const Eigen::MatrixXd& something_else,
+                     const std::vector<PossibleEffect>& effects) {
+  const Rivals rivals(rows, something_else, effects);
+  const SetSearch search(rivals);
+  Explanations found;
+  take_sets(search, found);
+  const std::vector<Part>& best = found.all.front().parts;
+  const Shares shares = shares_beside(rivals, search, best);
+  const double by_best = shares.explained(best, false);
+  found.excess = std::max({shares.explained(best, true), by_best, 1e-9});
+  found.left_by_best = std::clamp(1 - by_best / found.excess, 0.0, 1.0);
+  const Shares of_drift(rivals, search.likelihood(), search.noises().front());  // white
+  for (Explanation& one : found.all) {
+    set_shares(shares, of_drift, found.excess, one);
+    if (one.mostly_something_else) {
+      found.mostly_something_else += one.parts.empty() ? one.something_else : one.probability;
+    }
+  }
+  add_effects(rivals, search, shares, found);
+  found.noise_if_nothing = noise_if_nothing(rivals, search);
+  return found;
+}
+
+}  // namespace fogcomp::judge

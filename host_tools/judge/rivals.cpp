@@ -1,0 +1,154 @@
+#include "judge/rivals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/least_squares.hpp"
+#include "support/parallel.hpp"
+
+namespace fogcomp::judge {
+namespace {
+
+constexpr double kBandsOfAnOctave = 6;
+constexpr double kTiny = 1e-300;
+
+double rms_about_mean(const Eigen::VectorXd& column) {
+  return std::sqrt((column.array() - column.mean()).square().mean());
+}
+
+// About its mean, unless that is all there is of it: a constant.
+double size_of(const Eigen::VectorXd& column) {
+  constexpr double kRoundingOnly = 1e-6;
+  const double rms = column.norm() / std::sqrt(static_cast<double>(column.size()));
+  const double varying = rms_about_mean(column);
+  return std::max(kTiny, varying > kRoundingOnly * rms ? varying : rms);
+}
+
+Eigen::MatrixXd weighted(const Eigen::MatrixXd& products, const Eigen::VectorXd& weights,
+                         Eigen::Index rows) {
+  const Eigen::VectorXd sums = products * weights;
+  return Eigen::Map<const Eigen::MatrixXd>(sums.data(), rows, sums.size() / rows);
+}
+
+}  // namespace
+
+Eigen::MatrixXd gathered(const Eigen::MatrixXd& all, const std::vector<Place>& places) {
+  Eigen::Index count = 0;
+  for (const Place& place : places) count += place.count;
+  Eigen::MatrixXd some(all.rows(), count);
+  Eigen::Index at = 0;
+  for (const Place& place : places) {
+    some.middleCols(at, place.count) = all.middleCols(place.first, place.count);
+    at += place.count;
+  }
+  return some;
+}
+
+Rivals::Rivals(const Rows& rows, const Eigen::MatrixXd& something_else,
+               const std::vector<PossibleEffect>& effects)
+    : rows_(rows), effects_(effects), bands_(rows.stretches, kBandsOfAnOctave) {
+  set_rest(something_else);
+  set_effects();
+  rest_products_ = bands_.products(rest_modes_, rest_modes_);
+  cross_products_ = bands_.products(rest_modes_, effect_modes_);
+  for (const std::vector<Place>& shapes : places_) {
+    for (const Place& place : shapes) shape_products_.push_back(band_products({place}));
+  }
+  auto unknown = static_cast<double>((rows.weights.array() > 0).count());
+  for (Eigen::Index i = 0; i < model_; ++i) unknown -= prior_variance(i, 1) > 0 ? 0 : 1;
+  freedom_ = std::max(1.0, unknown);
+}
+
+void Rivals::set_rest(const Eigen::MatrixXd& something_else) {
+  Eigen::MatrixXd model =
+      bridged(rows_, side_by_side({rows_.columns, power_on_columns(rows_)}, rows_.size()));
+  model_ = model.cols();
+  unit_ = model.colwise().norm().transpose() / std::sqrt(static_cast<double>(model.rows()));
+  unit_ = (unit_.array() > 0).select(unit_, 1);
+  model.array().rowwise() /= unit_.transpose().array();
+  Eigen::MatrixXd smooth = bridged(rows_, something_else);
+  smooth.rowwise() -= smooth.colwise().mean().eval();
+  smooth /= std::max(kTiny, smooth.norm() / std::sqrt(static_cast<double>(smooth.rows())));
+  smooth_ = smooth.cols();
+  const Eigen::MatrixXd drift = bridged(rows_, rows_.drift_dph);
+  rest_modes_ = bands_.modes(side_by_side({model, drift, smooth}, rows_.size()));
+  white_ = white_of_fast_modes();
+  rest_modes_.col(model_) /= std::sqrt(white_);
+  spread_ = rms_about_mean(drift) / std::sqrt(white_);
+}
+
+// In the fastest quarter of the modes.
+double Rivals::white_of_fast_modes() const {
+  constexpr double kFast = 1.5;  // rad per row
+  const Eigen::MatrixXd drift = rest_modes_.col(model_);
+  const Eigen::ArrayXd square = bands_.products(drift, drift).row(0).transpose();
+  const Eigen::ArrayXd is_fast = (bands_.angle() > kFast).cast<double>();
+  return std::max(kTiny, (square * is_fast).sum() / (bands_.count() * is_fast).sum());
+}
+
+void Rivals::set_effects() {
+  Eigen::Index columns = 0;
+  for (const PossibleEffect& effect : effects_) {
+    places_.emplace_back();
+    for (const Eigen::MatrixXf* const shape : effect.shapes) {
+      places_.back().push_back({columns, shape->cols()});
+      columns += shape->cols();
+    }
+  }
+  effect_modes_.resize(rest_modes_.rows(), columns);
+  for_each_index(effects_.size(), [&](std::size_t e) {
+    for (std::size_t s = 0; s < places_[e].size(); ++s) {
+      Eigen::MatrixXd shape = bridged(rows_, effects_[e].shapes[s]->cast<double>());
+      for (Eigen::Index i = 0; i < shape.cols(); ++i) {
+        shape.col(i) /= size_of(shape.col(i));
+      }
+      effect_modes_.middleCols(places_[e][s].first, places_[e][s].count) = bands_.modes(shape);
+    }
+  });
+}
+
+double Rivals::prior_variance(Eigen::Index unknown, double turn_on_variance) const {
+  const double square = unit_[unknown] * unit_[unknown];
+  if (unknown >= rows_.columns.cols()) return turn_on_variance * square;
+  return std::pow(rows_.prior_sigma[unknown], 2) / white_ * square;
+}
+
+Eigen::MatrixXd Rivals::products_of_rest(const Eigen::VectorXd& weights) const {
+  return weighted(rest_products_, weights, rest_modes_.cols());
+}
+
+Eigen::MatrixXd Rivals::products_with_effects(const Eigen::MatrixXd& weights) const {
+  return cross_products_ * weights;
+}
+
+Eigen::MatrixXd Rivals::products_of_shape(std::size_t number,
+                                          const Eigen::VectorXd& weights) const {
+  const Eigen::MatrixXd& products = shape_products_[number];
+  return weighted(products, weights, std::lround(std::sqrt(static_cast<double>(products.rows()))));
+}
+
+Eigen::MatrixXd Rivals::modes_of(const std::vector<Place>& places) const {
+  return gathered(effect_modes_, places);
+}
+
+Eigen::MatrixXd Rivals::band_products(const std::vector<Place>& places) const {
+  const Eigen::MatrixXd some = modes_of(places);
+  return bands_.products(some, some);
+}
+
+Eigen::VectorXd Rivals::products_of_column(Eigen::Index column,
+                                           const Eigen::VectorXd& weights) const {
+  const auto known = [&]() -> const Eigen::MatrixXd& {
+    const std::lock_guard lock(mutex_);
+    Eigen::MatrixXd& products = column_products_[column];
+    if (products.size() == 0) products = band_products_with_all({{column, 1}});
+    return products;
+  };
+  return known() * weights;
+}
+
+Eigen::MatrixXd Rivals::band_products_with_all(const std::vector<Place>& places) const {
+  return bands_.products(modes_of(places), effect_modes_);
+}
+
+}  // namespace fogcomp::judge

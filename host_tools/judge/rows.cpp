@@ -1,0 +1,56 @@
+#include "judge/rows.hpp"
+
+#include <cmath>
+
+#include "support/units.hpp"
+
+namespace fogcomp::judge {
+
+Eigen::MatrixXd bridged(const Rows& rows, Eigen::MatrixXd values) {
+  const Eigen::VectorXd& weights = rows.weights;
+  values.array().colwise() *= weights.array().sqrt();
+  for (const recording::RowRange& stretch : rows.stretches) {
+    const auto end = static_cast<Eigen::Index>(stretch.end);
+    Eigen::Index before = -1;
+    for (auto row = static_cast<Eigen::Index>(stretch.first); row < end; ++row) {
+      if (weights[row] > 0) {
+        before = row;
+        continue;
+      }
+      Eigen::Index after = row + 1;
+      while (after < end && !(weights[after] > 0)) ++after;
+      if (after == end && before < 0) break;  // no row of the stretch counts
+      const double part = before < 0 || after == end ? 0
+                                                     : static_cast<double>(row - before) /
+                                                           static_cast<double>(after - before);
+      const Eigen::RowVectorXd left = values.row(before < 0 ? after : before);
+      const Eigen::RowVectorXd right = values.row(after == end ? before : after);
+      values.row(row) = left + part * (right - left);
+    }
+  }
+  return values;
+}
+
+Eigen::MatrixXd power_on_columns(const Rows& rows) {
+  const auto power_ons = static_cast<Eigen::Index>(rows.power_ons.size());
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(rows.size(), power_ons);
+  for (Eigen::Index i = 0; i < power_ons; ++i) {
+    const recording::RowRange& range = rows.power_ons[static_cast<std::size_t>(i)];
+    all.col(i)
+        .segment(static_cast<Eigen::Index>(range.first), static_cast<Eigen::Index>(range.size()))
+        .setOnes();
+  }
+  return all;
+}
+
+Eigen::ArrayXd density_of_temperature(const Rows& rows, const ModeBands& bands) {
+  const TemperatureError& error = rows.temperature;
+  if (!(error.rate_walk_degc2_per_s3 > 0)) return Eigen::ArrayXd::Zero(bands.size());
+  const Eigen::ArrayXd square = (bands.angle() / rows.row_s).square();  // (rad/s)^2
+  const Eigen::ArrayXd of_temperature =
+      1 / (1 / error.white_degc2_s + square.square() / error.rate_walk_degc2_per_s3) / rows.row_s;
+  const double per_min = kSecondsPerMinute * error.slope_dph_min_per_degc;
+  return of_temperature * (std::pow(error.slope_dph_per_degc, 2) + per_min * per_min * square);
+}
+
+}  // namespace fogcomp::judge
