@@ -215,14 +215,6 @@ bool Candidate::is_event() const {
   return fogcomp::model::is_event(shapes[0].term);
 }
 
-bool Candidate::has_own_input() const {
-  return model::has_own_input(shapes[0].term);
-}
-
-bool Candidate::is_of_time() const {
-  return is_event() || model::info_of(shapes[0].term).needs == bit_of(fog::Input::elapsed);
-}
-
 CandidateList find_candidates(const series::SignalSeries& series,
                               const std::vector<model::EffectTerm>& terms,
                               const std::vector<model::EffectTerm>& offered, fog::InputMask inputs,

@@ -27,10 +27,6 @@ struct Candidate {
   bool is_expression() const { return shapes[0].term.expression.has_value(); }
   bool is_event() const;
   bool has_free_shape() const;
-  /// Whether an input other than the coil temperature drives it.
-  bool has_own_input() const;
-  /// Whether time alone drives it: ageing, warm-up, an event.
-  bool is_of_time() const;
 };
 
 /// An effect that these recordings cannot test.
@@ -70,8 +66,8 @@ void remove_those_without_shapes(std::vector<Candidate>& candidates);
 
 /// Moves the best shape of each leading candidate to where it explains most of the whitened
 /// `residual`, within its grid cell. Otherwise, of two equivalent effects, the one with a grid
-/// point nearer to the truth would win. Only for strong effects (chi^2 of 100), which need no test
-/// against noise: that test tries the grid only. Extensions of effects in `terms` and bias steps
+/// point nearer to the truth would win. Only for strong effects (chi^2 of 100): of weak ones
+/// noise would choose the place. Extensions of effects in `terms` and bias steps
 /// (place_steps()) are not moved.
 void refine_shape_parameters(std::vector<Candidate>& candidates, const series::SignalSeries& series,
                              const std::vector<model::EffectTerm>& terms,

@@ -13,7 +13,9 @@ namespace fogcomp::diagnosis::rules {
 /// Probability that nothing is missing below which it is not believed.
 constexpr double kDoubtful = 0.1;
 
-/// Chance below which what a test on noise alone would give counts as seen.
+/// Chance that noise alone has it, below which a line in time is told; and below which, as its
+/// natural logarithm, fast structure is: three tests without a physical model. At 0.05 % a cycle
+/// was reported for 1 of 300 clean gyros.
 constexpr double kFaintChance = 0.01;
 inline const double kFastLogP = std::log(0.00001);
 
@@ -32,17 +34,13 @@ constexpr double kSmallExcess = 0.2 * 0.2;
 /// Excess in units of the white noise: a larger one can be attributed to noise only by the soaks.
 constexpr double kMuchAboveWhite = 0.1;
 
-/// Fraction of quiet rows from which a recording counts as at rest.
-constexpr double kAtRest = 0.9;
-
 // ---- Which effect is it? ----------------------------------------------------------------------
 /// Decrease of chi^2, beside smooth functions, above which a step is moved from its grid time to
-/// its row. The test against noise knows the grid times only: the largest of 6000 rows of white
-/// noise exceeds this once in 600,000 recordings (chi^2 of one degree of freedom).
+/// its row: the largest of 6000 rows of white noise exceeds this once in 600,000 recordings (chi^2
+/// of one degree of freedom).
 constexpr double kMinPlacedChi2Drop = 40;
 
-/// The same beside nothing but the model, where slow noise looks like steps: as for other shapes, a
-/// chi^2 of 100 needs no test against noise.
+/// The same beside nothing but the model, where slow noise looks like steps: as for other shapes.
 constexpr double kMinMovedChi2Drop = 100;
 
 /// A shape within this chi^2 of the best one is still possible: three standard deviations.

@@ -64,11 +64,4 @@ double rms_of_rows(const series::Rows& rows, const fit::NoiseWeightedFit& fit,
   return std::sqrt(residual.cwiseAbs2().dot(weights) / weights.sum());
 }
 
-bool at_rest(const series::Rows& rows) {
-  double quiet = 0;
-  for (const recording::RowRange& range : noise::quiet_ranges(rows))
-    quiet += static_cast<double>(range.size());
-  return quiet > rules::kAtRest * static_cast<double>(rows.size());
-}
-
 }  // namespace fogcomp::diagnosis

@@ -17,7 +17,4 @@ fit::NoiseWeightedFit fit_for_diagnosis(const model::Model& model, const Diagnos
 double rms_of_rows(const series::Rows& rows, const fit::NoiseWeightedFit& fit,
                    const Eigen::VectorXd& residual);
 
-/// Whether the rows themselves are recordings at rest.
-bool at_rest(const series::Rows& rows);
-
 }  // namespace fogcomp::diagnosis

@@ -81,7 +81,6 @@ std::string fast_words(const diagnosis::Diagnosis& diagnosis) {
   return "";
 }
 
-// Far beyond the draws of the test, the probability is an extrapolation.
 std::string probability_words(const diagnosis::Diagnosis& diagnosis) {
   return "probability that nothing is missing: " + format("%.2f", diagnosis.nothing) +
          ", that something is which is no effect of the catalogue: " +

@@ -78,51 +78,15 @@ double ExplainedSpace::log_likelihood_of_noise(const series::ColumnRange& random
   return (residual.squaredNorm() - log_determinant) / 2;
 }
 
-ExplainedSpace::System ExplainedSpace::system(const std::vector<series::ColumnRange>& parts,
-                                              const Eigen::VectorXd& projection) const {
-  Eigen::Index size = 0;
-  for (const series::ColumnRange& part : parts) size += part.count;
-  System system{Eigen::MatrixXd(size, size), Eigen::VectorXd(size)};
-  Eigen::Index row = 0;
-  for (const series::ColumnRange& a : parts) {
-    Eigen::Index column = 0;
-    for (const series::ColumnRange& b : parts) {
-      system.matrix.block(row, column, a.count, b.count) =
-          gram_.block(a.first, b.first, a.count, b.count);
-      column += b.count;
-    }
-    system.right.segment(row, a.count) = projection.segment(a.first, a.count);
-    row += a.count;
+double ExplainedSpace::chi2_drop(const std::vector<series::ColumnRange>& parts) const {
+  std::vector<Eigen::Index> columns;
+  for (const series::ColumnRange& part : parts) {
+    for (Eigen::Index i = part.first; i < part.first + part.count; ++i) columns.push_back(i);
   }
-  system.matrix.diagonal().array() += kSystemRidge;
-  return system;
-}
-
-double ExplainedSpace::chi2_drop(const std::vector<series::ColumnRange>& parts,
-                                 const Eigen::VectorXd& projection) const {
-  if (parts.size() == 1 && parts[0].count == 1) {
-    const Eigen::Index column = parts[0].first;
-    return std::pow(projection[column], 2) / std::max(gram_(column, column), kSystemRidge);
-  }
-  const System all = system(parts, projection);
-  return all.right.dot(solve_definite(all.matrix, all.right));
-}
-
-Eigen::MatrixXd ExplainedSpace::to_chi2_drop(const series::ColumnRange& part) const {
-  const Eigen::MatrixXd root = cholesky_factor(system({part}, projection_).matrix);
-  return root.triangularView<Eigen::Lower>().solve(
-      Eigen::MatrixXd::Identity(part.count, part.count));
-}
-
-Eigen::VectorXd ExplainedSpace::coefficients(const std::vector<series::ColumnRange>& parts) const {
-  const System all = system(parts, projection_);
-  return solve_definite(all.matrix, all.right);
-}
-
-double column_count(const std::vector<series::ColumnRange>& ranges) {
-  double columns = 0;
-  for (const series::ColumnRange& range : ranges) columns += static_cast<double>(range.count);
-  return columns;
+  Eigen::MatrixXd matrix = gram_(columns, columns);
+  matrix.diagonal().array() += kSystemRidge;
+  const Eigen::VectorXd right = projection_(columns);
+  return right.dot(solve_definite(matrix, right));
 }
 
 double log_evidence(double chi2_drop, double columns) {

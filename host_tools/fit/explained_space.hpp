@@ -37,26 +37,12 @@ class ExplainedSpace {
                                  const Eigen::VectorXd& variances) const;
 
   /// Decrease of the residual's sum of squares by these columns together.
-  double chi2_drop(const std::vector<series::ColumnRange>& parts) const {
-    return chi2_drop(parts, projection_);
-  }
-  double chi2_drop(const std::vector<series::ColumnRange>& parts,
-                   const Eigen::VectorXd& projection) const;
-  /// Lower triangular L: the chi^2 drop of these columns is |L p|^2, p being their projection.
-  Eigen::MatrixXd to_chi2_drop(const series::ColumnRange& part) const;
-  /// Coefficients in the order of the parts, for columns of unit length.
-  Eigen::VectorXd coefficients(const std::vector<series::ColumnRange>& parts) const;
+  double chi2_drop(const std::vector<series::ColumnRange>& parts) const;
 
  private:
-  struct System {
-    Eigen::MatrixXd matrix;
-    Eigen::VectorXd right;
-  };
   // R'R + 1/V of columns R that are noise of the variances V: its factor L.
   Eigen::MatrixXd root_of_noise(const series::ColumnRange& random,
                                 const Eigen::VectorXd& variances) const;
-  System system(const std::vector<series::ColumnRange>& parts,
-                const Eigen::VectorXd& projection) const;
 
   Eigen::VectorXd residual_;
   std::vector<const Eigen::MatrixXf*> parts_;  // until finish()
@@ -64,8 +50,6 @@ class ExplainedSpace {
   Eigen::MatrixXd gram_;
   Eigen::VectorXd projection_;
 };
-
-double column_count(const std::vector<series::ColumnRange>& ranges);
 
 /// Logarithm of the evidence for `columns` regressors with a decrease of chi^2 of `chi2_drop`
 /// against none: noise of unit variance, normal prior with the covariance of the regressors and the

@@ -34,10 +34,6 @@ std::vector<double> turn_on_variances(const Rivals& rivals) {
   return variances;
 }
 
-Eigen::ArrayXd density(const ModeBands& bands, const NoiseRatios& ratios) {
-  return 1 + ratios.flicker / bands.angle() + ratios.walk / bands.angle().square();
-}
-
 }  // namespace
 
 std::vector<NoiseRatios> possible_noises(const Rivals& rivals) {
@@ -59,7 +55,7 @@ std::vector<NoiseRatios> possible_noises(const Rivals& rivals) {
 
 AtNoise::AtNoise(const Rivals& rivals, const NoiseRatios& noise) : ratios(noise) {
   constexpr double kRidge = 1e-11;
-  const Eigen::ArrayXd spectrum = density(rivals.bands(), ratios);
+  const Eigen::ArrayXd spectrum = rivals.bands().noise_density(ratios.flicker, ratios.walk);
   weights = spectrum.inverse().matrix();
   const Eigen::Index model = rivals.model();
   const Eigen::MatrixXd all = rivals.products_of_rest(weights);
@@ -96,12 +92,9 @@ void AtNoise::add_effects(const Rivals& rivals, const Eigen::MatrixXd& products)
   smooth_in_effects =
       smooth_vectors_.transpose() *
       (products.bottomRows(rivals.smooth()) - model_in_smooth_.transpose() * model_in_effects);
-  for (const std::vector<Place>& shapes : rivals.places()) {
-    for (const Place& place : shapes) {
-      const auto in_model = model_in_effects.middleCols(place.first, place.count);
-      own.push_back(rivals.products_of_shape(own.size(), weights) -
-                    in_model.transpose() * in_model);
-    }
+  for (const Place& place : rivals.shapes()) {
+    const auto in_model = model_in_effects.middleCols(place.first, place.count);
+    own.push_back(rivals.products_of_shape(own.size(), weights) - in_model.transpose() * in_model);
   }
 }
 
@@ -147,11 +140,9 @@ Setting::Setting(const Rivals& rivals, const AtNoise& at, std::size_t number, do
     log_density -= (variance * at.smooth.array()).log1p().sum() / 2;
     with_drift -= at.smooth_in_effects.transpose() * shrink.cwiseProduct(at.with_smooth);
   }
-  std::size_t shape = 0;
-  for (const std::vector<Place>& shapes : rivals.places()) {
-    for (const Place& place : shapes) {
-      square.segment(place.first, place.count) = own(shape++, place).diagonal();
-    }
+  for (std::size_t i = 0; i < rivals.shapes().size(); ++i) {
+    const Place& place = rivals.shapes()[i];
+    square.segment(place.first, place.count) = own(i, place).diagonal();
   }
 }
 

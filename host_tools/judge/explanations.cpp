@@ -12,6 +12,15 @@ namespace {
 
 constexpr double kCounts = 1e-6;  // probability of an explanation whose shares are asked
 
+// A set's columns, and their inner products in each band.
+struct Columns {
+  Columns(const Rivals& rivals, const std::vector<Part>& parts)
+      : places(rivals.places_of(parts)), products(rivals.band_products(places)) {}
+
+  std::vector<Place> places;
+  Eigen::MatrixXd products;
+};
+
 // What sets explain in one noise, by any sizes.
 class Shares {
  public:
@@ -19,15 +28,15 @@ class Shares {
       : rivals_(rivals), likelihood_(likelihood), noise_(noise) {}
 
   // chi^2 above what as much noise would bring.
-  double explained(const std::vector<Part>& parts, bool with_something_else) const {
-    const auto [square, columns] = square_of(parts, with_something_else);
+  double explained(const Columns& set, bool with_something_else) const {
+    const auto [square, columns] = square_of(set, with_something_else);
     const double white = std::max((noise_.left - square) / rivals_.freedom(), 1e-12);
     return square / white - columns;
   }
 
   // The likelihood of a set of any sizes.
-  double log_likelihood(const std::vector<Part>& parts) const {
-    return likelihood_(noise_.log_density, noise_.left - square_of(parts, false).square);
+  double log_likelihood(const Columns& set) const {
+    return likelihood_(noise_.log_density, noise_.left - square_of(set, false).square);
   }
 
  private:
@@ -36,24 +45,21 @@ class Shares {
     double columns = 0;
   };
 
-  Explained square_of(const std::vector<Part>& parts, bool with_something_else) const {
+  Explained square_of(const Columns& set, bool with_something_else) const {
     const double least = likelihood_.least_precision();
     Eigen::VectorXd shrink = Eigen::VectorXd::Zero(noise_.smooth.size());
     if (with_something_else) shrink = (noise_.smooth.array() + least).inverse();
     const Explained by_smooth{(shrink.array() * noise_.with_smooth.array().square()).sum(),
                               shrink.dot(noise_.smooth)};
-    if (parts.empty()) return by_smooth;
-    std::vector<Place> places;
-    for (const Part& part : parts) places.push_back(rivals_.places()[part.effect][part.shape]);
-    const Eigen::MatrixXd in_model = gathered(noise_.model_in_effects, places);
-    const Eigen::MatrixXd in_smooth = gathered(noise_.smooth_in_effects, places);
-    const Eigen::VectorXd sums = rivals_.band_products(places) * noise_.weights;
-    Eigen::MatrixXd own =
-        Eigen::Map<const Eigen::MatrixXd>(sums.data(), in_model.cols(), in_model.cols()) -
-        in_model.transpose() * in_model - in_smooth.transpose() * shrink.asDiagonal() * in_smooth;
+    if (set.places.empty()) return by_smooth;
+    const Eigen::MatrixXd in_model = gathered(noise_.model_in_effects, set.places);
+    const Eigen::MatrixXd in_smooth = gathered(noise_.smooth_in_effects, set.places);
+    Eigen::MatrixXd own = weighted(set.products, noise_.weights, in_model.cols()) -
+                          in_model.transpose() * in_model -
+                          in_smooth.transpose() * shrink.asDiagonal() * in_smooth;
     own.diagonal().array() += least;
     const Eigen::VectorXd with_drift =
-        gathered(noise_.with_drift.transpose(), places).transpose() -
+        gathered(noise_.with_drift.transpose(), set.places).transpose() -
         in_smooth.transpose() * shrink.cwiseProduct(noise_.with_smooth);
     return {by_smooth.square + with_drift.dot(solve_definite(own, with_drift)),
             by_smooth.columns + static_cast<double>(own.cols())};
@@ -65,12 +71,11 @@ class Shares {
 };
 
 // Those in the noise in which a set is most probable.
-Shares shares_beside(const Rivals& rivals, const SetSearch& search,
-                     const std::vector<Part>& parts) {
+Shares shares_beside(const Rivals& rivals, const SetSearch& search, const Columns& set) {
   const AtNoise* best = &search.noises().front();
   double max = -HUGE_VAL;
   for (const AtNoise& noise : search.noises()) {
-    const double likely = Shares(rivals, search.likelihood(), noise).log_likelihood(parts);
+    const double likely = Shares(rivals, search.likelihood(), noise).log_likelihood(set);
     if (likely <= max) continue;
     max = likely;
     best = &noise;
@@ -105,33 +110,46 @@ void take_sets(const SetSearch& search, Explanations& found) {
       [](const Explanation& a, const Explanation& b) { return a.probability > b.probability; });
 }
 
-// The part without which the others explain least, and how much less that is.
-std::pair<std::size_t, double> largest_part(const Shares& shares, const std::vector<Part>& parts) {
-  const double all = shares.explained(parts, false);
-  std::pair<std::size_t, double> largest{parts.front().effect, 0};
-  for (const Part& part : parts) {
-    std::vector<Part> others;
-    for (const Part& other : parts) {
-      if (other.effect != part.effect) others.push_back(other);
-    }
-    const double less = all - shares.explained(others, false);
-    if (less > largest.second) largest = {part.effect, less};
+// The part without which the others explain least, and how much less that is. `others`: without
+// each part.
+std::pair<std::size_t, double> largest_part(const Shares& shares, const Columns& all,
+                                            const std::vector<Columns>& others) {
+  const double of_all = shares.explained(all, false);
+  std::pair<std::size_t, double> largest{0, 0};
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const double less = of_all - shares.explained(others[i], false);
+    if (less > largest.second) largest = {i, less};
   }
   return largest;
 }
 
+std::vector<Columns> without_each(const Rivals& rivals, const std::vector<Part>& parts) {
+  std::vector<Columns> others;
+  for (const Part& part : parts) {
+    std::vector<Part> rest;
+    for (const Part& other : parts) {
+      if (other.effect != part.effect) rest.push_back(other);
+    }
+    others.emplace_back(rivals, rest);
+  }
+  return others;
+}
+
 // What an explanation explains, and what of it is the largest: in the drift as it is, all rows
 // counting alike. Whether something else is more is asked beside the noise, which it would fit.
-void set_shares(const Shares& shares, const Shares& of_drift, double excess, Explanation& one) {
+void set_shares(const Rivals& rivals, const Shares& shares, const Shares& of_drift, double excess,
+                Explanation& one) {
   one.mostly_something_else = one.parts.empty();
   if (one.parts.empty()) return;
   one.largest = one.parts.front().effect;
   if (one.probability < kCounts) return;
-  const double all = shares.explained(one.parts, false);
-  one.explained = std::clamp(all / excess, 0.0, 1.0);
-  one.largest = largest_part(of_drift, one.parts).first;
-  const double of_something_else = shares.explained(one.parts, true) - all;
-  one.mostly_something_else = of_something_else > largest_part(shares, one.parts).second;
+  const Columns all(rivals, one.parts);
+  const std::vector<Columns> others = without_each(rivals, one.parts);
+  const double explained = shares.explained(all, false);
+  one.explained = std::clamp(explained / excess, 0.0, 1.0);
+  one.largest = one.parts[largest_part(of_drift, all, others).first].effect;
+  one.mostly_something_else =
+      shares.explained(all, true) - explained > largest_part(shares, all, others).second;
 }
 
 void add_effects(const Rivals& rivals, const SetSearch& search, const Shares& shares,
@@ -140,7 +158,8 @@ void add_effects(const Rivals& rivals, const SetSearch& search, const Shares& sh
     const EffectSet& alone = search.sets()[e + 1];
     Explanations::Effect effect;
     effect.shape = alone.parts.front().shape;
-    effect.explained = std::clamp(shares.explained(alone.parts, false) / found.excess, 0.0, 1.0);
+    effect.explained =
+        std::clamp(shares.explained({rivals, alone.parts}, false) / found.excess, 0.0, 1.0);
     effect.log_odds = alone.likelihood() - search.sets().front().likelihood();
     for (std::size_t s = 0; s < rivals.effects()[e].shapes.size(); ++s) {
       effect.log_likelihood.push_back(search.of_shape(e, s));
@@ -193,14 +212,14 @@ Explanations explain(const Rows& rows, const Eigen::MatrixXd& something_else,
   const SetSearch search(rivals);
   Explanations found;
   take_sets(search, found);
-  const std::vector<Part>& best = found.all.front().parts;
+  const Columns best(rivals, found.all.front().parts);
   const Shares shares = shares_beside(rivals, search, best);
   const double by_best = shares.explained(best, false);
   found.excess = std::max({shares.explained(best, true), by_best, 1e-9});
   found.left_by_best = std::clamp(1 - by_best / found.excess, 0.0, 1.0);
   const Shares of_drift(rivals, search.likelihood(), search.noises().front());  // white
   for (Explanation& one : found.all) {
-    set_shares(shares, of_drift, found.excess, one);
+    set_shares(rivals, shares, of_drift, found.excess, one);
     if (one.mostly_something_else) {
       found.mostly_something_else += one.parts.empty() ? one.something_else : one.probability;
     }

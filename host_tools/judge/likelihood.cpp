@@ -48,6 +48,12 @@ double log_add(double a, double b) {
   return max == -HUGE_VAL ? max : max + std::log1p(std::exp(std::min(a, b) - max));
 }
 
+void add(const Beside& likely, Beside& sum) {
+  for (std::size_t with = 0; with < sum.size(); ++with) {
+    sum[with] = log_add(sum[with], likely[with]);
+  }
+}
+
 Likelihood::Likelihood(const Rivals& rivals) : freedom_(rivals.freedom()) {
   const double most = std::max(kLargest, 3 * rivals.spread());
   for (double size = kSmallest; size < most * kFactorOfSize; size *= kFactorOfSize) {
@@ -55,6 +61,8 @@ Likelihood::Likelihood(const Rivals& rivals) : freedom_(rivals.freedom()) {
   }
   smooth_sizes_.push_back(0);
   for (std::size_t i = 1; i < sizes_.size(); i += 2) smooth_sizes_.push_back(sizes_[i]);
+  log_formulas_ = std::log(1 - kSomethingElse);
+  log_smooth_ = std::log(kSomethingElse / static_cast<double>(smooth_sizes_.size() - 1));
 }
 
 Beside Likelihood::log_prior(std::size_t smooth, double largest) const {
@@ -63,9 +71,7 @@ Beside Likelihood::log_prior(std::size_t smooth, double largest) const {
   for (std::size_t i = 1; i < smooth_sizes_.size() && error >= kSmallest; ++i) {
     if (i == 1 || smooth_sizes_[i] <= error * kFactorOfSize) of_errors = i;
   }
-  const auto count = static_cast<double>(smooth_sizes_.size() - 1);
-  return {smooth == of_errors ? std::log(1 - kSomethingElse) : -HUGE_VAL,
-          smooth > 0 ? std::log(kSomethingElse / count) : -HUGE_VAL};
+  return {smooth == of_errors ? log_formulas_ : -HUGE_VAL, smooth > 0 ? log_smooth_ : -HUGE_VAL};
 }
 
 double Likelihood::operator()(double log_density, double left) const {
@@ -79,7 +85,7 @@ double Likelihood::left_for(double log_density, double log_likelihood) const {
 
 Beside Likelihood::averaged(const Setting& setting, double log_density, double left, double largest,
                             const Eigen::MatrixXd& own, const Eigen::VectorXd& with_drift) const {
-  Beside sum{-HUGE_VAL, -HUGE_VAL};
+  Beside sum = kNoLikelihood;
   const auto columns = static_cast<double>(own.cols());
   const double log_each = -std::log(static_cast<double>(sizes_.size()));
   for (const double size : sizes_) {
@@ -88,8 +94,7 @@ Beside Likelihood::averaged(const Setting& setting, double log_density, double l
     const Added more = added(own, with_drift, size * size / columns);
     const double likely =
         (*this)(log_density + log_each - more.log_determinant / 2, left - more.square);
-    for (std::size_t with = 0; with < 2; ++with)
-      sum[with] = log_add(sum[with], prior[with] + likely);
+    add({prior[0] + likely, prior[1] + likely}, sum);
   }
   return sum;
 }

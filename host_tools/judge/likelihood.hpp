@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -13,14 +14,20 @@ namespace fogcomp::judge {
 /// log(e^a + e^b).
 double log_add(double a, double b);
 
+/// Logarithm of a probability relative to the largest below which nothing counts.
+inline constexpr double kHopeless = 7;
+
 /// Relative error of a formula, one standard deviation: no catalogue describes a gyro exactly.
 inline constexpr double kInexact = 0.05;
 
 /// Logarithms without something else and with it. A formula's error is no something else: beside
 /// an effect the smooth functions have its size times kInexact.
 using Beside = std::array<double, 2>;
+/// Adds likelihoods.
+void add(const Beside& likely, Beside& sum);
 /// Of each shape of all effects.
-using Evidence = std::array<std::vector<double>, 2>;
+using Evidence = std::vector<Beside>;
+inline constexpr Beside kNoLikelihood{-HUGE_VAL, -HUGE_VAL};
 
 /// Likelihood of the drift, the level of the white noise integrated out, and averages over sizes of
 /// what may be missing. A size is the rms of an effect in units of a row's white noise: from hardly
@@ -51,6 +58,8 @@ class Likelihood {
   double freedom_;
   std::vector<double> sizes_;
   std::vector<double> smooth_sizes_;
+  double log_formulas_ = 0;  // probability beforehand that only formulas are off
+  double log_smooth_ = 0;    // and that something else is missing, of one size
 };
 
 }  // namespace fogcomp::judge

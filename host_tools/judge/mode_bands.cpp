@@ -63,4 +63,20 @@ Eigen::MatrixXd ModeBands::products(const Eigen::MatrixXd& left,
   return all;
 }
 
+Eigen::ArrayXd ModeBands::noise_density(double flicker, double walk) const {
+  return 1 + flicker / angle_ + walk / angle_.square();
+}
+
+double ModeBands::mean_of_fast_modes(const Eigen::VectorXd& sums) const {
+  constexpr double kFast = 1.5;  // rad per row
+  const Eigen::VectorXd is_fast = (angle_ > kFast).cast<double>();
+  return sums.dot(is_fast) / count_.matrix().dot(is_fast);
+}
+
+Eigen::MatrixXd weighted(const Eigen::MatrixXd& products, const Eigen::VectorXd& weights,
+                         Eigen::Index rows) {
+  const Eigen::VectorXd sums = products * weights;
+  return Eigen::Map<const Eigen::MatrixXd>(sums.data(), rows, sums.size() / rows);
+}
+
 }  // namespace fogcomp::judge

@@ -25,6 +25,11 @@ class ModeBands {
   /// column for each band.
   Eigen::MatrixXd products(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right) const;
 
+  /// Variance of a mode relative to white noise: `flicker` and `walk` at an angle of one per row.
+  Eigen::ArrayXd noise_density(double flicker, double walk) const;
+  /// Mean over the fastest quarter of the modes, from sums over each band.
+  double mean_of_fast_modes(const Eigen::VectorXd& sums) const;
+
  private:
   std::vector<recording::RowRange> stretches_;
   std::vector<Eigen::Index> place_;  // of each mode, stretch by stretch
@@ -32,5 +37,9 @@ class ModeBands {
   Eigen::ArrayXd angle_;
   Eigen::ArrayXd count_;
 };
+
+/// Products summed over the bands with these weights: a matrix of `rows` rows.
+Eigen::MatrixXd weighted(const Eigen::MatrixXd& products, const Eigen::VectorXd& weights,
+                         Eigen::Index rows);
 
 }  // namespace fogcomp::judge

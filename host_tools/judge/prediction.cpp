@@ -70,7 +70,8 @@ class Problem {
     temperature_ = density_of_temperature(rows, bands_);
     most_of_temperature_ = temperature_.maxCoeff();
     if (most_of_temperature_ > 0) temperature_ /= most_of_temperature_;
-    white_ = white_of_fast_modes();
+    white_ = bands_.mean_of_fast_modes(products_.bottomRows(1).transpose()) *
+             std::pow(unit_[columns_ - 1], 2);
   }
 
   // Most probable noise first.
@@ -95,21 +96,8 @@ class Problem {
   Eigen::Index power_ons() const { return power_ons_; }
 
  private:
-  Eigen::MatrixXd weighted(const Eigen::VectorXd& sums) const {
-    return Eigen::Map<const Eigen::MatrixXd>(sums.data(), columns_, columns_);
-  }
-
-  // In the fastest quarter of the modes, less what all columns explain of it.
-  double white_of_fast_modes() const {
-    const Eigen::VectorXd weights = (bands_.angle() > 1.5).cast<double>().matrix();
-    const Eigen::MatrixXd sums = weighted(products_ * weights);
-    return sums(columns_ - 1, columns_ - 1) / (bands_.count().matrix().dot(weights)) *
-           std::pow(unit_[columns_ - 1], 2);
-  }
-
   Eigen::ArrayXd density_of_noise(const Ratios& ratios) const {
-    return 1 + ratios.flicker / bands_.angle() + ratios.walk / bands_.angle().square() +
-           ratios.temperature * temperature_;
+    return bands_.noise_density(ratios.flicker, ratios.walk) + ratios.temperature * temperature_;
   }
 
   void add_all(const std::vector<double>& flickers, const std::vector<double>& walks,
@@ -130,7 +118,7 @@ class Problem {
     const Eigen::MatrixXd sums = products_ * weights;
     for (std::size_t i = 0; i < noises.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
-      const Eigen::MatrixXd products = weighted(sums.col(at));
+      const Eigen::Map<const Eigen::MatrixXd> products(&sums(0, at), columns_, columns_);
       for (const TurnOn& turn_on : turn_ons(products)) {
         Solution solution;
         solution.ratios = noises[i];
@@ -238,8 +226,8 @@ class Problem {
   // Means and covariance in deg/h, of the model's unknowns and of the power-ons.
   void complete(Solution& solution) const {
     const Eigen::ArrayXd density = density_of_noise(solution.ratios);
-    const Eigen::MatrixXd all =
-        with_priors(weighted(products_ * density.inverse().matrix()), solution.ratios.turn_on);
+    const Eigen::MatrixXd all = with_priors(
+        weighted(products_, density.inverse().matrix(), columns_), solution.ratios.turn_on);
     const Eigen::Index size = columns_ - 1;
     const Eigen::LDLT<Eigen::MatrixXd> solved(all.topLeftCorner(size, size));
     const Eigen::VectorXd scale = unit_.head(size).cwiseInverse();

@@ -24,12 +24,6 @@ double size_of(const Eigen::VectorXd& column) {
   return std::max(kTiny, varying > kRoundingOnly * rms ? varying : rms);
 }
 
-Eigen::MatrixXd weighted(const Eigen::MatrixXd& products, const Eigen::VectorXd& weights,
-                         Eigen::Index rows) {
-  const Eigen::VectorXd sums = products * weights;
-  return Eigen::Map<const Eigen::MatrixXd>(sums.data(), rows, sums.size() / rows);
-}
-
 }  // namespace
 
 Eigen::MatrixXd gathered(const Eigen::MatrixXd& all, const std::vector<Place>& places) {
@@ -51,9 +45,7 @@ Rivals::Rivals(const Rows& rows, const Eigen::MatrixXd& something_else,
   set_effects();
   rest_products_ = bands_.products(rest_modes_, rest_modes_);
   cross_products_ = bands_.products(rest_modes_, effect_modes_);
-  for (const std::vector<Place>& shapes : places_) {
-    for (const Place& place : shapes) shape_products_.push_back(band_products({place}));
-  }
+  for (const Place& place : shapes_) shape_products_.push_back(band_products({place}));
   auto unknown = static_cast<double>((rows.weights.array() > 0).count());
   for (Eigen::Index i = 0; i < model_; ++i) unknown -= prior_variance(i, 1) > 0 ? 0 : 1;
   freedom_ = std::max(1.0, unknown);
@@ -72,39 +64,39 @@ void Rivals::set_rest(const Eigen::MatrixXd& something_else) {
   smooth_ = smooth.cols();
   const Eigen::MatrixXd drift = bridged(rows_, rows_.drift_dph);
   rest_modes_ = bands_.modes(side_by_side({model, drift, smooth}, rows_.size()));
-  white_ = white_of_fast_modes();
+  const Eigen::MatrixXd of_drift = rest_modes_.col(model_);
+  white_ = std::max(
+      kTiny, bands_.mean_of_fast_modes(bands_.products(of_drift, of_drift).row(0).transpose()));
   rest_modes_.col(model_) /= std::sqrt(white_);
   spread_ = rms_about_mean(drift) / std::sqrt(white_);
-}
-
-// In the fastest quarter of the modes.
-double Rivals::white_of_fast_modes() const {
-  constexpr double kFast = 1.5;  // rad per row
-  const Eigen::MatrixXd drift = rest_modes_.col(model_);
-  const Eigen::ArrayXd square = bands_.products(drift, drift).row(0).transpose();
-  const Eigen::ArrayXd is_fast = (bands_.angle() > kFast).cast<double>();
-  return std::max(kTiny, (square * is_fast).sum() / (bands_.count() * is_fast).sum());
 }
 
 void Rivals::set_effects() {
   Eigen::Index columns = 0;
   for (const PossibleEffect& effect : effects_) {
-    places_.emplace_back();
+    first_shape_.push_back(shapes_.size());
     for (const Eigen::MatrixXf* const shape : effect.shapes) {
-      places_.back().push_back({columns, shape->cols()});
+      shapes_.push_back({columns, shape->cols()});
       columns += shape->cols();
     }
   }
   effect_modes_.resize(rest_modes_.rows(), columns);
   for_each_index(effects_.size(), [&](std::size_t e) {
-    for (std::size_t s = 0; s < places_[e].size(); ++s) {
+    for (std::size_t s = 0; s < shape_count(e); ++s) {
       Eigen::MatrixXd shape = bridged(rows_, effects_[e].shapes[s]->cast<double>());
       for (Eigen::Index i = 0; i < shape.cols(); ++i) {
         shape.col(i) /= size_of(shape.col(i));
       }
-      effect_modes_.middleCols(places_[e][s].first, places_[e][s].count) = bands_.modes(shape);
+      const Place& place = shapes_[first_shape_[e] + s];
+      effect_modes_.middleCols(place.first, place.count) = bands_.modes(shape);
     }
   });
+}
+
+std::vector<Place> Rivals::places_of(const std::vector<Part>& parts) const {
+  std::vector<Place> places;
+  for (const Part& part : parts) places.push_back(shapes_[first_shape_[part.effect] + part.shape]);
+  return places;
 }
 
 double Rivals::prior_variance(Eigen::Index unknown, double turn_on_variance) const {
@@ -123,16 +115,11 @@ Eigen::MatrixXd Rivals::products_with_effects(const Eigen::MatrixXd& weights) co
 
 Eigen::MatrixXd Rivals::products_of_shape(std::size_t number,
                                           const Eigen::VectorXd& weights) const {
-  const Eigen::MatrixXd& products = shape_products_[number];
-  return weighted(products, weights, std::lround(std::sqrt(static_cast<double>(products.rows()))));
-}
-
-Eigen::MatrixXd Rivals::modes_of(const std::vector<Place>& places) const {
-  return gathered(effect_modes_, places);
+  return weighted(shape_products_[number], weights, shapes_[number].count);
 }
 
 Eigen::MatrixXd Rivals::band_products(const std::vector<Place>& places) const {
-  const Eigen::MatrixXd some = modes_of(places);
+  const Eigen::MatrixXd some = gathered(effect_modes_, places);
   return bands_.products(some, some);
 }
 
@@ -148,7 +135,7 @@ Eigen::VectorXd Rivals::products_of_column(Eigen::Index column,
 }
 
 Eigen::MatrixXd Rivals::band_products_with_all(const std::vector<Place>& places) const {
-  return bands_.products(modes_of(places), effect_modes_);
+  return bands_.products(gathered(effect_modes_, places), effect_modes_);
 }
 
 }  // namespace fogcomp::judge

@@ -24,6 +24,12 @@ struct Place {
   Eigen::Index count = 0;
 };
 
+/// One effect of a set, with one of its shapes.
+struct Part {
+  std::size_t effect = 0;
+  std::size_t shape = 0;
+};
+
 /// All that competes for a measured drift, in cosine modes, and inner products over their bands.
 ///
 /// Columns of the model and of the effects have an rms of 1. The drift is in units of a row's white
@@ -36,8 +42,11 @@ class Rivals {
   const Rows& rows() const { return rows_; }
   const ModeBands& bands() const { return bands_; }
   const std::vector<PossibleEffect>& effects() const { return effects_; }
-  /// Where the columns of each shape of each effect are among columns(), and of all in order.
-  const std::vector<std::vector<Place>>& places() const { return places_; }
+  /// Where the columns of each shape are among columns(): effect by effect.
+  const std::vector<Place>& shapes() const { return shapes_; }
+  std::size_t first_shape(std::size_t effect) const { return first_shape_[effect]; }
+  std::size_t shape_count(std::size_t effect) const { return effects_[effect].shapes.size(); }
+  std::vector<Place> places_of(const std::vector<Part>& parts) const;
   Eigen::Index columns() const { return effect_modes_.cols(); }
 
   Eigen::Index model() const { return model_; }    ///< columns of the model, power-ons included
@@ -63,8 +72,6 @@ class Rivals {
  private:
   void set_rest(const Eigen::MatrixXd& something_else);
   void set_effects();
-  double white_of_fast_modes() const;
-  Eigen::MatrixXd modes_of(const std::vector<Place>& places) const;
 
   const Rows& rows_;
   const std::vector<PossibleEffect>& effects_;
@@ -77,7 +84,8 @@ class Rivals {
   double freedom_ = 1;
   Eigen::MatrixXd rest_modes_;
   Eigen::MatrixXd effect_modes_;
-  std::vector<std::vector<Place>> places_;
+  std::vector<Place> shapes_;
+  std::vector<std::size_t> first_shape_;  // of each effect
   Eigen::MatrixXd rest_products_;
   Eigen::MatrixXd cross_products_;
   std::vector<Eigen::MatrixXd> shape_products_;

@@ -6,12 +6,6 @@
 #include <cmath>
 
 namespace fogcomp::judge {
-namespace {
-
-// Logarithm of a probability relative to the largest below which nothing counts.
-constexpr double kHopelessSizes = 7;
-
-}  // namespace
 
 SetScan::SetScan(const Rivals& rivals, const Likelihood& likelihood, const Setting& setting,
                  const std::vector<Place>& places, const Eigen::MatrixXd& products)
@@ -34,7 +28,7 @@ void SetScan::add(double floor, Evidence& of_shapes) const {
   double best = -HUGE_VAL;
   for (const Sizes& sizes : all) best = std::max(best, sizes.log_likelihood);
   for (const Sizes& sizes : all) {
-    if (sizes.log_likelihood >= best - kHopelessSizes) add_at(sizes, floor, of_shapes);
+    if (sizes.log_likelihood >= best - kHopeless) add_at(sizes, floor, of_shapes);
   }
 }
 
@@ -96,9 +90,7 @@ bool SetScan::reaches(double floor) const {
   const Rest rest =
       without(Eigen::VectorXd::Constant(own_.cols(), likelihood_.least_precision()), 0);
   double most = 0;
-  for (const std::vector<Place>& shapes : rivals_.places()) {
-    for (const Place& place : shapes) most = std::max(most, gain_of(rest, place));
-  }
+  for (const Place& place : rivals_.shapes()) most = std::max(most, gain_of(rest, place));
   return likelihood_(setting_.log_density, rest.left - most) >= floor;
 }
 
@@ -107,20 +99,14 @@ void SetScan::add_at(const Sizes& sizes, double floor, Evidence& of_shapes) cons
   rest.log_density -= static_cast<double>(places_.size()) *
                       std::log(static_cast<double>(likelihood_.sizes().size()));
   const double most_left = likelihood_.left_for(rest.log_density, floor);
-  std::size_t number = 0;
-  for (const std::vector<Place>& shapes : rivals_.places()) {
-    for (const Place& place : shapes) {
-      const std::size_t at = number++;
-      if (rest.left - gain_of(rest, place) > most_left) continue;
-      const auto in_set = rest.in_effects.middleCols(place.first, place.count);
-      const Eigen::MatrixXd own = setting_.own(at, place) - in_set.transpose() * in_set;
-      const Beside likely =
-          likelihood_.averaged(setting_, rest.log_density, rest.left, sizes.largest, own,
-                               rest.with_drift.segment(place.first, place.count));
-      for (std::size_t with = 0; with < 2; ++with) {
-        of_shapes[with][at] = log_add(of_shapes[with][at], likely[with]);
-      }
-    }
+  for (std::size_t i = 0; i < of_shapes.size(); ++i) {
+    const Place& place = rivals_.shapes()[i];
+    if (rest.left - gain_of(rest, place) > most_left) continue;
+    const auto in_set = rest.in_effects.middleCols(place.first, place.count);
+    const Eigen::MatrixXd own = setting_.own(i, place) - in_set.transpose() * in_set;
+    judge::add(likelihood_.averaged(setting_, rest.log_density, rest.left, sizes.largest, own,
+                                    rest.with_drift.segment(place.first, place.count)),
+               of_shapes[i]);
   }
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include "judge/set_scan.hpp"
@@ -12,27 +11,13 @@
 namespace fogcomp::judge {
 namespace {
 
-// Logarithm of a probability relative to the largest below which a set does not count.
-constexpr double kHopeless = 7;
 constexpr std::size_t kExtended = 6;  // sets of two that get a third
-
-// Of all shapes of an effect in `numbers`: the logarithm of the sum.
-double sum_of(const std::vector<double>& evidence, std::size_t first, std::size_t count) {
-  double sum = -HUGE_VAL;
-  for (std::size_t i = first; i < first + count; ++i) sum = log_add(sum, evidence[i]);
-  return sum;
-}
 
 }  // namespace
 
 SetSearch::SetSearch(const Rivals& rivals)
     : rivals_(rivals), likelihood_(rivals), noises_(at_noises(rivals, possible_noises(rivals))) {
-  std::size_t number = 0;
-  for (const std::vector<Place>& shapes : rivals.places()) {
-    first_number_.push_back(number);
-    number += shapes.size();
-  }
-  for (std::vector<double>& one : alone_) one.assign(number, -HUGE_VAL);
+  alone_.assign(rivals.shapes().size(), kNoLikelihood);
   weigh_each_alone();
   add_single_sets();
   choose_likely_noises();
@@ -44,8 +29,8 @@ SetSearch::SetSearch(const Rivals& rivals)
 }
 
 double SetSearch::of_shape(std::size_t effect, std::size_t shape) const {
-  const std::size_t number = first_number_[effect] + shape;
-  return log_add(alone_[0][number], alone_[1][number]);
+  const Beside& likely = alone_[rivals_.first_shape(effect) + shape];
+  return log_add(likely[0], likely[1]);
 }
 
 void SetSearch::weigh_each_alone() {
@@ -53,7 +38,7 @@ void SetSearch::weigh_each_alone() {
   std::vector<std::vector<Setting>> settings(noises_.size());
   std::vector<Evidence> found(noises_.size());
   for_each_index(noises_.size(), [&](std::size_t i) {
-    for (std::vector<double>& one : found[i]) one.assign(alone_[0].size(), -HUGE_VAL);
+    found[i].assign(alone_.size(), kNoLikelihood);
     for (std::size_t beside = 0; beside < smooth.size(); ++beside) {
       settings[i].emplace_back(rivals_, noises_[i], beside, smooth[beside]);
       weigh_each_in(settings[i].back(), found[i]);
@@ -64,40 +49,28 @@ void SetSearch::weigh_each_alone() {
     for (Setting& setting : settings[i]) {
       const Beside prior = likelihood_.log_prior(setting.smooth_number, 0);
       const double likely = likelihood_(setting.log_density, setting.left);
-      for (std::size_t with = 0; with < 2; ++with) {
-        nothing_[with] = log_add(nothing_[with], prior[with] + likely);
-      }
+      add({prior[0] + likely, prior[1] + likely}, nothing_);
       of_nothing_.back() = log_add(of_nothing_.back(), prior[0] + likely);
       settings_.push_back(std::move(setting));
     }
-    for (std::size_t with = 0; with < 2; ++with) {
-      for (std::size_t number = 0; number < alone_[with].size(); ++number) {
-        alone_[with][number] = log_add(alone_[with][number], found[i][with][number]);
-      }
-    }
+    for (std::size_t shape = 0; shape < alone_.size(); ++shape) add(found[i][shape], alone_[shape]);
   }
 }
 
 void SetSearch::weigh_each_in(const Setting& setting, Evidence& evidence) const {
-  std::size_t number = 0;
-  for (const std::vector<Place>& places : rivals_.places()) {
-    for (const Place& place : places) {
-      const Beside likely = likelihood_.averaged(
-          setting, setting.log_density, setting.left, 0, setting.own(number, place),
-          setting.with_drift.segment(place.first, place.count));
-      for (std::size_t with = 0; with < 2; ++with) {
-        evidence[with][number] = log_add(evidence[with][number], likely[with]);
-      }
-      ++number;
-    }
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    const Place& place = rivals_.shapes()[i];
+    add(likelihood_.averaged(setting, setting.log_density, setting.left, 0, setting.own(i, place),
+                             setting.with_drift.segment(place.first, place.count)),
+        evidence[i]);
   }
 }
 
 void SetSearch::add_single_sets() {
   const EffectSet empty{{}, log_prior({}), nothing_};
   sets_.push_back(empty);
-  for (std::size_t e = 0; e < rivals_.places().size(); ++e) {
-    sets_.push_back(joined(empty, e, alone_));
+  for (std::size_t e = 0; e < rivals_.effects().size(); ++e) {
+    sets_.push_back(joined(empty, 0, e, alone_));
   }
   for (const EffectSet& set : sets_) best_ = std::max(best_, set.total());
 }
@@ -167,13 +140,11 @@ std::vector<EffectSet> SetSearch::extended(const std::vector<EffectSet>& sets) {
 }
 
 std::vector<EffectSet> SetSearch::with_one_more(const EffectSet& set) const {
-  std::vector<Place> places;
-  for (const Part& part : set.parts) places.push_back(rivals_.places()[part.effect][part.shape]);
+  const std::vector<Place> places = rivals_.places_of(set.parts);
   const Eigen::MatrixXd products = rivals_.band_products_with_all(places) * likely_weights_;
   const double floor = floor_beside(set);
   const std::size_t count = likelihood_.smooth_sizes().size();
-  Evidence evidence;
-  for (std::vector<double>& one : evidence) one.assign(alone_[0].size(), -HUGE_VAL);
+  Evidence evidence(alone_.size(), kNoLikelihood);
   for (std::size_t i = 0; i < likely_.size(); ++i) {
     const Eigen::Map<const Eigen::MatrixXd> here(&products(0, static_cast<Eigen::Index>(i)),
                                                  products.rows() / rivals_.columns(),
@@ -183,33 +154,35 @@ std::vector<EffectSet> SetSearch::with_one_more(const EffectSet& set) const {
       SetScan(rivals_, likelihood_, setting, places, here).add(floor, evidence);
     }
   }
+  const double of_shapes = averaging(set.parts);
   std::vector<EffectSet> sets;
-  for (std::size_t e = 0; e < rivals_.places().size(); ++e) {
+  for (std::size_t e = 0; e < rivals_.effects().size(); ++e) {
     if (!may_be_added(set, e)) continue;
-    EffectSet more = joined(set, e, evidence);
+    EffectSet more = joined(set, of_shapes, e, evidence);
     if (more.total() > -HUGE_VAL) sets.push_back(std::move(more));
   }
   return sets;
 }
 
-// A set with an effect more, averaged over the shapes of all.
-EffectSet SetSearch::joined(const EffectSet& set, std::size_t effect,
+// A set with an effect more, averaged over the shapes of all; `of_shapes`: averaging() of the set.
+EffectSet SetSearch::joined(const EffectSet& set, double of_shapes, std::size_t effect,
                             const Evidence& evidence) const {
-  const std::size_t first = first_number_[effect];
+  const std::size_t count = rivals_.shape_count(effect);
+  const Beside* const shapes = &evidence[rivals_.first_shape(effect)];
+  Beside sum = kNoLikelihood;
   std::size_t best = 0;
-  for (std::size_t s = 1; s < shapes_of(effect); ++s) {
+  for (std::size_t s = 0; s < count; ++s) {
+    add(shapes[s], sum);
     const auto both = [&](std::size_t shape) {
-      return log_add(evidence[0][first + shape], evidence[1][first + shape]);
+      return log_add(shapes[shape][0], shapes[shape][1]);
     };
     if (both(s) > both(best)) best = s;
   }
   EffectSet more = set;
   more.parts.push_back({effect, best});
   more.log_prior = log_prior(more.parts);
-  for (std::size_t with = 0; with < 2; ++with) {
-    more.log_likelihood[with] = averaging(set.parts) +
-                                sum_of(evidence[with], first, shapes_of(effect)) -
-                                std::log(static_cast<double>(shapes_of(effect)));
+  for (std::size_t with = 0; with < sum.size(); ++with) {
+    more.log_likelihood[with] = of_shapes + sum[with] - std::log(static_cast<double>(count));
   }
   return more;
 }
@@ -217,7 +190,7 @@ EffectSet SetSearch::joined(const EffectSet& set, std::size_t effect,
 // All sets of one size are equally probable beforehand.
 double SetSearch::log_prior(const std::vector<Part>& parts) const {
   double prior = std::log(kMissingBefore[parts.size()]);
-  auto left = static_cast<double>(rivals_.places().size());
+  auto left = static_cast<double>(rivals_.effects().size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     prior += std::log(static_cast<double>(i + 1) / std::max(1.0, left--));
   }
@@ -228,9 +201,9 @@ double SetSearch::log_prior(const std::vector<Part>& parts) const {
 double SetSearch::floor_beside(const EffectSet& set) const {
   std::vector<Part> parts = set.parts;
   parts.emplace_back();
-  std::size_t fewest = alone_[0].size();
-  for (std::size_t e = 0; e < rivals_.places().size(); ++e) {
-    fewest = std::min(fewest, shapes_of(e));
+  std::size_t fewest = alone_.size();
+  for (std::size_t e = 0; e < rivals_.effects().size(); ++e) {
+    fewest = std::min(fewest, rivals_.shape_count(e));
   }
   return best_ - kHopeless - log_prior(parts) + std::log(static_cast<double>(fewest));
 }
@@ -240,10 +213,10 @@ double SetSearch::averaging(const std::vector<Part>& parts) const {
   double sum = 0;
   for (const Part& part : parts) {
     double all = -HUGE_VAL;
-    for (std::size_t s = 0; s < shapes_of(part.effect); ++s) {
+    for (std::size_t s = 0; s < rivals_.shape_count(part.effect); ++s) {
       all = log_add(all, of_shape(part.effect, s) - of_shape(part.effect, part.shape));
     }
-    sum += std::min(0.0, all - std::log(static_cast<double>(shapes_of(part.effect))));
+    sum += std::min(0.0, all - std::log(static_cast<double>(rivals_.shape_count(part.effect))));
   }
   return sum;
 }

@@ -10,17 +10,11 @@
 
 namespace fogcomp::judge {
 
-/// One effect of a set, with one of its shapes.
-struct Part {
-  std::size_t effect = 0;
-  std::size_t shape = 0;
-};
-
 /// A set of effects. `log_likelihood`: [0] without something else beside it, [1] with it.
 struct EffectSet {
   std::vector<Part> parts;
   double log_prior = 0;
-  Beside log_likelihood{};
+  Beside log_likelihood = kNoLikelihood;
 
   double likelihood() const { return log_add(log_likelihood[0], log_likelihood[1]); }
   double total() const { return log_prior + likelihood(); }
@@ -52,23 +46,21 @@ class SetSearch {
   double most_likely_in(const Setting& setting) const;
   std::vector<EffectSet> extended(const std::vector<EffectSet>& sets);
   std::vector<EffectSet> with_one_more(const EffectSet& set) const;
-  EffectSet joined(const EffectSet& set, std::size_t effect, const Evidence& evidence) const;
+  EffectSet joined(const EffectSet& set, double of_shapes, std::size_t effect,
+                   const Evidence& evidence) const;
   double log_prior(const std::vector<Part>& parts) const;
   double floor_beside(const EffectSet& set) const;
   double averaging(const std::vector<Part>& parts) const;
   bool may_be_added(const EffectSet& set, std::size_t effect) const;
 
-  std::size_t shapes_of(std::size_t effect) const { return rivals_.places()[effect].size(); }
-
   const Rivals& rivals_;
   Likelihood likelihood_;
   std::vector<AtNoise> noises_;
-  std::vector<Setting> settings_;          // of each noise: without something else, then its sizes
-  std::vector<std::size_t> first_number_;  // of each effect's shapes among all
-  std::vector<std::size_t> likely_;        // noises in which a set may be likely
-  Eigen::MatrixXd likely_weights_;         // their weights of the bands
+  std::vector<Setting> settings_;    // of each noise: without something else, then its sizes
+  std::vector<std::size_t> likely_;  // noises in which a set may be likely
+  Eigen::MatrixXd likely_weights_;   // their weights of the bands
   Evidence alone_;
-  Beside nothing_{-HUGE_VAL, -HUGE_VAL};
+  Beside nothing_ = kNoLikelihood;
   std::vector<double> of_nothing_;
   std::vector<EffectSet> sets_;
   double best_ = -HUGE_VAL;  // total of the most probable set

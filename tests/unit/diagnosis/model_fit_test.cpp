@@ -29,17 +29,6 @@ TEST(ModelFit, RmsIsOverTheTimeOfTheRowsThatCount) {
   EXPECT_DOUBLE_EQ(rms_of_rows(rows, fit, residual), std::sqrt((1 + 4 + 0.5 * 16) / 2.5));
 }
 
-TEST(ModelFit, ARecordingIsAtRestWhileItsTemperatureIs) {
-  const auto ramp_behind = [](std::size_t soak) {
-    return at_rest(fog::test::made_rows(
-        1000, [=](double row) { return 20 + std::max(0.0, row - static_cast<double>(soak)); }));
-  };
-  EXPECT_TRUE(ramp_behind(1000));
-  EXPECT_TRUE(ramp_behind(930));
-  EXPECT_FALSE(ramp_behind(870));
-  EXPECT_FALSE(ramp_behind(0));
-}
-
 // The same run again with an offset of 0.5 deg/h: the bias belongs to the recording and does not
 // change the residual.
 TEST(ModelFit, EachRecordingHasABiasOfItsOwn) {
