@@ -2,45 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <tuple>
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/model_fit.hpp"
 #include "diagnosis/refit.hpp"
-#include "model/catalogue.hpp"
 #include "support/parallel.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
-
-// Gives a term the first part of `other` as its optional second part, if it has none yet.
-void add_part(model::EffectTerm& term, const model::EffectTerm& other) {
-  const auto& parameters = model::find_effect(term.name).parameters;
-  for (std::size_t i = 1; i < parameters.size(); ++i) {
-    if (!model::is_optional_part(parameters[i]) || term.parameters[i].value != 0) continue;
-    double& first = term.parameters[i - 1].value;
-    std::tie(first, term.parameters[i].value) = std::minmax({first, other.parameters[i - 1].value});
-    return;
-  }
-}
-
-// An effect of a set: with the shape of its part, or, where it occurs twice, with both shapes, the
-// smaller first.
-model::EffectTerm term_in(const std::vector<judge::Part>& parts, std::size_t candidate,
-                          const std::vector<Candidate>& candidates) {
-  std::optional<model::EffectTerm> term;
-  for (const judge::Part& part : parts) {
-    if (part.effect != candidate) continue;
-    const model::EffectTerm& one = candidates[candidate].shapes[part.shape].term;
-    if (term) {
-      add_part(*term, one);
-    } else {
-      term = one;
-    }
-  }
-  return *term;
-}
 
 CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
                          const judge::Explanations& explanations,
@@ -62,9 +31,8 @@ CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
       std::find_if(explanations.all.begin(), explanations.all.end(),
                    [&](const judge::Explanation& one) { return one.has(candidate); });
   std::vector<model::EffectTerm> terms = fit.terms;
-  put(terms, likeliest == explanations.all.end()
-                 ? own.shapes[effect.shape].term
-                 : term_in(likeliest->parts, candidate, evidence.candidates));
+  put(terms, likeliest == explanations.all.end() ? own.shapes[effect.shape].term
+                                                 : evidence.term_in(likeliest->parts, candidate));
   Refit completed = refit(std::move(terms), series, fit);
   finding.rms_after_dph = rms_of_rows(series.rows(), fit, completed.residual_dph);
   finding.completed = std::move(completed.terms);

@@ -1,8 +1,11 @@
 #include "diagnosis/evidence_space.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <tuple>
 
 #include "diagnosis/step_candidates.hpp"
+#include "model/catalogue.hpp"
 #include "support/least_squares.hpp"
 #include "support/parallel.hpp"
 
@@ -48,7 +51,33 @@ PossibleColumns possible_columns(const DiagnosisData& data, const fit::NoiseWeig
   return found;
 }
 
+// Gives a term the first part of `other` as its optional second part, if it has none yet.
+void add_part(model::EffectTerm& term, const model::EffectTerm& other) {
+  const auto& parameters = model::find_effect(term.name).parameters;
+  for (std::size_t i = 1; i < parameters.size(); ++i) {
+    if (!model::is_optional_part(parameters[i]) || term.parameters[i].value != 0) continue;
+    double& first = term.parameters[i - 1].value;
+    std::tie(first, term.parameters[i].value) = std::minmax({first, other.parameters[i - 1].value});
+    return;
+  }
+}
+
 }  // namespace
+
+model::EffectTerm EvidenceSpace::term_in(const std::vector<judge::Part>& parts,
+                                         std::size_t candidate) const {
+  std::optional<model::EffectTerm> term;
+  for (const judge::Part& part : parts) {
+    if (part.effect != candidate) continue;
+    const model::EffectTerm& one = candidates[candidate].shapes[part.shape].term;
+    if (term) {
+      add_part(*term, one);
+    } else {
+      term = one;
+    }
+  }
+  return *term;
+}
 
 EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
                                   const std::function<void(double)>& progress) {

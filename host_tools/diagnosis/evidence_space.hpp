@@ -21,6 +21,9 @@ struct EvidenceSpace {
 
   /// Whitened residual of the model.
   const Eigen::VectorXd& residual() const { return residualizer.residual(); }
+  /// The effect of a candidate that is in `parts`: with the shape of its part or, where it is there
+  /// twice, with both, the smaller first.
+  model::EffectTerm term_in(const std::vector<judge::Part>& parts, std::size_t candidate) const;
 };
 
 /// `fit`: of the rows of `data`; both must outlive the result. `progress` is called with the
