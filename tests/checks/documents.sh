@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# documents.sh ROOT: every relative link of every Markdown page leads to a file, every #anchor to a heading; every file
-# and folder of the tree that a page or a comment names is there; commands of pages name scripts, presets, targets, test
-# labels, subcommands and options that exist; lines have at most 120 columns, but for tables; every deciding number of a
-# diagnosis stands in DIAGNOSIS.md by its name, and no other; CITATION.cff has the version of the build.
+# documents.sh ROOT: every relative link of every Markdown page leads to a file, every #anchor to a heading. Every file
+# and folder of the tree that a page or a comment names is there, and every constant that a page names. Commands of pages
+# name scripts, presets, targets, test labels, subcommands and options that exist. Lines have at most 120 columns, but
+# for tables. Every deciding number of a diagnosis stands in DIAGNOSIS.md by its name, and no other. CITATION.cff has the
+# version of the build.
 set -euo pipefail
 export PYTHONPATH PYTHONDONTWRITEBYTECODE=1
 PYTHONPATH=$(realpath "$(dirname "$0")")
@@ -53,6 +54,14 @@ def names_place(word):
 def check_place(page, number, word):
     if names_place(word) and word.rstrip("/") not in ends:
         problems.append(f"{page}:{number}: {word} is not there")
+
+
+constants = set(re.findall(r"\bk[A-Z]\w+", " ".join(map(read, of_type("pp")))))
+
+
+def check_constant(page, number, word):
+    if re.fullmatch(r"k[A-Z]\w+", word) and word not in constants:
+        problems.append(f"{page}:{number}: no source has {word}")
 
 
 def check_comments():
@@ -196,6 +205,7 @@ def check_page(page):
                 check_command(page, number, part.strip().removeprefix("$ "), programs)
             for word in code.split() if block.kind != "code" else []:
                 check_place(page, number, word.rstrip(".,;:"))
+                check_constant(page, number, word)
         if block.kind != "code":
             for link in re.finditer(r"\]\(([^)\s]+)\)", block.without_code()):
                 check_link(page, block.line_at(link.start()), link[1])

@@ -8,7 +8,7 @@ trap 'rm -rf "$tree"' EXIT
 mkdir -p "$tree/part" "$tree/tests/unit" "$tree/host_tools"
 printf '# Part\n\n## `add`: one, or several\n' >"$tree/part/README.md"
 
-touch "$tree/part/one.cpp"
+echo 'constexpr int kOne = 1;' >"$tree/part/one.cpp"
 printf '#!/bin/sh\ncase $1 in --fast) ;; esac\n' >"$tree/tests/try.sh" && chmod +x "$tree/tests/try.sh"
 printf '#!/bin/sh\n' >"$tree/tests/data.sh"
 echo 'fog_gtest(test_part unit/part unit fogcomp_part)' >"$tree/tests/CMakeLists.txt"
@@ -31,14 +31,14 @@ judge '[a](part/README.md)' '[a\nb](part/README.md#add-one-or-several)' '[a](#pa
   "| $long |" '`[a](none.md)`' '```\n[a](none.md)\n```' '[`a`](part/)' \
   '`part/one.cpp`' '`one.cpp`' '`part/one`' '`part/`' '`boards/NAME/wiring.hpp`' '`run.csv`' '`deg/h`' '`tests/try.sh -o x`' \
   '`part/README.md`' '`fogcomp fit --levels 3 --rate 9`' '`fit --rate`' '`--levels`' '    $ fogcomp fit --help' \
-  '`git log --oneline`' '`tests/try.sh --fast`' '`--fast`' '(`fogcomp\nfit --levels 3`)' 'a `fogcomp` fot' \
+  '`git log --oneline`' '`kOne`' '`tests/try.sh --fast`' '`--fast`' '(`fogcomp\nfit --levels 3`)' 'a `fogcomp` fot' \
   '    ctest --test-dir build -L unit' '`cmake --preset host`' '    cmake --build build --target test_part' ||
   { echo "refused what is right: $(cat "$tree/said")" >&2; exit 1; }
 wrong=('[a](none.md)' '[a](part/README.md#none)' '[a](#none)' '[a\nb](part/none.md)' '| [`a`](none.md) |'
   "$long"
   "\`\`\`\n$long\n\`\`\`" '`part/two.cpp`' '`two.hpp`' '`part/two`' '`none.md`' '`tests/data.sh`'
   '    ctest --test-dir build -R unit' '`ctest -L none`' '`cmake --preset none`' '    cmake --build b --target none'
-  '`part/data.txt`' '`fogcomp fot`' '    $ fogcomp fot run.csv' '`cat x | fogcomp fot -`' '`fogcomp fit --lovels 3`'
+  '`part/data.txt`' '`kTwo`' '`fogcomp fot`' '    $ fogcomp fot run.csv' '`cat x | fogcomp fot -`' '`fogcomp fit --lovels 3`'
   '`fit --lovels`' '`--lovels`' '    $ fogcomp fit --lovels' '`tests/try.sh --slow`' '(`fogcomp\nfit --lovels 3`)')
 ! judge "${wrong[@]}" || { echo "accepted what is wrong" >&2; exit 1; }
 for i in "${!wrong[@]}"; do
