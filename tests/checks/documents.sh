@@ -1,11 +1,16 @@
 #!/usr/bin/env bash
-# documents.sh ROOT: every relative link of every Markdown page leads to a file, every #anchor to a heading; every file
-# and folder of the tree that a page or a comment names is there; commands of pages name scripts, presets, targets, test
-# labels and subcommands that exist; lines have at most 120 columns, but for tables; every deciding number of a diagnosis
-# stands in DIAGNOSIS.md by its name, and no other; CITATION.cff has the version of the build.
+# documents.sh ROOT: every relative link of every Markdown page leads to a file, every #anchor to a heading. Every file
+# and folder of the tree that a page or a comment names is there, and every constant that a page names. Commands of pages
+# name scripts, presets, targets, test labels, subcommands and options that exist. Lines have at most 120 columns, but
+# for tables. Every deciding number of a diagnosis stands in DIAGNOSIS.md by its name, and no other. CITATION.cff has the
+# version of the build.
 set -euo pipefail
+export PYTHONPATH PYTHONDONTWRITEBYTECODE=1
+PYTHONPATH=$(realpath "$(dirname "$0")")
 exec python3 - "${1:?usage: documents.sh ROOT}" <<'EOF'
 import os, re, sys, unicodedata
+
+from markdown import blocks
 
 root = os.path.abspath(sys.argv[1])
 problems = []
@@ -32,6 +37,7 @@ def of_type(*endings):
 places = files + [os.path.splitext(file)[0] for file in files] + sorted(folders)
 ends = {place[at:] for place in places for at in [0] + [i + 1 for i, c in enumerate(place) if c == "/"]}
 folder_names = {os.path.basename(folder) for folder in folders}
+top_folders = {folder for folder in folders if "/" not in folder}
 source_name = re.compile(r"(?<![*\w])(?:[\w-]+/)*[\w-]+\.(?:[ch]pp|sh|py|mjs|cmake|ld|md)\b")
 
 
@@ -41,12 +47,21 @@ def names_place(word):
         return False
     return bool(source_name.fullmatch(word)) or (
         bool(re.fullmatch(r"[a-z_0-9]+(?:/[a-z_0-9]+)+/?", word)) and word.split("/")[0] in folder_names
+        or bool(re.fullmatch(r"\w+(?:/[\w.-]+)+\.\w+", word)) and word.split("/")[0] in top_folders
     )
 
 
 def check_place(page, number, word):
     if names_place(word) and word.rstrip("/") not in ends:
         problems.append(f"{page}:{number}: {word} is not there")
+
+
+constants = set(re.findall(r"\bk[A-Z]\w+", " ".join(map(read, of_type("pp")))))
+
+
+def check_constant(page, number, word):
+    if re.fullmatch(r"k[A-Z]\w+", word) and word not in constants:
+        problems.append(f"{page}:{number}: no source has {word}")
 
 
 def check_comments():
@@ -64,11 +79,68 @@ words_of_tests = set(re.findall(r"\w+", " ".join(map(read, of_type("CMakeLists.t
 labels = re.findall(r"fog_test\(\S+ (\w+)|fog_gtest\(\S+ \S+ (\w+)", " ".join(map(read, of_type("CMakeLists.txt"))))
 labels = {one for pair in labels for one in pair if one}
 reference = os.path.join(root, "host_tools/REFERENCE.md")
-subcommands = set(re.findall(r"^### ([a-z]+)$", read(reference), re.M)) if os.path.exists(reference) else set()
 
 
-def check_command(page, number, text):
-    """TEXT: of a back-ticked span or a line of code."""
+def options_of_commands():
+    """The options of each subcommand by the tables of the reference, its groups of shared options among them. A test
+    holds these tables to the tool: tests/integration/reference_document.sh."""
+    if not os.path.exists(reference):
+        return {}
+    sections = {m[1].lower(): m[0] for m in re.finditer(r"^###+ (.+)\n(?:(?!^##).*\n?)*", read(reference), re.M)}
+    own = {name: set(re.findall(r"^\| `(--[a-z0-9-]+)", text, re.M)) for name, text in sections.items()}
+    found = {}
+    for name in filter(re.compile(r"[a-z]+$").match, sections):
+        also = re.search(r"^Also: (?:.+\n)+", sections[name], re.M)
+        groups = re.findall(r"\[([^]]+)\]\(#", also[0]) if also else []
+        found[name] = own[name].union({"--help"}, *(own.get(" ".join(g.split()).lower(), set()) for g in groups))
+    return found
+
+
+command_options = options_of_commands()
+all_options = set().union(*command_options.values())
+sources = {}  # of a script or program, by its name without an ending
+for path in of_type(".sh", ".py", ".mjs", ".cpp"):
+    sources.setdefault(os.path.splitext(os.path.basename(path))[0], []).append(path)
+
+
+def has_option(program, option):
+    """Also one that a script hands on to fogcomp."""
+    text = "".join(map(read, sources[program]))
+    return bool(re.search(rf"{option}\b", text)) or (option in all_options and "fogcomp" in text and '"$@"' in text)
+
+
+def program_of(word):
+    return os.path.splitext(os.path.basename(word))[0] if "/" in word or word.endswith(".sh") else ""
+
+
+def wrong_options(text, programs):
+    """Options in TEXT that its command or its program of the tree lacks; of a text without either, those that all
+    commands and PROGRAMS lack. Programs of others are not judged."""
+    wrong = []
+    for part in text.split(" | "):
+        words = part.split()
+        options = [word[0] for word in map(re.compile(r"--[a-z][a-z0-9-]*").findall, words) if word]
+        if not options or not words:
+            continue
+        first = words[0].strip("[")
+        program = program_of(first)
+        if "fogcomp" in (first, program):
+            words = words[1:]
+            first = words[0] if words else ""
+            if first not in command_options:
+                continue
+        if first in command_options:
+            wrong += [f"{first} has no option {o}" for o in options if o not in command_options[first]]
+        elif first.startswith("--"):
+            unknown = [o for o in options if o not in all_options and not any(has_option(p, o) for p in programs)]
+            wrong += [f"nothing that the page names has an option {o}" for o in unknown]
+        elif program in sources:
+            wrong += [f"{first} has no option {o}" for o in options if not has_option(program, o)]
+    return wrong
+
+
+def check_command(page, number, text, programs):
+    """TEXT: of a back-ticked span or a line of code, on a page that names PROGRAMS of the tree."""
     wrong = []
     for script in re.findall(r"(?:^|[\s;&])((?:[\w.-]+/)+[\w-]+\.sh)\b", text):
         if script in files and not os.access(os.path.join(root, script), os.X_OK):
@@ -85,29 +157,21 @@ def check_command(page, number, text):
         for one in name.replace("'", "").split():
             if one not in labels and not set(re.findall(r"\w+", one)) <= words_of_tests:
                 wrong.append(f"no test and no kind of test: {one}")
-    called = re.match(r"fogcomp ([a-z]+)(?= |$)", text)
-    if called and subcommands and called[1] not in subcommands | {"help"}:
-        wrong.append(f"fogcomp has no command {called[1]}")
+    if command_options:
+        for called in re.findall(r"(?:^|[\s;&|(])fogcomp ([a-z]+)(?= |$)", text):
+            if called not in {*command_options, "help"}:
+                wrong.append(f"fogcomp has no command {called}")
+        wrong += wrong_options(text.removeprefix("… "), programs)
     problems.extend(f"{page}:{number}: {text.strip()}: {what}" for what in wrong)
-
-
-def lines_of(page):
-    """Lines with their numbers, and whether they are code in a fence."""
-    fenced = False
-    with open(page, encoding="utf-8") as file:
-        for number, line in enumerate(file, 1):
-            fence = line.lstrip().startswith("```")
-            yield number, line.rstrip("\n"), fenced or fence
-            fenced ^= fence
 
 
 def anchors(page):
     """Of its headings, as GitHub makes them."""
     found = set()
-    for _, line, code in lines_of(page):
-        if code or not re.match(r"#{1,6} ", line):
+    for block in blocks(page):
+        if block.kind != "heading":
             continue
-        text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", line.lstrip("#").strip()).lower()
+        text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", block.text.lstrip("#").strip()).lower()
         kept = (c for c in text if c in " -_" or unicodedata.category(c)[0] in "LN")
         base = anchor = "".join(kept).replace(" ", "-")
         count = 0
@@ -130,19 +194,21 @@ def check_link(page, number, target):
 
 
 def check_page(page):
-    for number, line, code in lines_of(page):
+    for number, line in enumerate(read(page).splitlines(), 1):
         if len(line) > 120 and not line.lstrip().startswith("|"):
             problems.append(f"{page}:{number}: {len(line)} columns")
-        if code or line.startswith("    "):
-            for part in re.split(r"&&|;", line):
-                check_command(page, number, part.strip())
-            continue
-        for span in re.findall(r"`([^`]+)`", line):
-            check_command(page, number, span)
-            for word in span.split():
+    programs = {program_of(word) for block in blocks(page) for _, code in block.code() for word in code.split()}
+    programs &= sources.keys()
+    for block in blocks(page):
+        for number, code in block.code():
+            for part in re.split(r"&&|;", re.sub(r"(?:^|\s)# .*", "", code)):
+                check_command(page, number, part.strip().removeprefix("$ "), programs)
+            for word in code.split() if block.kind != "code" else []:
                 check_place(page, number, word.rstrip(".,;:"))
-        for target in re.findall(r"\]\(([^)\s]+)\)", re.sub(r"`[^`]*`", "", line)):
-            check_link(page, number, target)
+                check_constant(page, number, word)
+        if block.kind != "code":
+            for link in re.finditer(r"\]\(([^)\s]+)\)", block.without_code()):
+                check_link(page, block.line_at(link.start()), link[1])
 
 
 def check_rules():

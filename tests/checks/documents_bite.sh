@@ -1,17 +1,19 @@
 #!/usr/bin/env bash
-# documents_bite.sh: the check of the documents refuses a link, a heading, the name of a file, a command and a line that
-# are wrong, and takes right ones.
+# documents_bite.sh: the check of the documents refuses a link, a heading, the name of a file, a command, an option and a
+# line that are wrong, and takes right ones.
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
-mkdir -p "$tree/part" "$tree/tests/unit"
+mkdir -p "$tree/part" "$tree/tests/unit" "$tree/host_tools"
 printf '# Part\n\n## `add`: one, or several\n' >"$tree/part/README.md"
 
-touch "$tree/part/one.cpp"
-printf '#!/bin/sh\n' >"$tree/tests/try.sh" && chmod +x "$tree/tests/try.sh"
+echo 'constexpr int kOne = 1;' >"$tree/part/one.cpp"
+printf '#!/bin/sh\ncase $1 in --fast) ;; esac\n' >"$tree/tests/try.sh" && chmod +x "$tree/tests/try.sh"
 printf '#!/bin/sh\n' >"$tree/tests/data.sh"
 echo 'fog_gtest(test_part unit/part unit fogcomp_part)' >"$tree/tests/CMakeLists.txt"
+printf '%s\n' '### fit' '' '| `--levels N` | |' '' 'Also: [shared options](#shared-options).' '' '#### Shared options' \
+  '' '| `--rate HZ` | |' >"$tree/host_tools/REFERENCE.md"
 echo '{ "configurePresets": [{ "name": "host" }] }' >"$tree/CMakePresets.json"
 
 # judge TEXT...: the check's opinion of a page of these, a paragraph each; of the i-th, the line where it begins: at[i].
@@ -28,12 +30,16 @@ long=$(printf 'a%.0s' {1..121})
 judge '[a](part/README.md)' '[a\nb](part/README.md#add-one-or-several)' '[a](#page)' '[a](https://x.org/none)' \
   "| $long |" '`[a](none.md)`' '```\n[a](none.md)\n```' '[`a`](part/)' \
   '`part/one.cpp`' '`one.cpp`' '`part/one`' '`part/`' '`boards/NAME/wiring.hpp`' '`run.csv`' '`deg/h`' '`tests/try.sh -o x`' \
+  '`part/README.md`' '`fogcomp fit --levels 3 --rate 9`' '`fit --rate`' '`--levels`' '    $ fogcomp fit --help' \
+  '`git log --oneline`' '`kOne`' '`tests/try.sh --fast`' '`--fast`' '(`fogcomp\nfit --levels 3`)' 'a `fogcomp` fot' \
   '    ctest --test-dir build -L unit' '`cmake --preset host`' '    cmake --build build --target test_part' ||
   { echo "refused what is right: $(cat "$tree/said")" >&2; exit 1; }
 wrong=('[a](none.md)' '[a](part/README.md#none)' '[a](#none)' '[a\nb](part/none.md)' '| [`a`](none.md) |'
   "$long"
   "\`\`\`\n$long\n\`\`\`" '`part/two.cpp`' '`two.hpp`' '`part/two`' '`none.md`' '`tests/data.sh`'
-  '    ctest --test-dir build -R unit' '`ctest -L none`' '`cmake --preset none`' '    cmake --build b --target none')
+  '    ctest --test-dir build -R unit' '`ctest -L none`' '`cmake --preset none`' '    cmake --build b --target none'
+  '`part/data.txt`' '`kTwo`' '`fogcomp fot`' '    $ fogcomp fot run.csv' '`cat x | fogcomp fot -`' '`fogcomp fit --lovels 3`'
+  '`fit --lovels`' '`--lovels`' '    $ fogcomp fit --lovels' '`tests/try.sh --slow`' '(`fogcomp\nfit --lovels 3`)')
 ! judge "${wrong[@]}" || { echo "accepted what is wrong" >&2; exit 1; }
 for i in "${!wrong[@]}"; do
   lines=$(grep -c . < <(printf '%b\n' "${wrong[i]}"))

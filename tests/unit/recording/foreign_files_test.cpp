@@ -448,8 +448,8 @@ TEST(ForeignFiles, AreSettledByTheMapOfColumns) {
             std::vector<double>{1});
 }
 
-// The recipe of the README.
-TEST(ForeignFiles, OfARosBagAreReadWithTheMapThatTheReadmeGives) {
+// The recipe of REFERENCE.md, "Other layouts".
+TEST(ForeignFiles, OfARosBagAreReadWithTheMapThatTheReferenceGives) {
   std::string text =
       "%time,field.header.seq,field.header.frame_id,field.angular_velocity.z,field.temperature\n";
   for (int row = 0; row < kRows; ++row) {
