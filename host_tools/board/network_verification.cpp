@@ -42,7 +42,7 @@ NetworkError verify_network(const model::Model& model, const fog::ModelParameter
       const NetworkInputFormat format = network_input_format(inputs[i].signal, block_s);
       const std::int32_t raw =
           board_value(inputs[i].centre + kBeyond * share * inputs[i].half_range, format);
-      on_board_inputs[i] = fog::scaled_input(raw, parameters.network.inputs[i]);
+      on_board_inputs[i] = fog::scaled_input(raw, parameters.network.inputs[i]).value;
       values[static_cast<Eigen::Index>(i)] = std::ldexp(raw, -format.fraction) * format.per_unit;
     }
     const fog::DriftSum drift = fog::network_drift(parameters.network, on_board_inputs);

@@ -246,16 +246,17 @@ void print_sequence() {
     std::uint32_t ms;
   };
   for (const Step step :
-       {Step{65533, 0}, {65534, 5},       {65535, 10},      {0, 15},      {3, 30},
-        {2, 35},        {3, 40},          {4, 45},          {4, 330'000}, {5, 330'005},
-        {100, 330'010}, {40100, 330'015}, {40101, 330'020}, {1, 330'025}, {2, 330'030},
-        {3, 330'035},   {4, 330'040},     {5, 330'045},     {6, 330'050}, {7, 330'055},
-        {8, 330'060},   {9, 330'065},     {10, 330'070}}) {
+       {Step{65533, 0}, {65534, 5},       {65535, 10},      {0, 15},       {3, 30},
+        {2, 35},        {3, 40},          {4, 45},          {4, 330'000},  {5, 330'005},
+        {100, 330'010}, {40100, 330'015}, {40101, 330'020}, {1, 330'025},  {2, 330'030},
+        {3, 330'035},   {4, 330'040},     {5, 330'045},     {6, 330'050},  {7, 330'055},
+        {8, 330'060},   {9, 330'065},     {10, 330'070},    {41, 330'230}, {80, 330'430},
+        {81, 330'435},  {82, 330'440}}) {
     const auto a = without.judge(step.number);
     const auto b = with.judge(step.number, {true, step.ms});
     line("sequence", {step.number, step.ms},
-         {static_cast<std::uint32_t>(a.status), a.missing, a.late ? 1 : 0,
-          static_cast<std::uint32_t>(b.status), b.missing, b.late ? 1 : 0});
+         {static_cast<std::uint32_t>(a.status), a.missing, a.late ? 1 : 0, a.doubtful ? 1 : 0,
+          static_cast<std::uint32_t>(b.status), b.missing, b.late ? 1 : 0, b.doubtful ? 1 : 0});
   }
 }
 
@@ -291,7 +292,8 @@ int main() {
       "150689 106553 75344.\n"
       "# reading x valid elapsed -> flags, use (0 none, 1 good, 2 good anew), confirmed: the "
       "coil's, period 200000.\n"
-      "# sequence number ms -> without a clock flags, missing, late; with it the same; period "
+      "# sequence number ms -> without a clock flags, missing, late, doubtful; with it the same; "
+      "period "
       "5000.\n"
       "# sample_rate elapsed ms (-1: unknown) -> flag; elapsed 0: a late sample; period 5000.");
   constexpr int kBlocks = 24;

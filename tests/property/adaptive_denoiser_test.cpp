@@ -35,7 +35,9 @@ constexpr double kMeanSquareError = 0.06;  // relative, in telling weak from str
 class Board {
  public:
   explicit Board(const fog::DenoiseParameters& parameters)
-      : bank_(parameters, {line_.data(), coarser_.data(), waiting_.data()}) {}
+      : bank_(parameters, line_.data(), coarser_.data()) {
+    bank_.start(parameters, waiting_.data());
+  }
 
   double step(std::int32_t raw) {
     if (++samples_ == 1) {

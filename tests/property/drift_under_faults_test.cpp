@@ -85,6 +85,14 @@ const std::vector<FaultCase>& fault_cases() {
       {"a restart with the demodulator's",
        {at(Kind::board_restart, 0, 0.3), at(Kind::restart, 0, 0.3, 31000)},
        220},
+      {"a restart with the demodulator's, 10 s ahead",
+       {at(Kind::board_restart, 0, 0.3), at(Kind::restart_ahead, 0, 0.3, 2000)},
+       280},
+      {"a restart with the demodulator's, 25 s ahead",
+       {at(Kind::board_restart, 0, 0.3), at(Kind::restart_ahead, 0, 0.3, 5000)},
+       280},
+      {"one sample 500 times", {at(Kind::repeats_one, 0, 2.5)}, 20},
+      {"numbers that leap by 25 a second", {at(Kind::leaps, 0, 60, 25)}, 280},
       {"a restart after 200 s without samples",
        {at(Kind::no_samples, 0, 200), at(Kind::board_restart, 199, 0.3)},
        220},
@@ -108,6 +116,41 @@ class DriftUnderAFault : public testing::TestWithParam<FaultCase> {};
 TEST_P(DriftUnderAFault, IsRightWhereverTheRateIsTrusted) {
   const FaultCase& c = GetParam();
   const DriftUnderFaults board(fog::test::paper_like_model());
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const DriftVerdict verdict = print(c.name, board.run(c.faults, kRunS, seed));
+    EXPECT_LE(verdict.worst_dph, kDriftBoundDph) << "seed " << seed;
+    EXPECT_LE(verdict.clean_since_s, c.faults.back().to_s + c.clean_within_s) << "seed " << seed;
+  }
+}
+
+// Nothing but the numbers of the samples says how much time has passed: what they say of losses
+// may be a leap.
+const std::vector<FaultCase>& fault_cases_without_a_clock() {
+  static const std::vector<FaultCase> all{
+      {"samples lost for 0.1 s", {at(Kind::no_samples, 0, 0.1)}, 1},
+      {"samples lost for 10 s", {at(Kind::no_samples, 0, 10)}, 280},
+      {"repeated samples", {at(Kind::repeated, 0, 60)}, 1},
+      {"one sample 500 times", {at(Kind::repeats_one, 0, 2.5)}, 280},
+      {"numbers that leap by 25 a second", {at(Kind::leaps, 0, 300, 25)}, 280},
+      {"a demodulator that starts 10 s ahead", {at(Kind::restart_ahead, 0, 0.05, 2000)}, 280},
+      {"a demodulator that starts 25 s ahead", {at(Kind::restart_ahead, 0, 0.05, 5000)}, 280},
+      {"a demodulator that starts 150 s ahead", {at(Kind::restart_ahead, 0, 0.05, 30'000)}, 280},
+      {"a demodulator that starts 10 s behind", {at(Kind::restart_ahead, 0, 0.05, 63'536)}, 280},
+      // Schedule 7 of random_faults: 20,000 behind, after 23 s of silence.
+      {"a demodulator that starts behind after 23 s",
+       {at(Kind::restart_ahead, 0, 23, 45'000)},
+       300},
+      {"the watchdog's restart", {at(Kind::board_restart, 0, 0.3)}, 20},
+  };
+  return all;
+}
+
+class DriftWithoutAClock : public testing::TestWithParam<FaultCase> {};
+
+TEST_P(DriftWithoutAClock, IsRightWhereverTheRateIsTrusted) {
+  const FaultCase& c = GetParam();
+  const DriftUnderFaults board(fog::test::paper_like_model(), 3,
+                               DriftUnderFaults::BoardClock::none);
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const DriftVerdict verdict = print(c.name, board.run(c.faults, kRunS, seed));
     EXPECT_LE(verdict.worst_dph, kDriftBoundDph) << "seed " << seed;
@@ -172,5 +215,7 @@ TEST(DriftAfterARestart, IsThatOfABoardThatNeverStopped) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, DriftUnderAFault, testing::ValuesIn(fault_cases()));
+INSTANTIATE_TEST_SUITE_P(Every, DriftWithoutAClock,
+                         testing::ValuesIn(fault_cases_without_a_clock()));
 
 }  // namespace

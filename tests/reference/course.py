@@ -1,7 +1,7 @@
 """Course of the model (spec/pipeline.md): starts, steps, holds, bridges, and the drift."""
 
 import flags
-from arithmetic import INT32_MAX, clamp, sat32, truncated_quotient
+from arithmetic import INT32_MAX, clamp, sat32, truncated_quotient, u32
 from effects import FOLLOWING, FOR_A_BLOCK, drift_of
 from expressions import Expressions
 from network import Network
@@ -98,6 +98,9 @@ class Course:
         self.held = min(self.held + blocks, self.hold_blocks + 1)
         self.since_good = min(self.since_good + blocks, self.hold_blocks + 1)
 
+    def unsettle(self):
+        self.settling = u32(self.settle_blocks + self.left + self.since_good)
+
     def catch_up(self):
         if not self.started or self.left == 0:
             return
@@ -138,7 +141,7 @@ class Course:
         self.base = (clamp(total, -2**41, INT32_MAX << 10) << 21) + 2**30
         self.to_make = signals
         self.flags = 0
-        if clamps or self.block.expressions.clamped:
+        if clamps or self.block.expressions.clamped or self.block.network.clamped:
             self.clamped_left = self.settle_blocks + 1
         elif self.clamped_left > 0:
             self.clamped_left -= 1

@@ -39,7 +39,7 @@ class Denoiser:
         self.delay = table.delay
         self.bank = Bank(table) if table.levels else None
         self.filling_left = self.delay + 1
-        self.unsettled = self.delay
+        self.follows = False
         self.last = 0                                          # the last sample that came in
         self.valid = deque([True] * self.delay, maxlen=self.delay + 1)
         self.primed = False
@@ -56,16 +56,15 @@ class Denoiser:
             return self._first(rate, valid)
         if self.filling_left > 0:
             self.filling_left -= 1
-        follows = valid and self.unsettled == 0
-        if not follows:
-            if valid:
-                self.unsettled -= 1
-            else:
-                self.unsettled = self.delay + 1
-                rate = self.last
+        if not valid:
+            rate = self.last
         self.last = rate
+        denoised = self.bank.step(rate, self.follows)
+        if self.bank.gate.outlier:
+            self.valid[-1] = False
         self.valid.append(valid)
-        return self.bank.step(rate, follows), self.valid[0]
+        self.follows = self.valid[0] and not self.filling
+        return denoised, self.valid[0]
 
     def _first(self, rate, valid):
         if not valid:
@@ -95,6 +94,7 @@ class OutlierGate:
         self.line = []
         self.withheld = None
         self.before = 0
+        self.outlier = False               # the sample before the last one
 
     def prime(self, rate):
         self.line = [rate] * self.needed
@@ -103,8 +103,10 @@ class OutlierGate:
         line = self.line
         if len(line) > self.needed + self.SPARE:
             del line[:-self.needed]
+        self.outlier = False
         if self.withheld is not None:
-            if not self._is_outlier(self.withheld, v, line[-1], limit):
+            self.outlier = self._is_outlier(self.withheld, v, line[-1], limit)
+            if not self.outlier:
                 line[-1] = self.withheld
             self.withheld = None
             line.append(v)

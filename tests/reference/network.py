@@ -39,6 +39,7 @@ class Network:
         """table: None where there are no hidden neurons."""
         self.table = table
         self.lags = [Lag(each.decay) for each in table.inputs] if table else []
+        self.clamped = False           # an input, but for that of the time, in the last step
 
     @property
     def needs(self):
@@ -55,20 +56,23 @@ class Network:
         table = self.table
         if table is None:
             return 0
+        self.clamped = False
         inputs = [self._input(each, lag, signals) for each, lag in zip(table.inputs, self.lags)]
         total = (table.output_bias << 32) + 2**31
         for neuron in table.neurons:
             total += neuron.output_weight * self._hidden(neuron, inputs)
         return round_shift(table.amplitude * self._output(total >> 32), 26) + (table.centre << 4)
 
-    @staticmethod
-    def _input(each, lag, signals):
+    def _input(self, each, lag, signals):
         means = signals.means
         if each.signal == LAGGED:
             value = round_shift(lag.step(signals.trained << 24), 24)
         else:
             value = (signals.trained, signals.change, None, means.blocks, means.rate, *means.inputs)[each.signal]
-        return clamp(sat32(value - each.centre), -each.reach, each.reach) << each.shift
+        off = sat32(value - each.centre)
+        if abs(off) > each.reach and each.signal != BLOCKS:
+            self.clamped = True
+        return clamp(off, -each.reach, each.reach) << each.shift
 
     def _hidden(self, neuron, inputs):
         total = (neuron.bias << 32) + 2**31 + sum(w * x for w, x in zip(neuron.weights, inputs))

@@ -102,7 +102,7 @@ class Pipeline:
         status = self._denoised_status(status)
         sent = self._send(sample.number, compensated, status, verdict.late)
         if not verdict.late:
-            self._blocks(verdict.missing, sample.temperature if good else None, compensated if well else None)
+            self._blocks(verdict, sample.temperature if good else None, compensated if well else None)
         return sent
 
     # 1. Start or stop the model.
@@ -179,10 +179,13 @@ class Pipeline:
 
     # 5. Blocks.
 
-    def _blocks(self, missing, temperature, rate):
+    def _blocks(self, verdict, temperature, rate):
+        missing = verdict.missing
         for needed in self.inputs.values():
             needed.elapsed = min(needed.elapsed + missing + 1, 2**31)
         self._finish(self._advance(missing))
+        if verdict.doubtful:
+            self.course.unsettle()
         if temperature is not None:
             self.temperatures.append(temperature)
         if rate is not None:

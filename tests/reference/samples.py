@@ -16,9 +16,12 @@ class Sequence:
         self.newest = None
         self.time = UNKNOWN
         self.late = 0
+        self.doubt = 0
+        self.doubtful = False              # the sample judged last
 
     def judge(self, number, now=UNKNOWN):
         """(flags, missing, whether the sample is late)"""
+        self.doubtful = False
         if self.newest is None:
             self._take(number, now)
             return 0, 0, False
@@ -33,8 +36,16 @@ class Sequence:
                 return flags.SEQUENCE_GAP, 0, True
         if m < 0 or contradicts:
             m = e if clock else 7
+            self.doubt = 10_000_000 // self.period
+        if not clock:
+            self._doubt(max(m, 0))
         self._take(number, now)
         return flags.SEQUENCE_GAP if s != 0 or m > 0 else 0, max(m, 0), False
+
+    def _doubt(self, missing):
+        self.doubt += 50 * missing
+        self.doubtful = self.doubt > 10_000_000 // self.period
+        self.doubt = 0 if self.doubtful else max(self.doubt - 1, 0)
 
     def _samples_since(self, now):
         return min(2**30, (u32(now - self.time) * ((1000 << 20) // self.period) + 2**19) >> 20)
@@ -80,17 +91,20 @@ class Stuck:
     def __init__(self, stuck_samples):
         self.stuck_samples = stuck_samples
         self.run = 0
-        self.lowest = self.highest = 0
+        self.lowest = 0
+        self.both = False                  # lowest + 1 has come, too
 
     def judge(self, counts):
-        lo = min(counts, self.lowest)
-        hi = max(counts, self.highest)
-        if self.run == 0 or hi - lo > 1:
+        above = u32(counts - self.lowest)
+        if self.run == 0 or (above > 1 and (self.both or above < 2**32 - 1)):
             self.run = 1
-            self.lowest = self.highest = counts
+            self.lowest = counts
+            self.both = False
         else:
             self.run = min(self.run + 1, max(self.run, self.stuck_samples))
-            self.lowest, self.highest = lo, hi
+            self.both = self.both or above != 0
+            if above > 1:
+                self.lowest = counts
         return flags.GYRO_STUCK if self.stuck_samples != 0 and self.run >= self.stuck_samples else 0
 
 
@@ -264,6 +278,7 @@ class Verdict(NamedTuple):
     missing: int
     use: int               # of the temperature
     confirmed: bool        # the temperature
+    doubtful: bool         # the time that has passed
 
 
 class Judge:
@@ -286,4 +301,5 @@ class Judge:
         trusted = not judged & (flags.GYRO_INVALID | flags.GYRO_STUCK)
         judged |= self.rate.judge(rate, elapsed, trusted)
         temperature_flags, use = self.temperature.judge(sample.temperature, sample.temperature_valid, elapsed)
-        return Verdict(judged | temperature_flags, late, missing, use, self.temperature.confirmed)
+        return Verdict(judged | temperature_flags, late, missing, use, self.temperature.confirmed,
+                       self.sequence.doubtful)

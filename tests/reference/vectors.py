@@ -213,7 +213,7 @@ class FunctionVectors:
 
     def sequence(self, number, ms):
         without, with_clock = self.sequences
-        return *without.judge(number), *with_clock.judge(number, ms)
+        return (*without.judge(number), without.doubtful, *with_clock.judge(number, ms), with_clock.doubtful)
 
     def sample_rate(self, elapsed, ms):
         return self.rate_monitor.judge(elapsed, None if ms < 0 else ms)

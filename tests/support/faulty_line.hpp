@@ -23,6 +23,7 @@ struct Fault {
     no_temperature,      ///< flagged by the sensor
     no_samples,          ///< the line is dead; the demodulator continues to count
     restart,             ///< the demodulator restarts and counts from `value`
+    restart_ahead,       ///< the same, from `value` numbers ahead
     wrong_temperature,   ///< `value` degC, flagged as valid
     temperature_offset,  ///< `value` degC too warm
     frozen_temperature,  ///< the reading at the start of the fault, repeated
@@ -30,6 +31,8 @@ struct Fault {
     repeated,            ///< every fourth sample comes twice
     swapped,             ///< every fourth sample comes after its successor
     sparse,              ///< only every `value`th sample arrives
+    leaps,               ///< the number leaps ahead by `value`, once a second
+    repeats_one,  ///< a FIFO that stands: the sample at the start of the fault, again and again
     gyro_invalid,
     power_cycle,    ///< the board loses its memory at the end
     board_restart,  ///< the board restarts by itself and keeps its memory
@@ -40,6 +43,8 @@ struct Fault {
   double to_s;
   double value = 0;
 };
+
+constexpr std::size_t kFaultKinds = static_cast<std::size_t>(Fault::Kind::pin_reset) + 1;
 
 /// Readings of a 1/16 degC sensor on a coil in a chamber with random ramps and soaks. The coil has
 /// the lag of a bare one; the sensor's noise is one step.
@@ -139,6 +144,7 @@ class FaultyLine {
     using Kind = Fault::Kind;
     bool arrives = true;
     repeat_ = swap_ = false;
+    if (!any_of(Kind::repeats_one, time_s)) standing_.reset();
     period_us_ = kPeriodUs;
     for (Fault& fault : faults_) {
       if (time_s < fault.from_s || time_s >= fault.to_s) continue;
@@ -152,6 +158,10 @@ class FaultyLine {
         case Kind::restart:
           arrives = false;
           sequence_ = static_cast<std::uint16_t>(fault.value);
+          break;
+        case Kind::restart_ahead:
+          arrives = false;
+          if (!restarted_) sequence_ = ahead(sequence_, fault.value);
           break;
         case Kind::wrong_temperature:
           now.sample.temperature_q16 = raw(fault.value);
@@ -175,6 +185,14 @@ class FaultyLine {
         case Kind::sparse:
           arrives = arrives && sequence_ % static_cast<unsigned>(fault.value) == 0;
           break;
+        case Kind::leaps:
+          if (time_us_ % kSecondUs < kPeriodUs) sequence_ = ahead(sequence_, fault.value);
+          now.sample.sequence = sequence_;
+          break;
+        case Kind::repeats_one:
+          if (!standing_) standing_ = now.sample;
+          now.sample = *standing_;
+          break;
         case Kind::gyro_invalid:
           now.sample.gyro_valid = false;
           break;
@@ -185,7 +203,17 @@ class FaultyLine {
           break;
       }
     }
+    restarted_ = any_of(Kind::restart_ahead, time_s);
     return arrives;
+  }
+
+  bool any_of(Fault::Kind kind, double time_s) const {
+    return std::any_of(faults_.begin(), faults_.end(), [&](const Fault& fault) {
+      return fault.kind == kind && time_s >= fault.from_s && time_s < fault.to_s;
+    });
+  }
+  static std::uint16_t ahead(std::uint16_t sequence, double by) {
+    return static_cast<std::uint16_t>(sequence + static_cast<unsigned>(by));
   }
 
   std::vector<Fault> faults_;
@@ -196,6 +224,8 @@ class FaultyLine {
   std::uint16_t sequence_ = 0;
   bool repeat_ = false;
   bool swap_ = false;
+  bool restarted_ = false;
+  std::optional<SensorSample> standing_;
   std::optional<Arrival> kept_;
 };
 

@@ -28,34 +28,44 @@ std::int32_t magnitude(std::int32_t value) {
 }  // namespace
 
 SequenceMonitor::SequenceMonitor(std::uint32_t sample_period_us)
-    : samples_per_ms_((std::uint32_t{1000} << 20U) / sample_period_us) {}
+    : samples_per_ms_((std::uint32_t{1000} << 20U) / sample_period_us),
+      max_doubt_(static_cast<std::int32_t>(kDoubtUs / sample_period_us)) {}
 
 SequenceMonitor::Verdict SequenceMonitor::judge(std::uint16_t sequence, SampleTime now) {
-  const auto skipped = static_cast<std::uint16_t>(sequence - newest_ - unsigned{!first_});
+  if (first_) newest_ = sequence - 1U;
+  first_ = false;
+  const auto skipped = static_cast<std::uint16_t>(sequence - newest_ - 1U);
+  const bool clock = now.known && newest_time_.known;
+  const std::int32_t expected = clock ? samples_in(now.ms - newest_time_.ms) - 1 : 0;
+  std::int32_t missing = nearest(skipped, expected);
+  const bool contradicts = clock && magnitude(missing - expected) >
+                                        kWaitingSamples + floor_shift(expected, kLog2OfRateError);
   Verdict verdict;
-  if (!first_) {
-    const bool clock = now.known && newest_time_.known;
-    const std::int32_t expected = clock ? samples_in(now.ms - newest_time_.ms) - 1 : 0;
-    std::int32_t missing = nearest(skipped, expected);
-    const bool contradicts = clock && magnitude(missing - expected) >
-                                          kWaitingSamples + floor_shift(expected, kLog2OfRateError);
-    if (missing < 0 && !contradicts && ++late_samples_ < kLateSamplesForRestart) {
-      verdict.status = Status::sequence_gap;
-      verdict.late = true;
-      return verdict;
-    }
-    // The demodulator has restarted its count. Samples taken for late ones were time that passed.
-    if (contradicts || missing < 0) {
-      missing = clock ? expected : static_cast<std::int32_t>(kLateSamplesForRestart) - 1;
-    }
-    verdict.missing = missing > 0 ? static_cast<std::uint32_t>(missing) : 0U;
-    verdict.status = status_if(skipped != 0 || missing > 0, Status::sequence_gap);
+  if (missing < 0 && !contradicts && ++late_samples_ < kLateSamplesForRestart) {
+    verdict.status = Status::sequence_gap;
+    verdict.late = true;
+    return verdict;
   }
+  // The demodulator has restarted its count. Samples taken for late ones were time that passed.
+  if (contradicts || missing < 0) {
+    missing = clock ? expected : static_cast<std::int32_t>(kLateSamplesForRestart) - 1;
+    doubt_ = max_doubt_;  // of no use with a clock
+  }
+  verdict.missing = missing > 0 ? static_cast<std::uint32_t>(missing) : 0U;
+  verdict.status = status_if((skipped | verdict.missing) != 0, Status::sequence_gap);
+  if (!clock) verdict.doubtful = is_doubtful(verdict.missing);
   late_samples_ = 0;
   newest_ = sequence;
   newest_time_ = now;
-  first_ = false;
   return verdict;
+}
+
+// Without a clock fewer than 2^15 samples are missing.
+bool SequenceMonitor::is_doubtful(std::uint32_t missing) {
+  const std::int32_t doubt = doubt_ + kDoubtPerSample * static_cast<std::int32_t>(missing);
+  const bool doubtful = doubt > max_doubt_;
+  doubt_ = doubtful || doubt <= 0 ? 0 : doubt - 1;
+  return doubtful;
 }
 
 // Samples in `passed_ms`, rounded to nearest; within 0.1 % for periods up to 10 s.

@@ -3,16 +3,18 @@
 namespace fog {
 
 bool StuckMonitor::judge(std::int32_t counts) {
-  const std::int64_t min = counts < min_ ? counts : min_;
-  const std::int64_t max = counts > max_ ? counts : max_;
-  if (run_ == 0 || max - min > 1) {
+  const std::uint32_t above = static_cast<std::uint32_t>(counts) - min_;
+  // One below is possible, too, if all have been equal.
+  const std::uint32_t above_lowest = above + 1 - both_;
+  if (run_ == 0 || above_lowest > 2 - both_) {
     run_ = 1;
-    min_ = max_ = counts;
+    both_ = 0;
+    min_ += above;
   } else {
     // Saturates: a gyro stuck for months must not wrap the count.
     if (run_ < stuck_samples_) ++run_;
-    min_ = min;
-    max_ = max;
+    if (above != 0) both_ = 1;
+    if (above > 1) --min_;
   }
   return stuck_samples_ != 0 && run_ >= stuck_samples_;
 }

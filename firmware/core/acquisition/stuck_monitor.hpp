@@ -16,9 +16,9 @@ class StuckMonitor {
 
  private:
   std::uint32_t stuck_samples_;
-  std::uint32_t run_ = 0;  // consecutive counts within [min_, min_ + 1]
-  std::int64_t min_ = 0;   // wide, so that differences cannot overflow
-  std::int64_t max_ = 0;
+  std::uint32_t run_ = 0;   // consecutive counts within [min_, min_ + 1]
+  std::uint32_t min_ = 0;   // unsigned, so that differences wrap
+  std::uint32_t both_ = 0;  // 1: min_ + 1 has come, too
 };
 
 }  // namespace fog

@@ -108,6 +108,13 @@ class DriftModel {
     update_rate_effects(block.input_rate);
   }
 
+  /// The model may have been stepped too often or too rarely: it has to settle, once it has been
+  /// stepped for the blocks before.
+  void unsettle() {
+    // Wraps only with a hold of years.
+    course_.settling_blocks = policy_.settle_blocks + bridge_.remaining() + course_.since_good;
+  }
+
   /// `blocks` blocks without a valid temperature or input: the drift stays.
   void hold(std::uint32_t blocks) {
     course_.held_blocks = held_after(course_.held_blocks, blocks);
@@ -204,7 +211,7 @@ class DriftModel {
     } else {
       course_.now.drift = saturate_to<Rate>(drift);
     }
-    if (is_outside || expressions_.clamped()) {
+    if (is_outside || expressions_.clamped() || network_.clamped()) {
       course_.clamped_blocks = policy_.settle_blocks + 1;
     } else if (course_.clamped_blocks > 0) {
       --course_.clamped_blocks;

@@ -30,8 +30,8 @@ class NoiseScale {
   /// `expected_universal`: universal threshold of the finest level at threshold scale 1.
   [[gnu::always_inline]] void follow(std::uint32_t magnitude, std::uint32_t expected_universal) {
     const std::uint32_t step = floor_shift(threshold_scale_, kStepShift);
-    const std::uint64_t median =
-        floor_shift(std::uint64_t{of(expected_universal)} * kMedianShare, kShareFraction);
+    const auto median = static_cast<std::uint32_t>(
+        floor_shift(std::uint64_t{of(expected_universal)} * kMedianShare, kShareFraction));
     if (magnitude > median) {
       threshold_scale_ += step;
       if (threshold_scale_ > kMax) threshold_scale_ = kMax;

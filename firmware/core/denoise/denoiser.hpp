@@ -18,7 +18,7 @@ constexpr std::size_t denoise_line_length(std::size_t taps, std::size_t levels) 
 
 struct DenoiserOutput {
   Rate rate{};
-  bool valid = false;  ///< whether the sample of this output was valid
+  bool valid = false;  ///< whether the sample of this output was valid, and no outlier
 };
 
 /// Streaming wavelet denoiser: one sample in, one sample out, late by delay() samples.
@@ -39,8 +39,9 @@ class Denoiser {
   /// after a refused model, no sample may be passed as valid.
   explicit Denoiser(const DenoiseParameters& parameters)
       : filling_(denoise_line_length(kTaps, parameters.levels())),
-        bank_(parameters, {memory_.line.data(), memory_.coarser.data(), memory_.waiting.data()}) {
-    memory_.validity.unsettle(filling_ - 1);  // all but the first
+        bank_(parameters, memory_.line.data(), memory_.coarser.data()) {
+    bank_.start(parameters, memory_.waiting.data());
+    bank_.gate().watch(filling_ - 1);  // all but the first
   }
   // Not copyable: its parts refer to its memory.
   Denoiser(const Denoiser&) = delete;
@@ -48,9 +49,10 @@ class Denoiser {
 
   /// The first valid sample fills all lines, as if it had been the input for ever, and is the
   /// output until the line is full. A sample that is not valid is replaced by the last valid one,
-  /// so that a fault disturbs no other sample.
+  /// so that a fault disturbs no other sample. An outlier that the gate has removed may have been a
+  /// rotation: its output is not valid either.
   DenoiserOutput step(Rate rate, bool valid) {
-    if (!valid || !memory_.validity.settled()) return unsettled_step(rate, valid);
+    if (!valid || bank_.gate().watched()) return unsettled_step(rate, valid);
     return {Rate::from_raw(bank_.step(rate.raw())), true};
   }
 
@@ -69,9 +71,11 @@ class Denoiser {
     std::array<std::int16_t, denoise_waiting(kTaps, kLevels)> waiting;
   };
 
-  // At start-up and around invalid samples.
+  // At start-up and around samples that are invalid or withheld. Whether a sample was an outlier
+  // shows with the next one: so validities are stored one sample late.
   [[gnu::noinline]] DenoiserOutput unsettled_step(Rate rate, bool valid) {
     const std::size_t length = bank_.line().length();
+    OutlierGate& gate = bank_.gate();
     if (filling_ == length) {  // no valid sample yet
       if (!valid) return {};
       bank_.prime(rate.raw());
@@ -82,16 +86,27 @@ class Denoiser {
       --filling_;
       bank_.prime_further();
     }
+    gate.count_watched();
     if (!valid) rate = Rate::from_raw(bank_.last());
-    bank_.follow_noise(false);
     rate = Rate::from_raw(bank_.step(rate.raw()));
-    bank_.follow_noise(true);
-    return {rate, memory_.validity.exchange(valid, length)};
+    const bool last_valid = gate.valid();
+    gate.set_valid(valid);
+    if (!(valid & last_valid)) gate.watch(length);
+    const bool oldest_valid = oldest_after(last_valid, length);
+    bank_.follow_noise(oldest_valid & (filling_ == 0));
+    return {rate, oldest_valid};
   }
 
-  std::size_t filling_;  // samples left until the line is full
+  // Validity of the oldest of `length` samples, after that of the last but one.
+  bool oldest_after(bool last_but_one, std::size_t length) {
+    constexpr std::size_t kOtherPlaces = 2;  // the newest, and the oldest itself
+    if (kTaps == 2 && length == kOtherPlaces) return last_but_one;
+    return memory_.validity.exchange(last_but_one, length - kOtherPlaces);
+  }
+
+  std::size_t filling_;     // samples left until the line is full
+  FilterBank<kTaps> bank_;  // before its memory, because its members are reached in less code there
   Memory memory_{};
-  FilterBank<kTaps> bank_;
 };
 
 /// Without levels there is no delay; an invalid sample is replaced by the last valid one.

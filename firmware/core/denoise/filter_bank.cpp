@@ -18,24 +18,27 @@ std::uint32_t outlier_limit(std::uint32_t finest_threshold) {
 }  // namespace
 
 template <std::size_t kTaps>
-FilterBank<kTaps>::FilterBank(const DenoiseParameters& parameters, const BankMemory<kTaps>& memory)
-    : line_(memory.line, denoise_delay(kTaps, parameters.levels()) + 1, kTaps),
+FilterBank<kTaps>::FilterBank(const DenoiseParameters& parameters, std::int32_t* line,
+                              CoarserLevel<kTaps>* coarser)
+    : line_(line, denoise_delay(kTaps, parameters.levels()) + 1, kTaps),
       filters_(parameters.filters.data),
       rule_(parameters.rule),
       mode_(parameters.mode),
       shift_(noise_shift(parameters)),
       rounding_half_(static_cast<std::int32_t>(power_of_two<std::uint32_t>(shift_) / 2)),
-      coarser_(memory.coarser),
-      coarser_end_(memory.coarser) {
+      coarser_(coarser),
+      coarser_end_(coarser) {}
+
+// The state that step() would reach: sample 0 completes a pair on every level; its details are 0.
+template <std::size_t kTaps>
+void FilterBank<kTaps>::start(const DenoiseParameters& parameters, std::int16_t* slots) {
   if (parameters.levels() == 0) return;
-  // The state that step() would reach: sample 0 completes a pair on every level; its details are 0.
   const std::int32_t* expected = parameters.thresholds.begin();
   finest_.threshold.expected = static_cast<std::uint32_t>(*expected);
   adapt_finest(0);
-  std::int16_t* slots = memory.waiting;
   std::size_t pairs =
       (line_.length() - kTaps) / 2;  // pairs that a level waits: delay of the levels below it
-  CoarserLevel<kTaps>* level = memory.coarser;
+  CoarserLevel<kTaps>* level = coarser_;
   for (; ++expected != parameters.thresholds.end(); ++level) {
     level->threshold.expected = static_cast<std::uint32_t>(*expected);
     adapt_threshold(level->threshold, 0);
@@ -140,13 +143,16 @@ template <std::size_t kTaps>
   std::uint32_t noise = 0;
   for (; level != coarser_end_; ++level) {
     number /= 2U;
+    std::int32_t* const inputs = level->inputs.data();
     if ((number & 1U) != 0U) {
-      level->inputs[kTaps] = found.first();
+      // Here, and not with the pair, because the sample that completes the pairs of all levels has
+      // the most to do.
+      make_room<kTaps>(inputs);
+      inputs[1] = found.first();
       noise = lower_half(level->waiting_noise);
       break;
     }
-    std::int32_t* const inputs = level->inputs.data();
-    push_pair<kTaps>(inputs, found.first(), inputs[kTaps]);
+    inputs[0] = found.first();
     found = RegisterPair(split<kTaps>(filters, inputs, inputs));
     if (rule_ != ThresholdRule::fixed) {
       adapt_threshold(level->threshold, magnitude_of(found.second()));

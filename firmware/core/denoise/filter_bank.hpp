@@ -32,7 +32,8 @@ constexpr std::size_t denoise_waiting(std::size_t taps, std::size_t levels) {
 /// levels.
 template <std::size_t kTaps>
 struct CoarserLevel : BankLevel<kTaps> {
-  std::array<std::int32_t, kTaps + 1> inputs{};  ///< newest first; the last one waits for its pair
+  /// Newest first. While the second of a pair is due, the place of the first is not in use.
+  std::array<std::int32_t, kTaps> inputs{};
   std::int16_t* removed_first = nullptr;  ///< ring of removed details in memory that somebody else
   std::int16_t* removed_end = nullptr;    ///< owns: as many as pairs to wait, and one
   std::int16_t* removed_next = nullptr;
@@ -45,14 +46,6 @@ struct CoarserLevel : BankLevel<kTaps> {
   std::int32_t removed() const { return *removed_next; }
 };
 
-/// Working memory of a bank, owned by somebody else, initially zero.
-template <std::size_t kTaps>
-struct BankMemory {
-  std::int32_t* line = nullptr;            ///< SampleLine::memory(delay + 1, kTaps) values
-  CoarserLevel<kTaps>* coarser = nullptr;  ///< one less than the levels
-  std::int16_t* waiting = nullptr;         ///< denoise_waiting() slots
-};
-
 /// Decomposes the signal level by level, finds in the details what thresholding removes, and
 /// synthesises the removed parts to noise at the input's sample rate, delayed by the bank.
 ///
@@ -63,9 +56,14 @@ struct BankMemory {
 template <std::size_t kTaps>
 class FilterBank {
  public:
-  /// `parameters` has kTaps taps, or no levels for a bank that must not be used. Its arrays and the
-  /// memory must outlive this object.
-  FilterBank(const DenoiseParameters& parameters, const BankMemory<kTaps>& memory);
+  /// `parameters` has kTaps taps, or no levels for a bank that must not be used. `line`:
+  /// SampleLine::memory(delay + 1, kTaps) values; `coarser`: one level less than the parameters'.
+  /// All arrays must outlive this object.
+  FilterBank(const DenoiseParameters& parameters, std::int32_t* line, CoarserLevel<kTaps>* coarser);
+
+  /// To be called once, when all memory is zero, with the same parameters and denoise_waiting()
+  /// slots.
+  void start(const DenoiseParameters& parameters, std::int16_t* slots);
 
   /// Takes the first sample as if it had been the input for ever: no noise.
   void prime(std::int32_t sample);
@@ -82,6 +80,7 @@ class FilterBank {
   std::int32_t last() const { return gate_.last(line_); }
 
   const SampleLine& line() const { return line_; }
+  OutlierGate& gate() { return gate_; }
   const LevelThreshold& finest_threshold() const { return finest_.threshold; }
 
  private:

@@ -46,19 +46,16 @@ template <std::size_t kTaps>
                           saturating_shift<kDetailShift>(even_sum - odd_sum));
 }
 
-/// Shifts two inputs into `window` (kTaps values, newest first).
+/// Moves `window` (kTaps values, newest first) by two, so that its first two are free.
 template <std::size_t kTaps>
-[[gnu::always_inline]] inline void push_pair(std::int32_t* window, std::int32_t newer,
-                                             std::int32_t older) {
+[[gnu::always_inline]] inline void make_room(std::int32_t* window) {
 #pragma GCC unroll 15
   for (std::size_t i = kTaps - 2; i > 0; i -= 2) {
-    const std::int32_t next_newer = window[i - 2];
-    const std::int32_t next_older = window[i - 1];
-    window[i] = next_newer;
-    window[i + 1] = next_older;
+    const std::int32_t newer = window[i - 2];
+    const std::int32_t older = window[i - 1];
+    window[i] = newer;
+    window[i + 1] = older;
   }
-  window[0] = newer;
-  window[1] = older;
 }
 
 /// Shifts `newest` (coarser noise in the lower half, removed detail in the upper) into `window`

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "core/denoise/sample_line.hpp"
+#include "core/fixed_point/saturating_difference.hpp"
 
 namespace fog {
 
@@ -12,8 +14,22 @@ namespace fog {
 ///   limit + |difference of the neighbours| + |difference of the two samples before|;
 /// then the substitute stays. Otherwise the true sample is put back. Steps, ramps and oscillations
 /// are never outliers. With limit 0 every sample passes.
+///
+/// What it removes may have been a rotation. So it corrects the validity of the sample before the
+/// one pushed last, which its owner keeps in it, and asks to be watched.
 class OutlierGate {
  public:
+  /// Whether the owner has to look at the validities with the next push: for `pushes` of them, and
+  /// while a sample is withheld.
+  bool watched() const { return watched_ > 0; }
+  void watch(std::size_t pushes) { watched_ = pushes; }
+  /// To be called before each push that is watched, or followed by watch().
+  void count_watched() { --watched_; }
+
+  /// Validity of the sample pushed last; the next push makes that of an outlier false.
+  bool valid() const { return valid_; }
+  void set_valid(bool valid) { valid_ = valid; }
+
   /// `limit` in the unit of the samples, below 2^30.
   [[gnu::always_inline]] void set_limit(std::uint32_t limit) {
     limit_ = limit;
@@ -26,9 +42,9 @@ class OutlierGate {
   }
 
   [[gnu::always_inline]] void push(SampleLine& line, std::int32_t sample) {
-    std::int32_t jump = 0;
-    if (__builtin_sub_overflow(sample, line.newest()[0], &jump) ||
-        static_cast<std::uint32_t>(jump) + limit_ >= span_) {
+    // A saturated difference is above every limit, too.
+    const std::int32_t jump = saturating_difference(sample, line.newest()[0]);
+    if (static_cast<std::uint32_t>(jump) + limit_ >= span_) {
       sample = judge(line, sample);
     }
     line.push(sample);
@@ -44,6 +60,8 @@ class OutlierGate {
   std::uint32_t span_ = 1;  // 2 limit + 1; 0 while a sample is withheld, so that no sample passes
   std::int32_t withheld_ = 0;
   std::int32_t before_last_ = 0;  // sample two before the withheld one
+  std::size_t watched_ = 0;
+  bool valid_ = true;
 };
 
 }  // namespace fog

@@ -37,8 +37,13 @@ class SampleLine {
   /// Replaces the oldest sample.
   [[gnu::always_inline]] void push(std::int32_t value) {
     std::int32_t* const at = oldest_;
-    write(at, value);
-    oldest_ = at == first_ ? last_ : at - 1;
+    *at = value;
+    std::int32_t* next = at - 1;
+    if (at < repeated_end_) {  // rarely: the first slot is among them
+      at[length_] = value;
+      if (at == first_) next = last_;
+    }
+    oldest_ = next;
   }
 
   /// The newest `window` samples.
@@ -55,16 +60,15 @@ class SampleLine {
   std::int32_t oldest() const { return *oldest_; }
 
   /// Replaces the newest sample.
-  void replace_newest(std::int32_t value) { write(oldest_ == last_ ? first_ : oldest_ + 1, value); }
-
-  std::size_t length() const { return length_; }
-
- private:
-  [[gnu::always_inline]] void write(std::int32_t* at, std::int32_t value) {
+  void replace_newest(std::int32_t value) {
+    std::int32_t* const at = oldest_ == last_ ? first_ : oldest_ + 1;
     *at = value;
     if (at < repeated_end_) at[length_] = value;
   }
 
+  std::size_t length() const { return length_; }
+
+ private:
   std::int32_t* first_;
   std::int32_t* last_;  // slot length - 1
   std::int32_t* oldest_;

@@ -65,11 +65,19 @@ class DriftNetwork {
   /// Advances all states by one block and returns the network's drift; 0 without a network.
   DriftSum step(const BoardSignals& signals) {
     if (!parameters_.present()) return {};
+    clamped_ = false;
     for (std::size_t i = 0; i < parameters_.input_count; ++i) {
-      inputs_[i] = scaled_input(value(i, signals), parameters_.inputs[i]);
+      const InputScaling& scaling = parameters_.inputs[i];
+      const ScaledInput input = scaled_input(value(i, signals), scaling);
+      inputs_[i] = input.value;
+      if (input.is_beyond && scaling.signal != NetworkInput::elapsed) clamped_ = true;
     }
     return network_drift(parameters_, inputs_);
   }
+
+  /// Whether an input was outside its trained range in the last step. The time may be: what it
+  /// still does after a training ends with it.
+  bool clamped() const { return clamped_; }
 
  private:
   static constexpr bool compiled(NetworkInput input) { return (kCompiled & bit_of(input)) != 0U; }
@@ -90,6 +98,7 @@ class DriftNetwork {
 
   const NetworkParameters& parameters_;
   ScaledInputs inputs_{};  // inputs that the network does not have stay 0
+  bool clamped_ = false;
   detail::InputLags<compiled(NetworkInput::lagged_temperature)> lags_;
 };
 
@@ -100,6 +109,7 @@ class DriftNetwork<0> {
   explicit DriftNetwork(const NetworkParameters& /*parameters*/) {}
   void reset(const Signals<BoardNumbers>& /*signals*/) {}
   DriftSum step(const Signals<BoardNumbers>& /*signals*/) { return {}; }
+  bool clamped() const { return false; }
   void carry(StateCarrier& /*state*/) {}
 };
 

@@ -69,10 +69,17 @@ inline std::int32_t clip(std::int32_t value, std::int32_t half_range) {
   return value > -half_range ? value : -half_range;
 }
 
+/// An input as the network sees it.
+struct ScaledInput {
+  std::int32_t value;
+  bool is_beyond;  ///< the signal is outside the trained range, at whose end it is held
+};
+
 /// Raw value of a signal, scaled as the network expects it.
-inline std::int32_t scaled_input(std::int32_t raw, const InputScaling& scaling) {
+inline ScaledInput scaled_input(std::int32_t raw, const InputScaling& scaling) {
   const std::int32_t difference = saturating_difference(raw, scaling.centre);
-  return shift_left(clip(difference, scaling.half_range), scaling.shift);
+  const std::int32_t held = clip(difference, scaling.half_range);
+  return {shift_left(held, scaling.shift), held != difference};
 }
 
 /// Drift of a network with hidden neurons. Stateless; the number of instructions depends only on

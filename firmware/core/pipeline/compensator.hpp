@@ -221,6 +221,7 @@ class Compensator {
 
     extension_monitor_.advance(verdict.missing + 1);
     finish_blocks(block_clock_.advance(verdict.missing));  // lost samples are elapsed time
+    if (verdict.doubtful) drift_model_.unsettle();
     if (temperature_good) collector_.add_temperature(temperature);
     if (measured_well) collector_.add_rate(result.compensated);
     end_sample();

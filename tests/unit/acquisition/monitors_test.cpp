@@ -85,6 +85,35 @@ TEST(SequenceMonitor, LateSamplesAreARestartOnlyEightInARow) {
   }
 }
 
+// Without a clock nobody can say whether samples were lost or the numbers have leapt.
+TEST(SequenceMonitor, NumbersAlone_ManyMissing_Doubtful) {
+  const auto doubtful_of = [](std::uint32_t missing, int every, bool clock) {
+    fog::SequenceMonitor monitor(kPeriodUs);
+    std::uint32_t sequence = 0;
+    int doubtful = 0;
+    for (int i = 0; i < 20'000; ++i) {
+      sequence += 1 + (i % every == every - 1 ? missing : 0);
+      doubtful +=
+          monitor.judge(static_cast<std::uint16_t>(sequence), {clock, sequence * 5}).doubtful;
+    }
+    return doubtful;
+  };
+  EXPECT_EQ(doubtful_of(1, 60, false), 0) << "a line that loses 1.6 %";
+  EXPECT_GT(doubtful_of(1, 40, false), 0) << "2.4 %";
+  EXPECT_EQ(doubtful_of(40, 15'000, false), 0) << "0.2 s at once";
+  EXPECT_EQ(doubtful_of(41, 15'000, false), 1);
+  EXPECT_EQ(doubtful_of(25, 200, false), 50) << "with every other leap";
+  EXPECT_EQ(doubtful_of(25, 200, true), 0);
+  EXPECT_EQ(doubtful_of(30'000, 10'000, true), 0);
+}
+
+TEST(SequenceMonitor, OneFrameAgainAndAgain_WithoutAClock_Doubtful) {
+  fog::SequenceMonitor monitor(kPeriodUs);
+  bool doubtful = false;
+  for (int i = 0; i < 100; ++i) doubtful = doubtful || monitor.judge(7).doubtful;
+  EXPECT_TRUE(doubtful);
+}
+
 // The board's clock beside the sequence: at 200 Hz, from just below where it wraps.
 class TimedSequenceTest : public testing::Test {
  protected:

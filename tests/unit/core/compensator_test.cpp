@@ -229,6 +229,33 @@ TEST_F(CompensatorTest, LostSamples_KvhSequence_CountsThem) {
   EXPECT_EQ(sequence_of_next(), (before + 11) % 128);
 }
 
+// A turn of one sample looks like an outlier. What the denoiser leaves out it says; the sum of all
+// other outputs is that of the samples that they stand for.
+TEST_F(CompensatorTest, TurnOfOneSample_LeftOut_DenoisedMarked) {
+  constexpr std::int32_t kTurn = 36'000 * 1024;  // 10 deg/s for 5 ms
+  const auto delay = static_cast<int>(fog::denoise_delay(16, 5));
+  run(2000);
+  std::int64_t marked = 0;
+  std::int64_t turned = 0;
+  double lost_deg = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const auto turns_at = [](int at) { return at >= 0 && at < 2000 && at % 200 == 0; };
+    SensorSample in = sample();
+    if (turns_at(i)) in.rate_counts += kTurn;
+    turned += turns_at(i) ? 1 : 0;
+    const OutputSample out = send(in);
+    ASSERT_EQ(out.denoised_valid(), !turns_at(i - delay)) << i;
+    marked += out.denoised_valid() ? 0 : 1;
+    if (out.denoised_valid() && i >= delay) lost_deg += out.denoised.raw() / 1024.0 / 3600 * 0.005;
+    if (!turns_at(i) && i < 3000 - delay) {
+      lost_deg -= out.compensated.raw() / 1024.0 / 3600 * 0.005;
+    }
+  }
+  EXPECT_EQ(turned, 10);
+  EXPECT_EQ(marked, turned);
+  EXPECT_NEAR(lost_deg, 0, 1e-4) << "of 0.5";
+}
+
 TEST_F(CompensatorTest, AGapLongerThanTheHoldGivesTheDriftUp) {
   run(400);
   sequence_ = static_cast<std::uint16_t>(sequence_ + 200 * 62);

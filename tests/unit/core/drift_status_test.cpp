@@ -96,6 +96,52 @@ TEST_F(DriftStatus, SettlesAfterAHoldForThreeTimesAsLong) {
   }
 }
 
+// The steps of the bridge are no time in which lags could forget.
+TEST_F(DriftStatus, TimeUnknown_AcrossAHold_SettlesAnew) {
+  policy_.settle_blocks = 30;
+  for (const std::uint32_t held : {0U, 1U, 5U}) {
+    Model model = make();
+    model.start(at(0));
+    for (int i = 0; i < 30; ++i) model.step(at(0));
+    EXPECT_EQ(model.status(), Status::none);
+    model.hold(held);
+    model.unsettle();
+    for (std::uint32_t i = 0; i < 30; ++i) {
+      model.step(at(0));
+      EXPECT_EQ(has_any(model.status(), Status::thermal_settling), i + 1 < 30) << held << " " << i;
+    }
+    model.step(at(0));
+    EXPECT_EQ(model.status(), Status::none) << held;
+  }
+}
+
+// A network is held at the ends of its training, like an expression.
+TEST_F(DriftStatus, NetworkInput_OutsideItsRange_Flagged) {
+  policy_.settle_blocks = 0;
+  const std::int32_t neuron[fog::kNeuronWords] = {};
+  network_.neurons = {neuron, fog::kNeuronWords};
+  network_.input_count = 1;
+  for (const fog::NetworkInput signal :
+       {fog::NetworkInput::input_rate, fog::NetworkInput::elapsed}) {
+    const bool is_time = signal == fog::NetworkInput::elapsed;
+    network_.inputs[0].signal = signal;
+    network_.inputs[0].centre = 10;
+    network_.inputs[0].half_range = 50;
+    Model model = make();
+    fog::BlockMeans<fog::BoardNumbers> means = at(0);
+    model.start(means);
+    EXPECT_EQ(model.status(), Status::none);
+    for (const std::int32_t value : {60, 61, -40, -41}) {
+      if (is_time) means.elapsed = fog::Elapsed::from_raw(value);
+      if (!is_time) means.input_rate = fog::Rate::from_raw(value);
+      model.step(means);
+      const bool beyond = value == 61 || value == -41;
+      EXPECT_EQ(model.status(), beyond && !is_time ? Status::temperature_clamped : Status::none)
+          << value;
+    }
+  }
+}
+
 TEST_F(DriftStatus, IsHeldUntilTheModelHasCaughtUpStepByStep) {
   const std::int32_t coefficient = 1 << 20;
   effects_.by_id[2].coefficients = {&coefficient, 1};  // temperature_rate

@@ -106,6 +106,45 @@ TEST_F(ModelSlots, OlderSlot_OfAnotherGyro_NeverUsed) {
   }
 }
 
+// What a replay runs a board runs: but for another board's table, and one that the image has no
+// room for. Each word of a table in turn, changed to what its neighbours in range are.
+TEST_F(ModelSlots, TableThatAReplayRuns_Board_RunsItToo) {
+  fogcomp::board::BoardTable table =
+      fogcomp::board::make_board_table(fog::test::paper_like_model(), {});
+  std::size_t runs = 0;
+  for (std::size_t at = fog::kIdentityAt - 1; at + 1 < table.words.size(); ++at) {
+    const std::int32_t word = table.words[at];
+    const auto bits = static_cast<std::uint32_t>(word);
+    for (const std::uint32_t change : {bits + 1, bits - 1, bits + 2, ~bits + 1, bits ^ 0x80U, 0U}) {
+      table.words[at] = static_cast<std::int32_t>(change);
+      table.words.back() = static_cast<std::int32_t>(fog::model_table_crc(table.span()));
+      fog::ModelParameters replayed;
+      const ModelError replay = fog::read_model(table.span(), fog::kAnyModel, replayed);
+      Memory slot{fog::kSlotMagic, fog::kSlotLayout, 1,
+                  static_cast<std::int32_t>(table.words.size())};
+      slot.insert(slot.end(), table.words.begin(), table.words.end());
+      const auto seal = fog::seal_of(fog::crc32(reinterpret_cast<const std::uint8_t*>(slot.data()),
+                                                4 * slot.size(), fog::kIntactImage));
+      std::string bytes(reinterpret_cast<const char*>(slot.data()), 4 * slot.size());
+      const ModelError board =
+          choose(holding(bytes.append(seal.begin(), seal.end())), erased()).error;
+      const bool is_anothers =
+          at >= fog::kProcessorAt && at < fog::kProcessorAt + fog::kProcessorWords && change != 0;
+      const fog::DenoiseParameters& denoise = replayed.denoise;
+      const bool has_room = denoise.levels() <= fog::kGenericLevels &&
+                            (fog::filters_of(fog::kGenericTaps) >> (denoise.taps() / 2) & 1U) != 0;
+      ModelError expected = replay;
+      if (replay == ModelError::none && !has_room) expected = ModelError::not_in_image;
+      if (replay == ModelError::none && is_anothers) expected = ModelError::other_board;
+      ASSERT_EQ(board, expected) << "word " << at << ": " << table.words[at];
+      ASSERT_EQ(has_model(), board == ModelError::none);
+      runs += replay == ModelError::none ? 1 : 0;
+    }
+    table.words[at] = word;
+  }
+  EXPECT_GT(runs, 100U) << "or the test says little";
+}
+
 TEST_F(ModelSlots, OneThatIsWrittenInPartLeavesTheOlderOne) {
   const std::string good = bytes_of(2);
   for (std::size_t size = 0; size < good.size(); ++size) {

@@ -35,7 +35,9 @@ TEST(OutlierGate, WithholdsWhatJumpsByMoreThanTheLimitUntilTheNextTells) {
     beyond.push(1000 + sign * 101);
     EXPECT_EQ(beyond.newest(), 1000);
     EXPECT_EQ(beyond.gate.last(beyond.line), 1000 + sign * 101);
+    EXPECT_TRUE(beyond.gate.watched());
     beyond.push(1000);  // back: an outlier, whose stand-in stays
+    EXPECT_FALSE(beyond.gate.valid());
     EXPECT_EQ(beyond.newest(), 1000);
     EXPECT_EQ(beyond.newest(1), 1000);
     EXPECT_EQ(beyond.gate.last(beyond.line), 1000);
@@ -43,6 +45,7 @@ TEST(OutlierGate, WithholdsWhatJumpsByMoreThanTheLimitUntilTheNextTells) {
     Gated step;
     step.push(1000 + sign * 101);
     step.push(1000 + sign * 101);  // it stays: no outlier
+    EXPECT_TRUE(step.gate.valid());
     EXPECT_EQ(step.newest(), 1000 + sign * 101);
     EXPECT_EQ(step.newest(1), 1000 + sign * 101);
   }
