@@ -4,25 +4,19 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "support/drift_under_faults.hpp"
 #include "support/fault_schedule.hpp"
 
 int main(int argc, char** argv) {
-  using fog::test::DriftUnderFaults;
   constexpr double kBoundDph = 0.05;
   constexpr double kRunS = 5000;
   const std::uint64_t first = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1;
   const std::uint64_t count = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 10'000;
-  const DriftUnderFaults with_clock(fog::test::paper_like_model(), 3,
-                                    DriftUnderFaults::BoardClock::crystal);
-  const DriftUnderFaults without_clock(fog::test::paper_like_model(), 3,
-                                       DriftUnderFaults::BoardClock::none);
+  const fog::test::ScheduledBoards boards(fog::test::paper_like_model());
   std::uint64_t wrong = 0;
   double trusted = 0;
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
     const fog::test::FaultSchedule schedule = fog::test::FaultScheduler(seed).draw(kRunS);
-    const auto& board = schedule.has_clock ? with_clock : without_clock;
-    const fog::test::DriftVerdict verdict = board.run(schedule.faults, kRunS, seed);
+    const fog::test::DriftVerdict verdict = boards.run(schedule, kRunS, seed);
     trusted += static_cast<double>(verdict.trusted) / static_cast<double>(verdict.samples);
     if (verdict.worst_dph <= kBoundDph) continue;
     ++wrong;

@@ -1,5 +1,6 @@
 """What a Markdown page is made of: prose, code, tables, headings. For the checks of documents."""
 
+import functools
 import re
 
 
@@ -26,6 +27,7 @@ class Block:
         return re.sub(r"`[^`]+`", lambda span: re.sub(r"[^\n]", "\0", span[0]), self.text)
 
 
+@functools.lru_cache(maxsize=None)
 def blocks(page):
     """The Blocks of the file PAGE, in order."""
     found = []

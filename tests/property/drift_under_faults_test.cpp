@@ -111,16 +111,19 @@ DriftVerdict print(const char* name, const DriftVerdict& verdict) {
   return verdict;
 }
 
-class DriftUnderAFault : public testing::TestWithParam<FaultCase> {};
-
-TEST_P(DriftUnderAFault, IsRightWhereverTheRateIsTrusted) {
-  const FaultCase& c = GetParam();
-  const DriftUnderFaults board(fog::test::paper_like_model());
+void expect_right(const FaultCase& c, DriftUnderFaults::BoardClock board_clock) {
+  const DriftUnderFaults board(fog::test::paper_like_model(), 3, board_clock);
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const DriftVerdict verdict = print(c.name, board.run(c.faults, kRunS, seed));
     EXPECT_LE(verdict.worst_dph, kDriftBoundDph) << "seed " << seed;
     EXPECT_LE(verdict.clean_since_s, c.faults.back().to_s + c.clean_within_s) << "seed " << seed;
   }
+}
+
+class DriftUnderAFault : public testing::TestWithParam<FaultCase> {};
+
+TEST_P(DriftUnderAFault, IsRightWhereverTheRateIsTrusted) {
+  expect_right(GetParam(), DriftUnderFaults::BoardClock::crystal);
 }
 
 // Nothing but the numbers of the samples says how much time has passed: what they say of losses
@@ -148,14 +151,7 @@ const std::vector<FaultCase>& fault_cases_without_a_clock() {
 class DriftWithoutAClock : public testing::TestWithParam<FaultCase> {};
 
 TEST_P(DriftWithoutAClock, IsRightWhereverTheRateIsTrusted) {
-  const FaultCase& c = GetParam();
-  const DriftUnderFaults board(fog::test::paper_like_model(), 3,
-                               DriftUnderFaults::BoardClock::none);
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const DriftVerdict verdict = print(c.name, board.run(c.faults, kRunS, seed));
-    EXPECT_LE(verdict.worst_dph, kDriftBoundDph) << "seed " << seed;
-    EXPECT_LE(verdict.clean_since_s, c.faults.back().to_s + c.clean_within_s) << "seed " << seed;
-  }
+  expect_right(GetParam(), DriftUnderFaults::BoardClock::none);
 }
 
 fogcomp::model::Model model_with(const std::vector<fogcomp::model::EffectTerm>& terms) {

@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "support/drift_under_faults.hpp"
 #include "support/faulty_line.hpp"
 
 // Random schedules of faults: which there are, how long they last and what they draw is data.
@@ -98,6 +99,26 @@ class FaultScheduler {
 
   std::mt19937_64 random_;
   bool has_clock_ = true;
+};
+
+/// A board with a crystal and one without a clock, each for the schedules that are drawn for it.
+class ScheduledBoards {
+ public:
+  explicit ScheduledBoards(const fogcomp::model::Model& model)
+      : with_clock_(model, kMaxDegcPerMin, DriftUnderFaults::BoardClock::crystal),
+        without_clock_(model, kMaxDegcPerMin, DriftUnderFaults::BoardClock::none) {}
+
+  /// As DriftUnderFaults::run().
+  DriftVerdict run(const FaultSchedule& schedule, double duration_s, std::uint64_t seed) const {
+    const DriftUnderFaults& board = schedule.has_clock ? with_clock_ : without_clock_;
+    return board.run(schedule.faults, duration_s, seed);
+  }
+
+ private:
+  static constexpr double kMaxDegcPerMin = 3;
+
+  DriftUnderFaults with_clock_;
+  DriftUnderFaults without_clock_;
 };
 
 /// What is needed to run it again by itself.
