@@ -1,5 +1,5 @@
-# `cmake --install`: the tool, its manual page and completion, and the core for firmware of one's own; and the same
-# as a Debian package (`cpack` in the build folder).
+# `cmake --install`: the tool, its manual page and completion, the scripts of `fogcomp convert`, and the core for
+# firmware of one's own; and the same as a Debian package (`cpack` in the build folder).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -21,8 +21,17 @@ install(
   DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions"
   RENAME fogcomp)
 
-# Sources and headers together, as core/CMakeLists.txt has them.
+# The scripts that read logs of other programs, without the packages that they need.
 set(shared "${CMAKE_INSTALL_DATADIR}/fogcomp")
+install(
+  DIRECTORY host_tools/recording/importers
+  DESTINATION "${shared}"
+  FILES_MATCHING
+  PATTERN "*.mjs"
+  PATTERN "*.json"
+  PATTERN "node_modules" EXCLUDE)
+
+# Sources and headers together, as core/CMakeLists.txt has them.
 install(
   DIRECTORY firmware/core
   DESTINATION "${shared}"
@@ -45,5 +54,6 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "bash-completion, cmake, gcc-arm-none-eabi, libstdc++-arm-none-eabi-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS
+    "bash-completion, nodejs, npm, cmake, gcc-arm-none-eabi, libstdc++-arm-none-eabi-dev")
 include(CPack)
