@@ -28,9 +28,8 @@ struct ConvertCommand : Command {
   RecordingOptions recording{this};
 
   ConvertCommand()
-      : Command("convert", {"RUN", 1, 1},
-                "any recording that is understood, as a CSV of the plain format; a log, as a CSV",
-                "fogcomp convert log.mcap -o run.csv") {
+      : Command("convert", {"RUN", 1, 1}, "any recording or log that is understood, as a CSV",
+                "fogcomp convert run.csv -o plain.csv") {
     needs = {{&output}};
   }
   int run() const override;

@@ -20,6 +20,9 @@ struct Format {
   const char* importer = "";
 };
 
+constexpr const char* kRWay =
+    "make a CSV of it: Rscript -e \"write.csv(get(load('FILE')), 'run.csv', row.names = FALSE)\"";
+
 constexpr Format kFormats[] = {
     {"\x1F\x8B"sv, "is compressed by gzip", "give it unpacked: zcat FILE | fogcomp ... -"},
     {"BZh"sv, "is compressed by bzip2", "give it unpacked: bzcat FILE | fogcomp ... -"},
@@ -27,8 +30,8 @@ constexpr Format kFormats[] = {
     {"\x28\xB5\x2F\xFD"sv, "is compressed by zstd", "give it unpacked: zstd -d FILE"},
     {"PK\x03\x04"sv, "is a ZIP archive or an Excel workbook", "save the sheet as CSV"},
     {"MATLAB 5.0 MAT-file"sv, "is a MATLAB file",
-     "write it with writetable as CSV, or octave --eval \"load FILE; dlmwrite('run.csv', [time "
-     "temperature rate], 'precision', 17)\""},
+     "make a CSV of it: octave --eval \"load FILE; dlmwrite('run.csv', [time(:) "
+     "temperature(:) rate(:)], 'precision', 17)\""},
     {"MATLAB 7.3 MAT-file"sv, "is a MATLAB 7.3 file (HDF5)", nullptr, "hdf5"},
     {"\x89HDF"sv, "is an HDF5 file", nullptr, "hdf5"},
     {"#ROSBAG"sv, "is a ROS bag", nullptr, "rosbag"},
@@ -44,11 +47,9 @@ constexpr Format kFormats[] = {
     {"\x93NUMPY"sv, "is an array of NumPy",
      "make a CSV of it: python3 -c \"import numpy as n; n.savetxt('run.csv', n.load('FILE'), "
      "'%.17g', ',')\""},
-    {"PAR1"sv, "is a Parquet file",
-     "make a CSV of it: python3 -c \"import pandas as p; "
-     "p.read_parquet('FILE').to_csv('run.csv', index=False)\""},
-    {"RDX2\n"sv, "is a file of R", "make a CSV of it: load('FILE'), write.csv(data, 'run.csv')"},
-    {"RDX3\n"sv, "is a file of R", "make a CSV of it: load('FILE'), write.csv(data, 'run.csv')"},
+    {"PAR1"sv, "is a Parquet file", nullptr, "parquet"},
+    {"RDX2\n"sv, "is a file of R", kRWay},
+    {"RDX3\n"sv, "is a file of R", kRWay},
 };
 
 constexpr Format kMiniseed{""sv, "is a miniSEED file",

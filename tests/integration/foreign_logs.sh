@@ -35,6 +35,7 @@ converts run.bag ros.csv
 converts run.db3 ros.csv
 for log in logged.{mcap,bag,db3}; do converts "$log" logged.csv; done
 converts run.ulg ulog.csv
+converts run.parquet parquet.csv
 converts run.h5 hdf5.csv --topic /run
 "$fogcomp" convert run.h5 -o run.csv --topic / >said.txt 2>remarks.txt
 cmp run.csv matrix.csv
@@ -59,7 +60,7 @@ refuses "^run\.mcap: has no topic '/imu'; those that have a rate: /imu/data " ru
 refuses "^run\.mcap: '/temp' .* has no rate; those that have: /imu/data " run.mcap --topic /temp
 refuses '^--topic: means nothing for ros\.csv; ' ros.csv --topic /imu
 refuses '^--rate-column: means nothing for run\.mcap; ' run.mcap --rate-column rate_x
-for log in run.mcap run.bag run.db3 run.h5; do
+for log in run.mcap run.bag run.db3 run.h5 run.parquet; do
   head -c 9000 "$log" >"cut_$log"
   refuses "^cut_$log: .*(is it complete\?|mcap recover)" "cut_$log"
 done

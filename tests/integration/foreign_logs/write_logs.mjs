@@ -1,5 +1,5 @@
-// write_logs.mjs PACKAGES: the same recording as run.mcap, run.bag, run.db3, run.ulg and run.h5 in the current folder,
-// by the formats' own writers or, where there is none, by their specifications; and as CSV what `fogcomp convert` is to
+// write_logs.mjs PACKAGES: the same recording as run.mcap, run.bag, run.db3, run.ulg, run.h5 and
+// run.parquet in the current folder, by the formats' own writers or, where there is none, by their specifications; and as CSV what `fogcomp convert` is to
 // make of them. PACKAGES: the folder of the importers and their packages.
 import fs from "node:fs";
 import { createRequire } from "node:module";
@@ -41,6 +41,8 @@ function writeExpected() {
   fs.writeFileSync("ulog.csv", [`time_s,temperature_degc,${AXES}`, ...single, ""].join("\n"));
   const matrix = rows.map((_, i) => rate(i).join(","));
   fs.writeFileSync("matrix.csv", ["gyro_1 [rad/s],gyro_2 [rad/s],gyro_3 [rad/s]", ...matrix, ""].join("\n"));
+  const flat = rows.map((_, i) => [seconds(stampNs(i)), i % 100 ? temperature(i) : "", rate(i)[2], i].join(","));
+  fs.writeFileSync("parquet.csv", ["stamp [s],temp [degC],gyro_z [rad/s],n", ...flat, ""].join("\n"));
   const columns = rows.map((_, i) => [rate(i)[2], temperature(i), stampNs(i)].join(","));
   fs.writeFileSync("hdf5.csv", ["gyro_z [rad/s],temp [degC],time [ns]", ...columns, ""].join("\n"));
 }
@@ -259,6 +261,28 @@ async function writeHdf5(file) {
   output.close();
 }
 
+async function writeParquet(filename) {
+  const { parquetWriteFile } = await imported("hyparquet-writer/src/node.js");
+  const of = (value) => Array.from({ length: SAMPLES }, (_, i) => value(i));
+  const time = { type: "TIMESTAMP", isAdjustedToUTC: true, unit: "NANOS" };
+  const schema = [
+    { name: "root", num_children: 5 },
+    { name: "stamp", type: "INT64", repetition_type: "REQUIRED", logical_type: time },
+    { name: "temp [degC]", type: "DOUBLE", repetition_type: "OPTIONAL" },
+    { name: "gyro_z [rad/s]", type: "DOUBLE", repetition_type: "REQUIRED" },
+    { name: "n", type: "INT32", repetition_type: "REQUIRED" },
+    { name: "note", type: "BYTE_ARRAY", repetition_type: "REQUIRED", converted_type: "UTF8" },
+  ];
+  const columnData = [
+    { name: "stamp", data: of(stampNs) },
+    { name: "temp [degC]", data: of((i) => (i % 100 ? temperature(i) : null)) },
+    { name: "gyro_z [rad/s]", data: of((i) => rate(i)[2]) },
+    { name: "n", data: of((i) => i) },
+    { name: "note", data: of(() => "at rest") },
+  ];
+  await parquetWriteFile({ filename, columnData, schema, rowGroupSize: 150 });
+}
+
 writeExpected();
 const lz4 = required("@foxglove/wasm-lz4");
 const zstd = required("@foxglove/wasm-zstd");
@@ -274,3 +298,4 @@ await writeDb3("run.db3", true);
 await writeDb3("logged.db3", false);
 writeUlog("run.ulg");
 await writeHdf5("run.h5");
+await writeParquet("run.parquet");

@@ -400,7 +400,7 @@ TEST(ForeignFormats, FirstBytes_RefusedWithTheWayToACsv) {
        "xzcat"},
       {"\x28\xB5\x2F\xFD\x04", "is compressed by zstd; give it unpacked: zstd -d"},
       {"PK\x03\x04", "save the sheet as CSV"},
-      {"MATLAB 5.0 MAT-file, Platform: GLNXA64", "is a MATLAB file; write it with writetable"},
+      {"MATLAB 5.0 MAT-file, Platform: GLNXA64", "is a MATLAB file; make a CSV of it: octave "},
       {"MATLAB 7.3 MAT-file, Platform: GLNXA64", "is a MATLAB 7.3 file (HDF5); "},
       {"\x89HDF\r\n\x1A\n", "is an HDF5 file; make a CSV of it: fogcomp convert "},
       {"#ROSBAG V2.0\n", "is a ROS bag; make a CSV of it: fogcomp convert "},
@@ -449,8 +449,8 @@ TEST(ForeignFiles, AreSettledByTheMapOfColumns) {
             std::vector<double>{1});
 }
 
-// The recipe of REFERENCE.md, "Other layouts".
-TEST(ForeignFiles, OfARosBagAreReadWithTheMapThatTheReferenceGives) {
+// As `rostopic echo -p` names the columns.
+TEST(ForeignFiles, OfRostopicEcho_AreReadWithAMap) {
   std::string text =
       "%time,field.header.seq,field.header.frame_id,field.angular_velocity.z,field.temperature\n";
   for (int row = 0; row < kRows; ++row) {
