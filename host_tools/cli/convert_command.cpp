@@ -42,7 +42,9 @@ struct ConvertCommand : Command {
 // looked at.
 std::string importer_of_file(const std::string& path) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return "";
+  const bool is_pipe =
+      std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error);
+  if (path == "-" || is_pipe) return "";
   return recording::importer_of(recording::InputFile(path).peek());
 }
 

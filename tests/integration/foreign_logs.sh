@@ -32,6 +32,7 @@ converts ros1.mcap ros.csv
 converts two.mcap ros.csv --topic /imu/raw
 converts run.mcap ros.csv --topic /imu/data,/temp
 converts run.bag ros.csv
+converts packed.bag ros.csv
 converts run.db3 ros.csv
 for log in logged.{mcap,bag,db3}; do converts "$log" logged.csv; done
 converts run.ulg ulog.csv

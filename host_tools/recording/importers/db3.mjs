@@ -32,7 +32,12 @@ function commonDefinitions(type) {
   return [root, ...Object.values(ros2humble).filter((each) => each !== root)];
 }
 
+const MAX_BYTES = 1 << 30; // sql.js holds all of it in memory
+
 async function openDatabase(path) {
+  if (fs.statSync(path).size > MAX_BYTES) {
+    throw new Refusal("is larger than 1 GiB; make an MCAP file of it: ros2 bag convert");
+  }
   const SQL = await initSqlJs();
   const database = new SQL.Database(fs.readFileSync(path));
   const tables = new Set([...rowsOf(database, "SELECT name FROM sqlite_master WHERE type = 'table'")].flat());

@@ -11,7 +11,8 @@ const COMPOUND = 6;
 // deflate, shuffle, fletcher32, szip, nbit, scaleoffset. Of others h5wasm gives numbers that are not in the file.
 const KNOWN_FILTERS = [1, 2, 3, 4, 5, 6];
 
-const isNumber = ({ type }) => type === INTEGER || type === FLOAT;
+// Numbers of 16 bits are integers: h5wasm has no such floats.
+const isNumber = ({ type, size }) => type === INTEGER || (type === FLOAT && size >= 4);
 
 function nameOf(dataset, leaf) {
   const attributes = dataset.attrs;
@@ -76,7 +77,9 @@ function longestTable(columns) {
 
 function collect(group, path, topics) {
   const columns = [];
-  for (const leaf of group.keys().filter((key) => !key.startsWith("#"))) {
+  for (const leaf of group.keys()) {
+    // MATLAB's own groups; soft links, which may lead nowhere or back.
+    if (leaf.startsWith("#") || group.get_link(`${path}/${leaf}`) !== null) continue;
     const child = group.get(leaf);
     if (child?.type === "Group") collect(child, `${path}/${leaf}`, topics);
     if (child?.type !== "Dataset") continue;

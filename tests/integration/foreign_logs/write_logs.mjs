@@ -1,6 +1,7 @@
 // write_logs.mjs PACKAGES: the same recording as run.mcap, run.bag, run.db3, run.ulg, run.h5 and
 // run.parquet in the current folder, by the formats' own writers or, where there is none, by their specifications; and as CSV what `fogcomp convert` is to
 // make of them. PACKAGES: the folder of the importers and their packages.
+import { execFileSync } from "node:child_process";
 import fs from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
@@ -161,7 +162,7 @@ function bagRecord(op, fields, data) {
   return Buffer.concat([u32(header.length), header, u32(data.length), data]);
 }
 
-function writeBag(file, stamped) {
+function writeBag(file, stamped, compression = "none", compress = (bytes) => bytes) {
   const connections = Object.entries(TOPICS).map(([topic, type], id) => {
     const text = definition(type, 1);
     const md5sum = "0".repeat(32);
@@ -179,7 +180,7 @@ function writeBag(file, stamped) {
   }
   const start = Buffer.from("#ROSBAG V2.0\n");
   const ahead = start.length + 4096;
-  const body = [bagRecord(5, { compression: "none", size: u32(chunk.length) }, chunk)];
+  const body = [bagRecord(5, { compression, size: u32(chunk.length) }, compress(chunk))];
   for (const { id, times } of connections) {
     body.push(bagRecord(4, { ver: u32(1), conn: u32(id), count: u32(times.length) }, Buffer.concat(times)));
   }
@@ -294,6 +295,7 @@ await writeMcap("cold.mcap", { ros: 2, topics: { "/imu/data": "Imu" } });
 await writeMcap("logged.mcap", { ros: 2, stamped: false });
 writeBag("run.bag", true);
 writeBag("logged.bag", false);
+writeBag("packed.bag", true, "bz2", (input) => execFileSync("bzip2", ["-c"], { input }));
 await writeDb3("run.db3", true);
 await writeDb3("logged.db3", false);
 writeUlog("run.ulg");
