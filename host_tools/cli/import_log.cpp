@@ -17,6 +17,7 @@
 
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
+#include "support/progress.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
@@ -27,7 +28,7 @@ constexpr std::size_t kHeadBytes = 1U << 16U;
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
-using TemporaryFile = std::unique_ptr<std::FILE, CloseFile>;
+using OwnedFile = std::unique_ptr<std::FILE, CloseFile>;
 
 // Installed, and in a build folder.
 std::string script() {
@@ -60,27 +61,19 @@ class Child {
         ::posix_spawnp(&process_, arguments[0], &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     ::close(ends[1]);
-    output_ = ends[0];
+    output_.reset(::fdopen(ends[0], "r"));
     if (failed == 0) return;
-    ::close(output_);
     throw InputError(path, words.front() + ", which reads it, cannot be run (" +
                                std::strerror(failed) + "); install it: apt-get install nodejs npm");
   }
   ~Child() {
-    ::close(output_);  // a program that still writes ends by that
+    output_.reset();  // a program that still writes ends by that
     if (process_ != 0) wait();
   }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  // 0 at the end.
-  std::size_t read(char* place, std::size_t bytes) const {
-    for (;;) {
-      const ssize_t got = ::read(output_, place, bytes);
-      if (got >= 0) return static_cast<std::size_t>(got);
-      if (errno != EINTR) return 0;
-    }
-  }
+  std::FILE* output() const { return output_.get(); }
   // Whether it ended with exit code 0.
   bool wait() {
     int status = 0;
@@ -92,7 +85,7 @@ class Child {
 
  private:
   pid_t process_ = 0;
-  int output_ = -1;
+  OwnedFile output_;
 };
 
 // What the script says; before it there may be messages of the libraries that it uses.
@@ -111,18 +104,22 @@ std::string last_line(std::FILE* file) {
 
 ImportedLog import_log(const Log& log, const std::string& output) {
   OutputFile file(output);
-  const TemporaryFile errors(std::tmpfile());
+  const OwnedFile errors(std::tmpfile());
   if (!errors)
     throw InputError(log.path, std::string("no temporary file: ") + std::strerror(errno));
   Child node({"node", script(), log.importer, log.path, log.topic}, ::fileno(errors.get()),
              log.path);
   ImportedLog imported;
+  std::size_t expected = 0;
+  if (std::fscanf(node.output(), "%zu\n", &expected) != 1) expected = 0;
+  Progress progress("reading " + log.path);
   std::array<char, kHeadBytes> piece;
   std::size_t lines = 0;
-  while (const std::size_t got = node.read(piece.data(), piece.size())) {
+  while (const std::size_t got = std::fread(piece.data(), 1, piece.size(), node.output())) {
     file.write(piece.data(), got);
     lines += static_cast<std::size_t>(std::count(piece.begin(), piece.begin() + got, '\n'));
     imported.head.append(piece.data(), std::min(got, kHeadBytes - imported.head.size()));
+    progress.update(static_cast<double>(lines) / static_cast<double>(expected + 1));
   }
   const bool done = node.wait();
   imported.said = last_line(errors.get());

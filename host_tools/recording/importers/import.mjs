@@ -1,5 +1,5 @@
-// import.mjs FORMAT FILE [TOPIC[,TEMPERATURE]]: prints a table of FILE as CSV. FORMAT names the module that reads it. The
-// last line on stderr says what was taken or, with exit code 2, what is wrong and what to do.
+// import.mjs FORMAT FILE [TOPIC[,TEMPERATURE]]: prints a number of rows, then the table of FILE as CSV. FORMAT names the
+// module that reads it. The last line on stderr says what was taken or, with exit code 2, what is wrong and what to do.
 //
 // Such a module exports open(path), which gives the file's topics and a table of one:
 //   topics    [{ name, type, count, rate, temperature }]; the last two are true if its messages have them
@@ -49,8 +49,8 @@ function chooseTemperature(name, rate, topics) {
   return able[0];
 }
 
-async function print({ header, rows }) {
-  let text = header.join(",") + "\n";
+async function print(count, { header, rows }) {
+  let text = `${count}\n${header.join(",")}\n`;
   for await (const row of rows) {
     text += row + "\n";
     if (text.length < CHUNK_CHARACTERS) continue;
@@ -66,7 +66,7 @@ async function importFile(format, file, chosen) {
   const [rateName, temperatureName] = chosen.split(",");
   const topic = chooseRate(rateName, log.topics);
   const temperature = chooseTemperature(temperatureName, topic, log.topics);
-  await print(log.table(topic, temperature));
+  await print(topic.count, log.table(topic, temperature));
   if (!temperature) console.error(`taken: ${listed([topic])}; there is no temperature`);
   else if (temperature === topic) console.error(`taken: ${listed([topic])}`);
   else console.error(`taken: ${listed([topic])}, temperature of ${listed([temperature])}`);
