@@ -195,7 +195,8 @@ function writeBag(file, stamped, compression = "none", compress = (bytes) => byt
   fs.writeFileSync(file, Buffer.concat([start, header, indexed, ...tail]));
 }
 
-async function writeDb3(file, stamped) {
+// own: messages of types that only the bag's own definitions describe, as bags have them since Iron.
+async function writeDb3(file, stamped, own = false) {
   const SQL = await required("sql.js")();
   const database = new SQL.Database();
   database.run(`CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT NOT NULL, type TEXT NOT NULL,
@@ -204,6 +205,15 @@ async function writeDb3(file, stamped) {
     data BLOB NOT NULL);
     INSERT INTO topics VALUES (1, '/imu/data', 'sensor_msgs/msg/Imu', 'cdr', ''),
     (2, '/temp', 'sensor_msgs/msg/Temperature', 'cdr', '');`);
+  if (own) {
+    database.run(`UPDATE topics SET type = replace(type, 'sensor_msgs', 'own_msgs');
+      CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT NOT NULL, encoding TEXT NOT NULL,
+      encoded_message_definition TEXT NOT NULL, type_description_hash TEXT NOT NULL);`);
+    for (const type of ["Imu", "Temperature"]) {
+      const values = [`own_msgs/msg/${type}`, "ros2msg", definition(type, 2), ""];
+      database.run("INSERT INTO message_definitions VALUES (NULL, ?, ?, ?, ?)", values);
+    }
+  }
   const writers = writersOf(2);
   const insert = database.prepare("INSERT INTO messages(topic_id, timestamp, data) VALUES (?, ?, ?)");
   for (const each of messages()) {
@@ -297,7 +307,7 @@ writeBag("run.bag", true);
 writeBag("logged.bag", false);
 writeBag("packed.bag", true, "bz2", (input) => execFileSync("bzip2", ["-c"], { input }));
 await writeDb3("run.db3", true);
-await writeDb3("logged.db3", false);
+await writeDb3("logged.db3", false, true);
 writeUlog("run.ulg");
 await writeHdf5("run.h5");
 await writeParquet("run.parquet");
