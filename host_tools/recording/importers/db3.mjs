@@ -8,7 +8,7 @@ import initSqlJs from "sql.js";
 
 import { gyroTable } from "./messages.mjs";
 import { Refusal } from "./refusal.mjs";
-import { meaning, timeOf } from "./ros.mjs";
+import { ifUnderstood, meaning, timeOf } from "./ros.mjs";
 
 function* rowsOf(database, query, parameters = []) {
   const statement = database.prepare(query, parameters);
@@ -17,11 +17,11 @@ function* rowsOf(database, query, parameters = []) {
 }
 
 // Definitions by the name of their type. Bags of Iron and later hold them; of older ones the common types are known.
-function definitionsIn(database, hasTable) {
+function definitionTexts(database, hasTable) {
   const definitions = new Map();
   if (!hasTable("message_definitions")) return definitions;
   const query = "SELECT topic_type, encoded_message_definition FROM message_definitions WHERE encoding = 'ros2msg'";
-  for (const [type, text] of rowsOf(database, query)) definitions.set(type, rosmsg.parse(text, { ros2: true }));
+  for (const [type, text] of rowsOf(database, query)) definitions.set(type, text);
   return definitions;
 }
 
@@ -33,6 +33,14 @@ function commonDefinitions(type) {
 }
 
 const MAX_BYTES = 1 << 30; // sql.js holds all of it in memory
+
+// How messages of a type are decoded and what they have; undefined for a type that is not known.
+function decoder(type, format, texts) {
+  const text = texts.get(type);
+  const definitions = text === undefined ? commonDefinitions(type) : rosmsg.parse(text, { ros2: true });
+  if (format !== "cdr" || definitions === undefined) return undefined;
+  return { reader: new ros2.MessageReader(definitions), ...meaning(definitions) };
+}
 
 async function openDatabase(path) {
   if (fs.statSync(path).size > MAX_BYTES) {
@@ -46,7 +54,7 @@ async function openDatabase(path) {
       `is a database of ${[...tables].join(", ") || "no tables"}, not a ROS 2 bag; write a CSV with sqlite3`,
     );
   }
-  return { database, definitions: definitionsIn(database, (name) => tables.has(name)) };
+  return { database, definitions: definitionTexts(database, (name) => tables.has(name)) };
 }
 
 /** See import.mjs. */
@@ -57,10 +65,10 @@ export async function open(path) {
   const query =
     "SELECT id, name, type, serialization_format, (SELECT count(*) FROM messages WHERE topic_id = topics.id) FROM topics";
   for (const [id, name, type, format, count] of rowsOf(database, query)) {
-    const known = format === "cdr" ? (definitions.get(type) ?? commonDefinitions(type)) : undefined;
-    if (known) readers.set(id, { name, reader: new ros2.MessageReader(known) });
+    const { reader, ...has } = ifUnderstood(() => decoder(type, format, definitions)) ?? {};
+    if (reader) readers.set(id, { name, reader });
     const all = (topics.get(name)?.count ?? 0) + Number(count);
-    topics.set(name, { name, type, count: all, ...(known ? meaning(known) : {}) });
+    topics.set(name, { name, type, count: all, ...has });
   }
   const log = {
     topics: [...topics.values()],

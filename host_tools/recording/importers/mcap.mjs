@@ -10,7 +10,7 @@ import { McapIndexedReader } from "@mcap/core";
 
 import { gyroTable } from "./messages.mjs";
 import { Refusal } from "./refusal.mjs";
-import { meaning, timeOf } from "./ros.mjs";
+import { ifUnderstood, meaning, timeOf } from "./ros.mjs";
 
 class ReadableFile {
   constructor(handle, bytes) {
@@ -44,16 +44,16 @@ async function indexedReader(path) {
   }
 }
 
-// How the messages of a channel are decoded; undefined for what is not of ROS.
+// How the messages of a channel are decoded and what they have; undefined for what is not of ROS.
 function decoder(channel, schema) {
   const text = new TextDecoder().decode(schema?.data);
   if (channel.messageEncoding === "ros1" && schema?.encoding === "ros1msg") {
     const definitions = rosmsg.parse(text);
-    return { definitions, reader: new ros1.MessageReader(definitions) };
+    return { reader: new ros1.MessageReader(definitions), ...meaning(definitions) };
   }
   if (channel.messageEncoding === "cdr" && schema?.encoding === "ros2msg") {
     const definitions = rosmsg.parse(text, { ros2: true });
-    return { definitions, reader: new ros2.MessageReader(definitions) };
+    return { reader: new ros2.MessageReader(definitions), ...meaning(definitions) };
   }
   return undefined;
 }
@@ -65,17 +65,17 @@ export async function open(path) {
   const readers = new Map();
   for (const channel of reader.channelsById.values()) {
     const schema = reader.schemasById.get(channel.schemaId);
-    const decoded = decoder(channel, schema);
+    const { reader: messageReader, ...has } = ifUnderstood(() => decoder(channel, schema)) ?? {};
     const count = Number(reader.statistics?.channelMessageCounts.get(channel.id) ?? 0);
     const before = topics.get(channel.topic)?.count ?? 0;
     const type = schema?.name ?? channel.messageEncoding;
     topics.set(channel.topic, {
       name: channel.topic,
-      type: decoded ? type : `${type} as ${channel.messageEncoding}`,
+      type: messageReader ? type : `${type} as ${channel.messageEncoding}`,
       count: before + count,
-      ...(decoded ? meaning(decoded.definitions) : {}),
+      ...has,
     });
-    if (decoded) readers.set(channel.id, decoded.reader);
+    if (messageReader) readers.set(channel.id, messageReader);
   }
   const log = {
     topics: [...topics.values()],

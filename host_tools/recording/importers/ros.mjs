@@ -1,6 +1,15 @@
 // Messages of ROS 1 and 2: what a type says, and when a message was sampled.
 import { seconds } from "./messages.mjs";
 
+/** What `read` gives; undefined for a type that is not understood: it may be of a topic that nobody wants. */
+export function ifUnderstood(read) {
+  try {
+    return read();
+  } catch {
+    return undefined;
+  }
+}
+
 /** The members of a topic that say what its messages have; `definitions` as parsed, the topic's own type first. */
 export function meaning(definitions) {
   const root = definitions.find(({ name }) => name === undefined) ?? definitions[0];

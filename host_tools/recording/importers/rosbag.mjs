@@ -7,7 +7,7 @@ import lz4 from "@foxglove/wasm-lz4";
 
 import { gyroTable } from "./messages.mjs";
 import { Refusal } from "./refusal.mjs";
-import { meaning, timeOf } from "./ros.mjs";
+import { ifUnderstood, meaning, timeOf } from "./ros.mjs";
 
 async function openBag(path) {
   await lz4.isLoaded;
@@ -32,7 +32,7 @@ function topicsOf(bag) {
   const topics = new Map();
   for (const [id, { topic: name, type, messageDefinition }] of bag.connections) {
     const count = (topics.get(name)?.count ?? 0) + (counts.get(id) ?? 0);
-    topics.set(name, { name, type, count, ...meaning(parse(messageDefinition)) });
+    topics.set(name, { name, type, count, ...ifUnderstood(() => meaning(parse(messageDefinition))) });
   }
   return [...topics.values()];
 }

@@ -64,8 +64,11 @@ float64[9] angular_velocity_covariance
 geometry_msgs/Vector3 linear_acceleration
 float64[9] linear_acceleration_covariance`,
   Temperature: "std_msgs/Header header\nfloat64 temperature\nfloat64 variance",
+  Empty: "",
+  Broken: "nowhere_msgs/Missing picture", // a type that is not there
 };
 function definition(type, ros) {
+  if (type === "Empty" || type === "Broken") return ownFields[type];
   const parts = [ownFields[type], `std_msgs/Header\n${HEADERS[ros]}`];
   if (type === "Imu")
     parts.push(`geometry_msgs/Quaternion\n${VECTOR3}\nfloat64 w`, `geometry_msgs/Vector3\n${VECTOR3}`);
@@ -113,7 +116,7 @@ class FileOf {
 }
 
 // compress: of a chunk; undefined: none. topics: types by name; the messages of /imu/raw are those of /imu/data.
-const TOPICS = { "/imu/data": "Imu", "/temp": "Temperature" };
+const TOPICS = { "/alive": "Empty", "/camera": "Broken", "/imu/data": "Imu", "/temp": "Temperature" };
 async function writeMcap(file, { ros, compression, compress, topics = TOPICS, stamped = true }) {
   const { McapWriter } = required("@mcap/core");
   const compressChunk = compress && ((bytes) => ({ compression, compressedData: compress(bytes) }));
@@ -204,12 +207,12 @@ async function writeDb3(file, stamped, own = false) {
     CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER NOT NULL, timestamp INTEGER NOT NULL,
     data BLOB NOT NULL);
     INSERT INTO topics VALUES (1, '/imu/data', 'sensor_msgs/msg/Imu', 'cdr', ''),
-    (2, '/temp', 'sensor_msgs/msg/Temperature', 'cdr', '');`);
+    (2, '/temp', 'sensor_msgs/msg/Temperature', 'cdr', ''), (3, '/camera', 'sensor_msgs/msg/Broken', 'cdr', '');`);
   if (own) {
     database.run(`UPDATE topics SET type = replace(type, 'sensor_msgs', 'own_msgs');
       CREATE TABLE message_definitions(id INTEGER PRIMARY KEY, topic_type TEXT NOT NULL, encoding TEXT NOT NULL,
       encoded_message_definition TEXT NOT NULL, type_description_hash TEXT NOT NULL);`);
-    for (const type of ["Imu", "Temperature"]) {
+    for (const type of ["Imu", "Temperature", "Broken"]) {
       const values = [`own_msgs/msg/${type}`, "ros2msg", definition(type, 2), ""];
       database.run("INSERT INTO message_definitions VALUES (NULL, ?, ?, ?, ?)", values);
     }
