@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # foreign_logs.sh FOGCOMP PACKAGES [ULOG]: `fogcomp convert` makes of one recording, written as log of several programs,
 # the table that it is, to the last digit of every stamp and value; it refuses what it cannot read or choose in one
-# line, with nothing written. PACKAGES: the importers beside FOGCOMP with their packages. ULOG: a real log, if there is
-# one.
+# line, with nothing written. PACKAGES: the importers beside FOGCOMP, whose packages are installed if need be. ULOG: a
+# real log, if there is one.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 tool=$(realpath "${1:?usage: foreign_logs.sh FOGCOMP PACKAGES [ULOG]}") packages=$(realpath "$2") ulog=${3:-}
 [[ -z $ulog || ! -f $ulog ]] || ulog=$(realpath "$ulog")
 fogcomp=$tool here=$(realpath "$(dirname "$0")")
 command -v node >/dev/null || { echo "skipped: no node here"; exit 77; }
-[[ -d $packages/node_modules ]] || { echo "skipped: npm was missing or offline when the build was configured"; exit 77; }
+[[ -d $packages/node_modules ]] || npm ci --prefix "$packages" --no-audit --no-fund >/dev/null 2>&1 ||
+  { echo "skipped: npm is missing or offline"; exit 77; }
 enter_scratch
 node "$here/foreign_logs/write_logs.mjs" "$packages"
 
