@@ -41,8 +41,7 @@ bool keep(TriedAddition tried, NextStep& next) {
 
 // Likewise for what has not been tried.
 bool try_out(AdditionRequest request, AdditionJudge& judge, NextStep& next) {
-  return keep(next.describes ? judge.of_description(std::move(request)) : judge(std::move(request)),
-              next);
+  return keep(judge(std::move(request)), next);
 }
 
 // Tries what the diagnosis names. `may_be_little`: it names a single effect and no rival, or an
@@ -79,7 +78,7 @@ bool try_higher_orders(const Diagnosis& diagnosis, const std::vector<std::string
   const AdditionRequest first = *request_of(diagnosis, named);
   if (first.effects.size() != 1) return false;
   for (const std::string& effect : higher_orders(first.effects.front())) {
-    if (keep(judge.of_description({{effect}, ""}), next)) return true;
+    if (keep(judge({{effect}, ""}), next)) return true;
   }
   return false;
 }
@@ -104,7 +103,7 @@ bool try_rivals(const Diagnosis& diagnosis, const std::vector<std::string>& name
 bool try_sets(std::vector<Description> sets, AdditionJudge& judge, NextStep& next) {
   if (sets.size() > kMaxTried) sets.resize(kMaxTried);
   for (Description& set : sets) {
-    if (!keep(judge.of_description(std::move(set.request)), next)) continue;
+    if (!keep(judge(std::move(set.request)), next)) continue;
     if (set.effects.size() > 1) next.together = std::move(set.effects);
     return true;
   }
@@ -113,8 +112,7 @@ bool try_sets(std::vector<Description> sets, AdditionJudge& judge, NextStep& nex
 
 // Whether no other description could leave clearly less than this one.
 bool leaves_noise(const TriedAddition& tried, double noise_floor_dph, const runs::Runs& runs) {
-  return tried.accepted && runs.holdouts.empty() &&
-         rules::kClearlyLess * tried.rms_after_dph <= noise_floor_dph;
+  return tried.accepted && runs.holdouts.empty() && tried.rms_after_dph <= noise_floor_dph;
 }
 
 // Whether trials side by side would take too much memory: each needs a hundred columns.
@@ -123,18 +121,6 @@ bool is_large(const runs::Runs& runs) {
   std::size_t blocks = 0;
   for (const runs::Run& run : runs.training) blocks += run.blocks.blocks.size();
   return blocks > kMaxBlocks;
-}
-
-// Refuses a description that leaves nearly all that is above the noise.
-void refuse_if_little(double noise_floor_dph, TriedAddition& tried) {
-  const double before = tried.rms_before_dph * tried.rms_before_dph;
-  const double fall = before - tried.rms_after_dph * tried.rms_after_dph;
-  const double above_noise = before - noise_floor_dph * noise_floor_dph;
-  if (!tried.accepted || fall >= rules::kHardlyHelps * above_noise) return;
-  tried.accepted = false;
-  tried.reason =
-      format("it leaves nearly all that is above the noise: %s -> %s deg/h",
-             rounded(tried.rms_before_dph).c_str(), rounded(tried.rms_after_dph).c_str());
 }
 
 // Refuses a description by an effect that goes on while the power is off if there is one power-on:
@@ -162,8 +148,7 @@ bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
   if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
   std::vector<TriedAddition> tried(descriptions.size());
   const auto judge_one = [&](std::size_t i) {
-    tried[i] = judge.of_description(std::move(descriptions[i].request));
-    refuse_if_little(diagnosis.noise_floor_dph, tried[i]);
+    tried[i] = judge(std::move(descriptions[i].request));
     refuse_if_of_one_power_on(judge.runs(), tried[i]);
   };
   judge_one(0);  // with all threads: often it is the one
@@ -177,7 +162,7 @@ bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
   for (std::size_t i = 0; i < tried.size(); ++i) {
     if (!tried[i].accepted) {
       next.refused.push_back(std::move(tried[i]));
-    } else if (!next.addition || tried[i].left() < rules::kClearlyLess * next.addition->left()) {
+    } else if (!next.addition || tried[i].is_clearly_better(*next.addition)) {
       next.addition = std::move(tried[i]);
       next.describes = !descriptions[i].is_part;
       next.together.clear();
@@ -264,7 +249,7 @@ std::vector<Description> possible_descriptions(const Diagnosis& diagnosis,
 // a formula that does not leave clearly less: it has a cause.
 void refine(const model::Model& model, AdditionJudge& judge, NextStep& next) {
   std::optional<TriedAddition> best = best_refinement(model, judge);
-  if (!best || (next.addition && next.addition->left() < rules::kClearlyLess * best->left())) {
+  if (!best || (next.addition && next.addition->is_clearly_better(*best))) {
     return;
   }
   next.addition = std::move(best);
@@ -282,11 +267,10 @@ bool may_be_refined(const NextStep& next) {
 bool refutes_name(const Diagnosis& diagnosis, bool described, const NextStep& next) {
   if (diagnosis.verdict == Verdict::unknown || next.refused.empty()) return false;
   const TriedAddition& named = next.refused.front();
-  if (named.rms_before_dph <= 0 || named.may_be_walk) return false;
+  if (named.rms_before_dph <= 0) return false;
   if (named.fails_far) return true;
-  if (!described) return diagnosis.verdict == Verdict::missing_effect && named.left() > 1;
-  return named.left() > 1 - rules::kHardlyHelps &&
-         next.addition->left() < rules::kRefutes * named.left();
+  if (!described) return diagnosis.verdict == Verdict::missing_effect && named.score.harms();
+  return next.addition->is_clearly_better(named);
 }
 
 // Whether a network may learn what is missing. Within one run the inputs follow a single path, so
@@ -355,11 +339,6 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
 }
 
 }  // namespace
-
-bool NextStep::refused_line() const {
-  return std::any_of(refused.begin(), refused.end(),
-                     [](const TriedAddition& one) { return one.may_be_line; });
-}
 
 NextStep find_refinement(const model::Model& model, AdditionJudge& judge) {
   NextStep next;

@@ -32,9 +32,6 @@ struct NextStep {
   /// Chance that noise alone would look like these forms, where only they show that something is
   /// missing.
   std::optional<double> chance_of_forms;
-
-  /// Whether an effect of time was refused because a line in time would do as well.
-  bool refused_line() const;
 };
 
 /// What frees something that the formulas of the model's own effects leave out, if it is accepted.

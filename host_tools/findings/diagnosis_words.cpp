@@ -143,8 +143,6 @@ void add_next(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
   if (next.describes) {
     for (const std::string& line : description_words(next)) words.findings.push_back(line);
   }
-  const std::string line = line_words(diagnosis.line);
-  if (!line.empty()) words.findings.push_back(line);
   if (next.addition) {
     words.command = add_command_line(next.addition->request, files.model, files);
   } else {

@@ -101,14 +101,6 @@ std::string nothing_holds_words(const diagnosis::NextStep& next) {
   return others.empty() ? text : text + "; so were: " + join(others, "; ") + " (--json says why)";
 }
 
-std::string line_words(const std::optional<diagnosis::LineInTime>& line) {
-  if (!line) return "";
-  return "the residual drifts by " + with_sigma(line->slope_dphh, line->sigma_dphh, true) +
-         " deg/h/h over the run, a line in time that stays out of the model: one run cannot tell "
-         "ageing from other slow changes of gyro or chamber; a second run, a day later, would show "
-         "it";
-}
-
 std::string step_words(const diagnosis::Ladder::Step& step) {
   std::string what = "+ " + what_is_tried(step.addition.request);
   if (step.addition.request.refines) {

@@ -244,23 +244,6 @@ TEST(DiagnosisWords, SayWhyNothingCanBeAdded) {
       std::string::npos);
 }
 
-TEST(DiagnosisWords, SayHowLargeADriftIsThatNoEffectMayTake) {
-  diagnosis::Diagnosis found = only_together();
-  const DiagnosedFiles files{"x.model", {"run.csv"}};
-  const auto said = [&] { return join(words_of(found, {}, files).findings, "\n"); };
-  EXPECT_EQ(said().find("deg/h/h"), std::string::npos);
-  EXPECT_NE(diagnosis_json(found, {}, files).text().find("\"line_in_time\":null"),
-            std::string::npos);
-  found.line = diagnosis::LineInTime{0.01183, 0.00042};
-  EXPECT_NE(said().find("the residual drifts by +0.01183 +- 0.00042 deg/h/h over the run"),
-            std::string::npos)
-      << said();
-  EXPECT_NE(diagnosis_json(found, {}, files)
-                .text()
-                .find("\"line_in_time\":{\"slope_dphh\":0.01183,\"sigma_dphh\":0.00042}"),
-            std::string::npos);
-}
-
 TEST(DiagnosisWords, SayWhyTheNamedEffectIsNotWhatIsAdded) {
   diagnosis::NextStep next;
   next.describes = true;
