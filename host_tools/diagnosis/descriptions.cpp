@@ -96,6 +96,15 @@ std::vector<std::string> events_among(const Diagnosis& diagnosis,
   return events;
 }
 
+std::vector<std::string> certain_events(const Diagnosis& diagnosis) {
+  std::vector<std::string> events;
+  for (const CandidateFinding& finding : diagnosis.candidates) {
+    const bool is_certain = finding.probability >= rules::kNamed;
+    if (is_certain && model::is_event(finding.term())) events.push_back(finding.effect);
+  }
+  return events;
+}
+
 bool needs_event(const Diagnosis& diagnosis) {
   return !diagnosis.explanations.empty() &&
          !events_among(diagnosis, diagnosis.explanations.front().effects).empty();

@@ -30,6 +30,9 @@ struct Description {
 std::vector<std::string> events_among(const Diagnosis& diagnosis,
                                       const std::vector<std::string>& effects);
 
+/// Events that are missing as surely as an effect has to be to be named, whatever else is missing.
+std::vector<std::string> certain_events(const Diagnosis& diagnosis);
+
 /// Whether the most probable set has an event. It explains whatever the others leave: a formula
 /// that needs none may be the truth.
 bool needs_event(const Diagnosis& diagnosis);

@@ -306,7 +306,7 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
                              const DiagnosisData& data, AdditionJudge& judge,
                              const DiagnosisSettings& settings, NextStep& next) {
   std::vector<std::string> named = named_effects(diagnosis);
-  const std::vector<std::string> events = events_among(diagnosis, named);
+  const std::vector<std::string> events = certain_events(diagnosis);
   if (!events.empty()) named = events;
   const bool is_unknown = diagnosis.verdict == Verdict::unknown;
   const bool is_one = diagnosis.verdict == Verdict::missing_effect && named.size() == 1;

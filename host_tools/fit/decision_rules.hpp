@@ -48,8 +48,6 @@ constexpr double kMinLevelGain = 1;
 /// deviations. More is slow noise, or an effect that the model lacks: a bias jumps within a row.
 /// step_search_test.
 constexpr double kMaxGradualGain = 9;
-/// Seconds: slower changes are drift, not steps. bias_steps_test.
-constexpr double kSlowSeconds = 3600;
 
 // ---- Does it help out of sample? --------------------------------------------------------------
 /// Number of runs from which on each is left out in turn. add_effect_test.

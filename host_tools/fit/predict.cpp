@@ -58,6 +58,10 @@ judge::Rows judged_rows(const series::Rows& rows, const NoiseWeightedFit& fit,
   return judged;
 }
 
+noise::NoiseModel noise_beside(const series::Rows& rows, const NoiseWeightedFit& fit) {
+  return noise_model(predict(rows, fit).noise(), rows.row_s, rows.longest_run_s());
+}
+
 judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit) {
   return judge::Prediction(judged_rows(rows, fit, {fit.linear(), 0}));
 }

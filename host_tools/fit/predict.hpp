@@ -22,6 +22,9 @@ struct PossibleDrift {
 noise::NoiseModel noise_beside(const PossibleDrift& possible, const series::Rows& rows,
                                const Eigen::VectorXd& drift_dph, const Eigen::VectorXd& weights);
 
+/// The same beside the columns and shapes of a fit. Requires is_determined().
+noise::NoiseModel noise_beside(const series::Rows& rows, const NoiseWeightedFit& fit);
+
 /// Rows for judge, with the columns of a fit but for `without`, and with its shapes.
 judge::Rows judged_rows(const series::Rows& rows, const NoiseWeightedFit& fit,
                         const series::ColumnRange& without);
