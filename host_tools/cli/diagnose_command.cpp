@@ -74,7 +74,7 @@ int DiagnoseCommand::run() const {
                     : findings::diagnosis_json(found.ladder.first, found.ladder.next, files);
     std::puts(object.text().c_str());
   } else {
-    std::fputs(report::terminal(document).c_str(), stdout);
+    std::fputs(report::terminal(document, details.given()).c_str(), stdout);
     if (written) std::printf("written: %s\n", output.value().c_str());
     if (model_file && !written) std::puts("nothing written: the loop added nothing");
   }

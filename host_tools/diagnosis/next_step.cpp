@@ -261,16 +261,19 @@ bool may_be_refined(const NextStep& next) {
   return !next.addition || (next.describes && !next.addition->request.expression.empty());
 }
 
-// Whether the first refusal, of what the diagnosis names, contradicts the name: it raises the error
-// far from the rows fitted, a description leaves far less out of sample or, without one, the only
-// name raises the error there.
-bool refutes_name(const Diagnosis& diagnosis, bool described, const NextStep& next) {
-  if (diagnosis.verdict == Verdict::unknown || next.refused.empty()) return false;
-  const TriedAddition& named = next.refused.front();
-  if (named.rms_before_dph <= 0) return false;
-  if (named.fails_far) return true;
-  if (!described) return diagnosis.verdict == Verdict::missing_effect && named.score.harms();
-  return next.addition->is_clearly_better(named);
+// Whether the refusal of what the diagnosis names contradicts the name: it raises the error far
+// from the rows fitted, a description leaves far less out of sample or, without one, the only name
+// raises the error there.
+bool refutes_name(const Diagnosis& diagnosis, const std::vector<std::string>& named, bool described,
+                  const NextStep& next) {
+  const auto refused =
+      std::find_if(next.refused.begin(), next.refused.end(),
+                   [&](const TriedAddition& one) { return one.request.names() == named; });
+  if (diagnosis.verdict == Verdict::unknown || refused == next.refused.end()) return false;
+  if (refused->rms_before_dph <= 0) return false;
+  if (refused->fails_far) return true;
+  if (!described) return diagnosis.verdict == Verdict::missing_effect && refused->score.harms();
+  return next.addition->is_clearly_better(*refused);
 }
 
 // Whether a network may learn what is missing. Within one run the inputs follow a single path, so
@@ -306,12 +309,12 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
                              const DiagnosisData& data, AdditionJudge& judge,
                              const DiagnosisSettings& settings, NextStep& next) {
   std::vector<std::string> named = named_effects(diagnosis);
-  const std::vector<std::string> events = certain_events(diagnosis);
-  if (!events.empty()) named = events;
+  const std::vector<std::string> events = first_events(diagnosis, named);
+  named = without_events(diagnosis, std::move(named));
   const bool is_unknown = diagnosis.verdict == Verdict::unknown;
   const bool is_one = diagnosis.verdict == Verdict::missing_effect && named.size() == 1;
   const bool is_little = judge.runs().holdouts.empty() && !may_be_worth_adding(model, diagnosis);
-  next.little_is_left = is_little && !is_one;
+  next.little_is_left = is_little && !is_one && events.empty();
   if (next.little_is_left) return true;
   std::optional<LikelyFormulas> likely;
   const AskFormulas formulas = [&]() -> const LikelyFormulas& {
@@ -322,8 +325,9 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
     const bool may_be_formula =
         !is_little && (is_unknown || needs_event(diagnosis) || needs_second_part(diagnosis, named));
     if (may_be_formula && try_forms(diagnosis, formulas(), judge, next)) return true;
-    const bool may_be_little = is_one || !events.empty();
-    if (try_named(diagnosis, named, may_be_little, judge, next) || is_little) return true;
+    if (try_named(diagnosis, events, true, judge, next)) return true;
+    if (!is_unknown && try_named(diagnosis, named, is_one, judge, next)) return true;
+    if (is_little) return true;
     if (try_higher_orders(diagnosis, named, judge, next)) return true;
     if (try_rivals(diagnosis, named, judge, next)) return true;
   }
@@ -334,7 +338,7 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
   const bool described =
       describe(diagnosis, possible_descriptions(diagnosis, named, formulas, next), judge, next);
   if (described && !next.describes) return true;
-  if (refutes_name(diagnosis, described, next)) next.name_is = Refuted::out_of_sample;
+  if (refutes_name(diagnosis, named, described, next)) next.name_is = Refuted::out_of_sample;
   return described;
 }
 

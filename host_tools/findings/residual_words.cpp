@@ -15,29 +15,27 @@ namespace {
 
 constexpr double kSlowCycle_s = 7200;  // no laboratory machine is that slow
 
-}  // namespace
-
-std::string size_words(const diagnosis::Diagnosis& diagnosis, const std::string& effect) {
-  std::string text = "the model leaves " + rounded(diagnosis.residual_rms_dph) +
-                     " deg/h rms; the noise floor is " + rounded(diagnosis.noise_floor_dph);
-  if (const diagnosis::CandidateFinding* finding = diagnosis.find(effect)) {
-    text += "; with " + effect + " " + rounded(finding->rms_after_dph);
-  }
-  return text;
-}
-
+// What the model leaves as it is, where that differs: " (852.3 as it is)".
 std::string as_given_words(const diagnosis::Diagnosis& diagnosis) {
   constexpr double kTellsApart = 0.01;
   if (!diagnosis.as_given) return "";
   const compare::BoardError& given = *diagnosis.as_given;
   const double apart = std::abs(given.rms_dph - diagnosis.residual_rms_dph);
   if (apart <= kTellsApart * given.rms_dph) return "";
-  if (!given.delay_matters()) {
-    return "these figures are of the model refitted to these runs; as it is, it leaves " +
-           rounded(given.rms_dph) + " deg/h rms";
+  return " (" + rounded(given.rms_dph) + " as it is" +
+         (given.delay_matters() ? "; " + compare::delay_words(given) : "") + ")";
+}
+
+}  // namespace
+
+std::string size_words(const diagnosis::Diagnosis& diagnosis, const std::string& effect) {
+  std::string text = rounded(diagnosis.residual_rms_dph) +
+                     format(" deg/h rms of %.3g s means, refitted", diagnosis.row_s) +
+                     as_given_words(diagnosis) + "; noise " + rounded(diagnosis.noise_floor_dph);
+  if (const diagnosis::CandidateFinding* finding = diagnosis.find(effect)) {
+    text += "; with " + effect + " " + rounded(finding->rms_after_dph);
   }
-  return "these figures are of the model refitted without the board's delay; " +
-         compare::delay_words(given);
+  return text;
 }
 
 std::string where_words(const diagnosis::Diagnosis& diagnosis) {
@@ -47,11 +45,10 @@ std::string where_words(const diagnosis::Diagnosis& diagnosis) {
   std::string text;
   for (std::size_t i = 0; i < std::min<std::size_t>(3, segments.size()); ++i) {
     if (segments[i].share < 0.1) break;
-    text += (text.empty() ? "it sits in " : ", ") + segments[i].name + " (" +
-            percent(segments[i].share) + ")";
+    text += (text.empty() ? "" : ", ") + segments[i].name + " (" + percent(segments[i].share) + ")";
   }
   if (!diagnosis.variable.empty()) {
-    text += (text.empty() ? "it depends most on " : "; it depends most on ") +
+    text += (text.empty() ? "it depends most on " : "; most on ") +
             variable_label(diagnosis.variable).plain();
   }
   return text;
@@ -82,9 +79,8 @@ std::string fast_words(const diagnosis::Diagnosis& diagnosis) {
 }
 
 std::string probability_words(const diagnosis::Diagnosis& diagnosis) {
-  return "probability that nothing is missing: " + format("%.2f", diagnosis.nothing) +
-         ", that something is which is no effect of the catalogue: " +
-         format("%.2f", diagnosis.something_else);
+  return format("nothing missing %.2f; outside the catalogue %.2f", diagnosis.nothing,
+                diagnosis.something_else);
 }
 
 std::string network_words(const diagnosis::Diagnosis& diagnosis) {

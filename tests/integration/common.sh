@@ -33,7 +33,8 @@ holds() {
 
 # says FILE REGEX [WHEN]: a line of FILE matches.
 says() {
-  grep -qE -- "$2" "$1" || fail "${3:+$3: }$1 does not say '$2' but: $(cat "$1")"
+  grep -qE -- "$2" "$1" || sed -E ':a;N;$!ba;s/\n    ([^ ])/ \1/g' "$1" | grep -qE -- "$2" ||
+    fail "${3:+$3: }$1 does not say '$2' but: $(cat "$1")"
 }
 
 # share MIN COUNT CLAIM...: CLAIM SEED succeeds for at least MIN of the seeds 1 to COUNT. For what a test claims of
