@@ -21,7 +21,6 @@ workflow::DiagnoseRequest DiagnoseCommand::request() const {
   request.average_s = average.find();
   request.max_steps = max_effects.value();
   request.hold_outs = holdouts.value();
-  request.seed = seed.value();
   request.expressions = expressions.value();
   request.runs = {arguments.begin() + 1, arguments.end()};
   request.at_rest = at_rest.find();

@@ -108,7 +108,6 @@ std::string effect_to_add(const Diagnosis& diagnosis);
 struct DiagnosisSettings {
   std::optional<noise::NoiseModel>
       noise;                 ///< from a static record; otherwise from the runs' quiet parts
-  std::uint64_t seed = 1;    ///< of the draws that calibrate the test
   bool run_offsets = false;  ///< additions are judged with a bias of its own for each power-on
   /// Called with the fraction done, 0..1 (for a stepwise selection: of its maximum length); may be
   /// empty.

@@ -144,7 +144,8 @@ void remove_gradual_steps(std::vector<Candidate::Shape>& shapes, const series::R
   const Eigen::VectorXd residual = whitening.apply(fit.residual_dph);
   std::vector<char> is_gradual(shapes.size());
   for_each_index(shapes.size(), [&](std::size_t i) {
-    is_gradual[i] = noise::gain_of_gradual_change(shapes[i].row, whitening, rows, residual) > fit::rules::kMaxGradualGain;
+    is_gradual[i] = noise::gain_of_gradual_change(shapes[i].row, whitening, rows, residual) >
+                    fit::rules::kMaxGradualGain;
   });
   std::vector<Candidate::Shape> kept;
   for (std::size_t i = 0; i < shapes.size(); ++i) {

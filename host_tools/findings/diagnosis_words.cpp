@@ -225,7 +225,7 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
   if (!is_named && next.together.empty()) std::swap(certainties[0], certainties[1]);
   words.certainty = certainties[0] +
                     (certainties[0].empty() || certainties[1].empty() ? "" : "; ") + certainties[1];
-  words.size = size_words(diagnosis, next.describes ? "" : diagnosis::effect_to_add(diagnosis));
+  words.size = size_words(diagnosis, next);
   if (is_none && next.addition) {
     words.verdict = "no effect is missing, but " +
                     join_list(next.addition->request.names(), "and") + " can be refined";

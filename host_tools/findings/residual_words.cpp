@@ -15,27 +15,24 @@ namespace {
 
 constexpr double kSlowCycle_s = 7200;  // no laboratory machine is that slow
 
-// What the model leaves as it is, where that differs: " (852.3 as it is)".
-std::string as_given_words(const diagnosis::Diagnosis& diagnosis) {
-  constexpr double kTellsApart = 0.01;
-  if (!diagnosis.as_given) return "";
-  const compare::BoardError& given = *diagnosis.as_given;
-  const double apart = std::abs(given.rms_dph - diagnosis.residual_rms_dph);
-  if (apart <= kTellsApart * given.rms_dph) return "";
-  return " (" + rounded(given.rms_dph) + " as it is" +
-         (given.delay_matters() ? "; " + compare::delay_words(given) : "") + ")";
-}
-
 }  // namespace
 
-std::string size_words(const diagnosis::Diagnosis& diagnosis, const std::string& effect) {
-  std::string text = rounded(diagnosis.residual_rms_dph) +
-                     format(" deg/h rms of %.3g s means, refitted", diagnosis.row_s) +
-                     as_given_words(diagnosis) + "; noise " + rounded(diagnosis.noise_floor_dph);
-  if (const diagnosis::CandidateFinding* finding = diagnosis.find(effect)) {
-    text += "; with " + effect + " " + rounded(finding->rms_after_dph);
+std::string size_words(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next) {
+  constexpr double kTellsApart = 0.01;
+  const compare::BoardError* const given = diagnosis.as_given ? &*diagnosis.as_given : nullptr;
+  const double left_dph = given != nullptr ? given->rms_dph : diagnosis.residual_rms_dph;
+  std::string text = rounded(left_dph) + format(" deg/h rms of %.3g s means", diagnosis.row_s);
+  if (next.addition &&
+      std::abs(next.addition->fitted_before_dph - left_dph) > kTellsApart * left_dph) {
+    text += ", refitted " + rounded(next.addition->fitted_before_dph);
   }
-  return text;
+  text += "; noise " + rounded(diagnosis.noise_floor_dph);
+  if (next.addition) {
+    text += "; with " + join_list(next.addition->request.names(), "and") + " " +
+            rounded(next.addition->fitted_after_dph);
+  }
+  return given != nullptr && given->delay_matters() ? text + "; " + compare::delay_words(*given)
+                                                    : text;
 }
 
 std::string where_words(const diagnosis::Diagnosis& diagnosis) {
@@ -48,7 +45,7 @@ std::string where_words(const diagnosis::Diagnosis& diagnosis) {
     text += (text.empty() ? "" : ", ") + segments[i].name + " (" + percent(segments[i].share) + ")";
   }
   if (!diagnosis.variable.empty()) {
-    text += (text.empty() ? "it depends most on " : "; most on ") +
+    text += std::string(text.empty() ? "" : "; ") + "varies most with " +
             variable_label(diagnosis.variable).plain();
   }
   return text;

@@ -2,15 +2,14 @@
 
 #include <string>
 
-#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/next_step.hpp"
 
 namespace fogcomp::findings {
 
 // Sentences about the residual of a model; "" if there is nothing to say.
 
-/// Size of the residual; that of the model as it is, as `compare` says; the remainder with `effect`
-/// if that is one of the candidates.
-std::string size_words(const diagnosis::Diagnosis& diagnosis, const std::string& effect);
+/// What the model leaves, as `compare` says; the noise; what is left with what `next` adds.
+std::string size_words(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next);
 /// Segments and variables of the residual.
 std::string where_words(const diagnosis::Diagnosis& diagnosis);
 /// Cycles and jumps, which do not depend on the inputs.

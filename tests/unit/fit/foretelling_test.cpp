@@ -63,6 +63,15 @@ TEST(Foretelling, RowsOutsideThePart_AreNotForetold) {
   EXPECT_EQ(told.residual_dph.head(100).norm(), 0);
 }
 
+// A warm-up is over when the other rows begin: they tell next to nothing of its size.
+TEST(Foretelling, EffectThatTheOtherRowsDoNotShow_IsUncertain) {
+  const FittedRun with("bias,warm_up:tau=600");
+  const FittedRun without("bias");
+  const Part first = far_parts(with.rows(), {})[0].part;
+  EXPECT_GT(with.foretelling.of(first).rows.variance.maxCoeff(),
+            10 * without.foretelling.of(first).rows.variance.maxCoeff());
+}
+
 TEST(Foretelling, ShapeThatWasSought_CostsWhatItCouldBeChosenFrom) {
   const FittedRun given("bias,polarization_ripple:period=13");
   const FittedRun sought("bias,polarization_ripple");
