@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "diagnosis/decision_rules.hpp"
 #include "diagnosis/forms.hpp"
 #include "fit/decision_rules.hpp"
 #include "fit/effect_change.hpp"
@@ -15,10 +14,6 @@
 
 namespace fogcomp::diagnosis {
 namespace {
-
-double square(double value) {
-  return value * value;
-}
 
 fit::EffectChange change_of(const AdditionRequest& request, const model::Model& model) {
   return request.expression.empty() ? fit::change_effects(model.terms, request.effects)
@@ -39,42 +34,6 @@ fit::Addition judged(const model::Model& model, const AdditionRequest& request,
   return fit::judge_addition(model, change_of(request, model), runs, settings_of(request, before));
 }
 
-// Whether the entry added something to the model; an event only masks rows.
-bool is_addition(const model::HistoryEntry& entry) {
-  const auto did = [&](const std::string& what) { return entry.action.rfind(what, 0) == 0; };
-  const auto is_event = [&](const model::CatalogueEntry& effect) {
-    return effect.description.event && did(std::string("add ") + effect.description.name);
-  };
-  const auto& catalogue = model::catalogue();
-  return did("add ") && std::none_of(catalogue.begin(), catalogue.end(), is_event);
-}
-
-// What additions have taken out since the model's fit, (deg/h)^2. A difference of squares in one
-// kind of rows: white noise cancels, so that it can be compared with one in others.
-double removed_since_fit(const model::Model& model) {
-  const auto first = std::find_if(model.history.begin(), model.history.end(), is_addition);
-  if (first == model.history.end()) return 0;
-  return square(first->rms_before_dph) - square(model.residual_rms_dph);
-}
-
-// Reason not to propose an addition that helps out of sample; "" if there is none.
-std::string objection_to(const model::Model& model, const fit::Addition& addition,
-                         bool may_be_little) {
-  const double before_dph = addition.fitted_before_dph;
-  const double after_dph = addition.fitted_after_dph;
-  if (after_dph >= before_dph) return "it does not lower the error of these runs";
-  if (may_be_little || is_worth_adding(model, before_dph, after_dph)) return "";
-  return "its gain is so small that it may only correct inexact terms of the model: let a run "
-         "that was not fitted decide, with --holdout";
-}
-
-// Refuses the trial unless it already is, or there is no objection.
-void object(std::string objection, TriedAddition& trial) {
-  if (objection.empty() || !trial.accepted) return;
-  trial.accepted = false;
-  trial.reason = std::move(objection);
-}
-
 }  // namespace
 
 std::vector<std::string> AdditionRequest::names() const {
@@ -91,12 +50,6 @@ bool AdditionRequest::is_network() const {
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
                          const runs::Runs& runs) {
   return fit::add_effect(model, change_of(request, model), runs, settings_of(request));
-}
-
-bool is_worth_adding(const model::Model& model, double before_dph, double after_dph) {
-  const double fall = square(before_dph) - square(after_dph);
-  return fall >= rules::kWorthAdding * (removed_since_fit(model) + fall) ||
-         after_dph <= (1 - rules::kHardlyHelps) * before_dph;
 }
 
 AdditionJudge::AdditionJudge(const model::Model& model, const runs::Runs& runs, bool run_offsets)
@@ -156,10 +109,8 @@ TriedAddition AdditionJudge::tried(AdditionRequest request,
   if (!refitted_) return trial;
   try {
     addition = judged(model_, trial.request, runs_, &*refitted_);
-    const bool may_be_little = !runs_.holdouts.empty() || trial.request.may_be_little;
-    const std::string objection =
-        addition->accepted ? objection_to(model_, *addition, may_be_little) : "";
-    trial.accepted = addition->accepted && objection.empty();
+    trial.accepted = addition->accepted;
+    trial.reason = addition->reason;
     trial.fails_far = std::any_of(addition->far.begin(), addition->far.end(),
                                   [](const auto& one) { return fit::harms(one); });
     trial.fitted_before_dph = addition->fitted_before_dph;
@@ -167,9 +118,10 @@ TriedAddition AdditionJudge::tried(AdditionRequest request,
     if (addition->whole) {
       trial.holdouts = {addition->whole->rms_before_dph, addition->whole->rms_after_dph};
     }
-    trial.reason = objection.empty() ? addition->reason : objection;
     if (bias_of_ == series::BiasOf::all && trial.accepted) {
-      object(objection_of_biases(*addition), trial);
+      const std::string objection = objection_of_biases(*addition);
+      trial.accepted = objection.empty();
+      if (!trial.accepted) trial.reason = objection;
     }
     if (addition->out_of_sample) {
       trial.rms_before_dph = addition->out_of_sample->rms_before_dph;

@@ -15,8 +15,6 @@ struct AdditionRequest {
   std::vector<std::string> effects;  ///< as fit::change_effects() takes them; or else
   std::string expression;            ///< `NAME = EXPRESSION`
   bool run_offsets = false;          ///< with a bias of its own for each power-on
-  /// The diagnosis names it, having allowed for inexact terms of the model.
-  bool may_be_little = false;
   bool refines = false;  ///< frees what the formulas of the model's own effects leave out
 
   std::vector<std::string> names() const;  ///< without their parameters
@@ -48,13 +46,6 @@ struct TriedAddition {
 /// fit::add_effect().
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
                          const runs::Runs& runs);
-
-/// Whether an addition to `model`, with the error before and after in rows of one length, takes out
-/// enough of what has been taken out since the fit (rules::kWorthAdding). One that removes very
-/// little may only correct the inexactness of earlier terms; only a run that was not fitted can
-/// tell. It is not asked of the one effect that a diagnosis names: what inexact terms leave has
-/// been allowed for before it was named.
-bool is_worth_adding(const model::Model& model, double before_dph, double after_dph);
 
 /// Tries additions as `add` would judge them, without the model's network. The model is refitted
 /// once for all of them, and the regressors of the runs are remembered from model to model.

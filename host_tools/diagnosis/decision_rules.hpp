@@ -66,8 +66,4 @@ constexpr double kMinVisible = 0.03;
 /// An addition that lowers the error by less than this fraction hardly helps.
 constexpr double kHardlyHelps = 0.1;
 
-/// Fraction of the mean square removed from the model's error since its fit: an addition that
-/// removes less, and hardly helps, may only correct inexact terms added before.
-constexpr double kWorthAdding = 0.025;
-
 }  // namespace fogcomp::diagnosis::rules

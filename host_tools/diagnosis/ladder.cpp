@@ -64,8 +64,7 @@ Look look_once(const model::Model& model, const DiagnosisData& given, AdditionJu
 
 // Whether what is missing has found no name that holds with one bias for all power-ons.
 bool finds_no_name(const Look& look) {
-  return look.diagnosis.verdict != Verdict::none && !look.next.little_is_left &&
-         (!look.next.addition || look.next.describes);
+  return look.diagnosis.verdict != Verdict::none && (!look.next.addition || look.next.describes);
 }
 
 bool biases_differ(const model::Model& model, const runs::Runs& runs) {

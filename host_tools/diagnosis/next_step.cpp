@@ -22,12 +22,6 @@ std::vector<std::string> named_effects(const Diagnosis& diagnosis) {
   return one.empty() ? effects_together(diagnosis) : std::vector<std::string>{one};
 }
 
-// Whether an addition could be worth it if it removed everything above the noise.
-bool may_be_worth_adding(const model::Model& model, const Diagnosis& diagnosis) {
-  const double now_dph = diagnosis.residual_rms_dph;
-  return is_worth_adding(model, now_dph, std::min(now_dph, diagnosis.noise_floor_dph));
-}
-
 // Whether the addition is accepted; stores it in `next` in either case.
 bool keep(TriedAddition tried, NextStep& next) {
   const bool accepted = tried.accepted;
@@ -44,14 +38,10 @@ bool try_out(AdditionRequest request, AdditionJudge& judge, NextStep& next) {
   return keep(judge(std::move(request)), next);
 }
 
-// Tries what the diagnosis names. `may_be_little`: it names a single effect and no rival, or an
-// event, which no inexact term imitates.
+// Tries what the diagnosis names.
 bool try_named(const Diagnosis& diagnosis, const std::vector<std::string>& named,
-               bool may_be_little, AdditionJudge& judge, NextStep& next) {
-  if (named.empty()) return false;
-  AdditionRequest request = *request_of(diagnosis, named);
-  request.may_be_little = may_be_little;
-  if (!try_out(std::move(request), judge, next)) return false;
+               AdditionJudge& judge, NextStep& next) {
+  if (named.empty() || !try_out(*request_of(diagnosis, named), judge, next)) return false;
   if (named.size() > 1) next.together = named;
   return true;
 }
@@ -312,10 +302,6 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
   const std::vector<std::string> events = first_events(diagnosis, named);
   named = without_events(diagnosis, std::move(named));
   const bool is_unknown = diagnosis.verdict == Verdict::unknown;
-  const bool is_one = diagnosis.verdict == Verdict::missing_effect && named.size() == 1;
-  const bool is_little = judge.runs().holdouts.empty() && !may_be_worth_adding(model, diagnosis);
-  next.little_is_left = is_little && !is_one && events.empty();
-  if (next.little_is_left) return true;
   std::optional<LikelyFormulas> likely;
   const AskFormulas formulas = [&]() -> const LikelyFormulas& {
     if (!likely) likely = likely_formulas(model, diagnosis, data, settings);
@@ -323,11 +309,10 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
   };
   if (!is_unknown || !events.empty()) {
     const bool may_be_formula =
-        !is_little && (is_unknown || needs_event(diagnosis) || needs_second_part(diagnosis, named));
+        is_unknown || needs_event(diagnosis) || needs_second_part(diagnosis, named);
     if (may_be_formula && try_forms(diagnosis, formulas(), judge, next)) return true;
-    if (try_named(diagnosis, events, true, judge, next)) return true;
-    if (!is_unknown && try_named(diagnosis, named, is_one, judge, next)) return true;
-    if (is_little) return true;
+    if (try_named(diagnosis, events, judge, next)) return true;
+    if (!is_unknown && try_named(diagnosis, named, judge, next)) return true;
     if (try_higher_orders(diagnosis, named, judge, next)) return true;
     if (try_rivals(diagnosis, named, judge, next)) return true;
   }

@@ -12,7 +12,6 @@ namespace {
 
 AdditionRequest refinement(const model::EffectTerm& term, const std::string& settings) {
   AdditionRequest request{{term.name + ":" + settings}, ""};
-  request.may_be_little = true;
   request.refines = true;
   return request;
 }

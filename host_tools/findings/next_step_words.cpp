@@ -85,10 +85,6 @@ std::string refusal_words(const diagnosis::TriedAddition& refused) {
 }
 
 std::string nothing_holds_words(const diagnosis::NextStep& next) {
-  if (next.little_is_left) {
-    return "nothing to add: what is left is so small compared with what was removed that it may be "
-           "the inexactness of what is there: let a run that was not fitted decide, with --holdout";
-  }
   if (next.refused.empty()) return "";
   const std::string text = "nothing to add: " + refusal_words(next.refused[0]);
   constexpr std::size_t kMaxSaid = 3;

@@ -71,8 +71,8 @@ void compare_on_runs(const runs::Runs& runs, const AddSettings& settings, Refits
   }
   for (const runs::Run& run : runs.holdouts) compare(run, true);
   if (runs.holdouts.empty()) return;
-  refits.after.whole =
-      judge_on_holdouts(refits.before, refits.after.model, runs.holdouts, settings.run_offsets);
+  refits.after.whole = judge_on_holdouts(refits.before, refits.after.model, runs.holdouts,
+                                         refits.after.fit.identified.noise, settings.run_offsets);
 }
 
 // Every fit searches for steps anew and moves them behind all other terms. Returns their places;

@@ -39,7 +39,7 @@ class Judge {
   OutOfSample operator()(const model::Model& before, const model::Model& after) const {
     if (!all_) return on_training_runs(before, after).on_runs_or_stretches();
     OutOfSample judged = judge_on_holdouts(without_network(before), without_network(after),
-                                           pair.runs.holdouts, with_.run_offsets);
+                                           pair.runs.holdouts, with_.noise, with_.run_offsets);
     const CrossValidation validation(*all_, before.terms, after.terms,
                                      {with_.noise, weights_, with_.run_offsets});
     judged.score =
@@ -216,8 +216,9 @@ void judge_effects(const FittedPair& pair, Addition& after) {
 void judge_network(const FittedPair& pair, Addition& after) {
   after.out_of_sample = after.fit.network_judged;
   if (!after.model.network.present() || pair.runs.holdouts.empty()) return;
-  after.out_of_sample = judge_on_holdouts(without_network(after.model), after.model,
-                                          pair.runs.holdouts, pair.settings.run_offsets);
+  after.out_of_sample =
+      judge_on_holdouts(without_network(after.model), after.model, pair.runs.holdouts,
+                        after.fit.identified.noise, pair.settings.run_offsets);
 }
 
 void decide(Addition& after) {

@@ -49,17 +49,17 @@ OutOfSample CrossValidation::on_runs_or_stretches() const {
 }
 
 OutOfSample cross_validate_learner(const series::Rows& rows, const Eigen::VectorXd& residual_dph,
-                                   const Eigen::VectorXd& row_weights, const Learner& learner) {
+                                   const JudgedWith& with, const Learner& learner) {
   const Folds folds = stretches_in_turn(rows);
   Eigen::VectorXd after = residual_dph;
   for (const Part& part : folds.parts) {
-    Eigen::VectorXd weights = row_weights;
+    Eigen::VectorXd weights = with.row_weights;
     for (const recording::RowRange& range : part) series::of_rows(weights, range).setZero();
     const Eigen::VectorXd learnt = learner(weights);
     for (const recording::RowRange& range : part)
       series::of_rows(after, range) -= series::of_rows(learnt, range);
   }
-  OutOfSample result = judge_residuals(rows, residual_dph, after, row_weights);
+  OutOfSample result = judge_residuals(rows, residual_dph, after, with.noise, with.row_weights);
   result.how = folds.how;
   result.within_runs = true;
   return result;

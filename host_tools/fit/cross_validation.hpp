@@ -40,6 +40,6 @@ using Learner = std::function<Eigen::VectorXd(const Eigen::VectorXd& row_weights
 /// Cross-validates a learner on stretches: its prediction for those left out is subtracted from
 /// `residual_dph`.
 OutOfSample cross_validate_learner(const series::Rows& rows, const Eigen::VectorXd& residual_dph,
-                                   const Eigen::VectorXd& row_weights, const Learner& learner);
+                                   const JudgedWith& with, const Learner& learner);
 
 }  // namespace fogcomp::fit

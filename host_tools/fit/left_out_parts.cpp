@@ -79,7 +79,7 @@ std::vector<double> values_of(fog::Input input, const series::Rows& rows) {
 
 Folds stretches_in_turn(const series::Rows& rows) {
   constexpr std::size_t kParts = 5;
-  constexpr double kStretches = 25;
+  constexpr double kStretches = 50;
   Folds folds{std::vector<Part>(kParts), "", true};
   std::size_t first_part = 0;
   for (const recording::RowRange& run : rows.runs()) {

@@ -1,7 +1,6 @@
 #include "fit/out_of_sample.hpp"
 
 #include "compare/comparison.hpp"
-#include "fit/predict.hpp"
 #include "noise/outlier_rows.hpp"
 #include "noise/whitening.hpp"
 #include "support/least_squares.hpp"
@@ -24,11 +23,8 @@ Eigen::VectorXd residual_on(const model::Model& model, const std::vector<runs::R
 }
 
 // Each row from what is left of those before it.
-judge::Foretold foretold(const series::Rows& rows, const Eigen::VectorXd& left,
+judge::Foretold foretold(const noise::Whitening& whitening, const Eigen::VectorXd& left,
                          const Eigen::VectorXd& weights) {
-  const Eigen::MatrixXd bias = Eigen::MatrixXd::Ones(rows.size(), 1);
-  const noise::Whitening whitening(
-      noise_beside({bias, Eigen::VectorXd::Zero(1), 1}, rows, left, weights), rows, weights);
   const Eigen::ArrayXd sigma = whitening.scale().array().inverse();
   const Eigen::ArrayXd surprise = whitening.apply(left).col(0).array() * sigma;
   return {-surprise, (weights.array() > 0).select(sigma.square(), 0)};
@@ -52,22 +48,26 @@ std::string out_of_sample_words(const OutOfSample& judged) {
 }
 
 OutOfSample judge_residuals(const series::Rows& rows, const Eigen::VectorXd& before,
-                            const Eigen::VectorXd& after, const Eigen::VectorXd& weights) {
+                            const Eigen::VectorXd& after, const noise::NoiseModel& noise,
+                            const Eigen::VectorXd& weights) {
   OutOfSample result;
   const Eigen::VectorXd counted = noise::counted_weights(rows, weights);
   result.rms_before_dph = weighted_rms(before, counted);
   result.rms_after_dph = weighted_rms(after, counted);
-  result.score = judge::score(Eigen::VectorXd::Zero(rows.size()), foretold(rows, before, weights),
-                              foretold(rows, after, weights));
+  const noise::Whitening whitening(noise, rows, weights);
+  result.score =
+      judge::score(Eigen::VectorXd::Zero(rows.size()), foretold(whitening, before, weights),
+                   foretold(whitening, after, weights));
   return result;
 }
 
 OutOfSample judge_on_holdouts(const model::Model& before, const model::Model& after,
-                              const std::vector<runs::Run>& holdouts, bool run_offsets) {
+                              const std::vector<runs::Run>& holdouts,
+                              const noise::NoiseModel& noise, bool run_offsets) {
   const series::SignalSeries series = runs::series_of(after, holdouts);
   const series::Rows& rows = series.rows();
   OutOfSample result = judge_residuals(rows, residual_on(before, holdouts, run_offsets),
-                                       residual_on(after, holdouts, run_offsets),
+                                       residual_on(after, holdouts, run_offsets), noise,
                                        rows.weights.cwiseProduct(noise::counted_rows(rows)));
   result.how =
       holdouts.size() == 1 ? "on the holdout" : "on " + counted(holdouts.size(), "holdout");

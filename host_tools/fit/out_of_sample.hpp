@@ -6,6 +6,7 @@
 
 #include "judge/score.hpp"
 #include "model/model.hpp"
+#include "noise/noise_model.hpp"
 #include "runs/run.hpp"
 #include "series/signal_series.hpp"
 
@@ -33,14 +34,17 @@ bool harms(const OutOfSample& judged);
 std::string out_of_sample_words(const OutOfSample& judged);
 
 /// `before`, `after`: what two models leave of rows to which they were not fitted, one value per
-/// row of `rows`; each with the noise that it leaves. `weights`: 0 for excluded rows.
+/// row of `rows`, put together from several fits perhaps; both in this noise. `weights`: 0 for
+/// excluded rows.
 OutOfSample judge_residuals(const series::Rows& rows, const Eigen::VectorXd& before,
-                            const Eigen::VectorXd& after, const Eigen::VectorXd& weights);
+                            const Eigen::VectorXd& after, const noise::NoiseModel& noise,
+                            const Eigen::VectorXd& weights);
 
 /// In the models' rows. `holdouts`: at least one run that was used in neither fit. The models are
 /// evaluated like on the board, clamped to the trained range. With run_offsets the mean of every
 /// run is removed.
 OutOfSample judge_on_holdouts(const model::Model& before, const model::Model& after,
-                              const std::vector<runs::Run>& holdouts, bool run_offsets);
+                              const std::vector<runs::Run>& holdouts,
+                              const noise::NoiseModel& noise, bool run_offsets);
 
 }  // namespace fogcomp::fit

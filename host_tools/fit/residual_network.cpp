@@ -35,8 +35,8 @@ ResidualNetwork train_on_residual(const series::Rows& rows, const Eigen::MatrixX
     interrupted = interrupted || trained.result.interrupted;
     return trained.drift_dph(inputs);
   };
-  const OutOfSample judged =
-      cross_validate_learner(rows, identified.residual_dph, identified.row_weights, learn);
+  const OutOfSample judged = cross_validate_learner(
+      rows, identified.residual_dph, {identified.noise, identified.row_weights, false}, learn);
   if (!interrupted) network.judged = judged;
   return network;
 }

@@ -264,14 +264,6 @@ TEST(DiagnosisWords, SayWhatWouldShowWhatTheseRecordingsCannot) {
             "nothing missing 1.00; outside the catalogue 0.00; " + diagnosis.blind_spot);
 }
 
-TEST(DiagnosisWords, SayThatWhatIsLeftIsNotWorthATrial) {
-  diagnosis::NextStep next;
-  next.little_is_left = true;
-  const DiagnosisWords words = words_of(only_together(), next, kFiles);
-  EXPECT_EQ(words.command, "");
-  EXPECT_EQ(words.next.find("nothing to add: what is left is so small"), 0U);
-}
-
 // Each command uses the file written by the one before.
 TEST(DiagnosisWords, OfALadderAreTheCommandsThatMakeItsModel) {
   diagnosis::Ladder ladder;
