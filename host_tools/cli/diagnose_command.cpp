@@ -21,7 +21,6 @@ workflow::DiagnoseRequest DiagnoseCommand::request() const {
   request.average_s = average.find();
   request.max_steps = max_effects.value();
   request.hold_outs = holdouts.value();
-  request.seed = seed.value();
   request.expressions = expressions.value();
   request.runs = {arguments.begin() + 1, arguments.end()};
   request.at_rest = at_rest.find();
@@ -74,7 +73,7 @@ int DiagnoseCommand::run() const {
                     : findings::diagnosis_json(found.ladder.first, found.ladder.next, files);
     std::puts(object.text().c_str());
   } else {
-    std::fputs(report::terminal(document).c_str(), stdout);
+    std::fputs(report::terminal(document, details.given()).c_str(), stdout);
     if (written) std::printf("written: %s\n", output.value().c_str());
     if (model_file && !written) std::puts("nothing written: the loop added nothing");
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -27,8 +26,7 @@ struct DiagnoseCommand : Command {
   Texts holdouts{this, {"holdout", "RUN", "a run that judges additions; may be repeated"}};
   Number average{
       this, {"average", "S", "rows of one look, seconds (a ladder chooses its own)"}, {1e-3, 1e6}};
-  Integer<std::uint64_t> seed{
-      this, {"seed", "N", "of the draws that calibrate the test", "1"}, 0, INT64_MAX};
+  Flag details{this, "details", "each effect, notes, what would tell rivals apart"};
   ReportOption report{this};
   Flag json{this, "json", "one JSON object on stdout"};
   MaskedRecordingOptions recording{this};

@@ -60,38 +60,39 @@ std::string entry_text(const model::CatalogueEntry& entry) {
   return text;
 }
 
-// A line of code on the page, in two where it is wider than the page's columns.
-std::string code_line(std::string line) {
-  constexpr std::size_t kColumns = 110;
-  if (line.size() > kColumns) line.replace(line.rfind(", ", kColumns), 2, ",\n      ");
-  return "    " + line + "\n";
+// Text in a table, in which a bare `|` would begin the next column.
+std::string cell(std::string text) {
+  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) {
+    text.insert(at, "\\");
+  }
+  return text;
+}
+
+std::string on_board(const fog::EffectDescription& effect) {
+  if (effect.host_only != nullptr) return std::string("no: ") + effect.host_only;
+  const std::string id = format("id %d", effect.id);
+  return effect.outlives_power ? id + ", only if never switched off (`export --allow-error`)" : id;
 }
 
 std::string entry_markdown(const model::CatalogueEntry& entry) {
   const fog::EffectDescription& effect = entry.description;
-  std::string text =
-      format("## `%s`\n\n%s.\n\n", effect.name, effect.title) + code_line(effect.equation) + "\n";
-  text += "| | |\n|---|---|\n";
+  std::string text = format("## `%s`\n\n", effect.name);
   const auto row = [&text](const std::string& left, const std::string& right) {
-    text += "| " + left + " | " + right + " |\n";
+    text += "| " + left + " | " + cell(right) + " |\n";
   };
+  row("equation", format("`%s`", effect.equation));
+  text += "|---|---|\n";
   row("typical size", effect.typical);
   row("example", format("`%s`", effect.example));
   row("signature", effect.signature);
   for (const auto& parameter : entry.parameters) {
     row(format("parameter `%s`", parameter.name), range(entry, parameter));
   }
+  std::vector<std::string> identified;
   for (const auto& coefficient : entry.coefficients) {
-    row(format("identified `%s`", coefficient.symbol), coefficient.unit);
+    identified.push_back(format("`%s` %s", coefficient.symbol, coefficient.unit));
   }
-  const std::vector<std::string> needs = needed_columns(entry);
-  if (!needs.empty()) row("needs", "`" + join(needs, ", ") + "`");
-  row("on the board",
-      effect.outlives_power
-          ? format("only of one that is never switched off (`export --allow-error`), id %d",
-                   effect.id)
-      : effect.host_only == nullptr ? format("yes, id %d", effect.id)
-                                    : std::string("no: ") + effect.host_only);
+  row("identified", join(identified, ", "));
   row("source", effect.source);
   return text + "\n";
 }
@@ -138,10 +139,12 @@ std::string effects_markdown(const std::vector<const model::CatalogueEntry*>& en
       "\nreach the board in extension records (`export --extension`).\n\n"
       "In `fit --effects`, `NAME:parameter=value` gives a shape parameter; `parameter=?` or "
       "`parameter=?[min,max]`\nidentifies one.\n\n"
-      "| effect | equation | needs |\n|---|---|---|\n";
+      "| effect | | needs | on the board |\n|---|---|---|---|\n";
   for (const model::CatalogueEntry* entry : entries) {
-    text += format("| [`%s`](#%s) | %s | %s |\n", entry->description.name, entry->description.name,
-                   entry->description.equation, join(needed_columns(*entry), ", ").c_str());
+    const fog::EffectDescription& effect = entry->description;
+    text += format("| [`%s`](#%s) | %s | %s | %s |\n", effect.name, effect.name,
+                   cell(effect.title).c_str(), join(needed_columns(*entry), ", ").c_str(),
+                   on_board(effect).c_str());
   }
   text += "\n";
   for (const model::CatalogueEntry* entry : entries) text += entry_markdown(*entry);

@@ -15,8 +15,6 @@ struct AdditionRequest {
   std::vector<std::string> effects;  ///< as fit::change_effects() takes them; or else
   std::string expression;            ///< `NAME = EXPRESSION`
   bool run_offsets = false;          ///< with a bias of its own for each power-on
-  /// The diagnosis names it, having allowed for inexact terms of the model.
-  bool may_be_little = false;
   bool refines = false;  ///< frees what the formulas of the model's own effects leave out
 
   std::vector<std::string> names() const;  ///< without their parameters
@@ -27,9 +25,6 @@ struct AdditionRequest {
 struct TriedAddition {
   AdditionRequest request;
   bool accepted = false;
-  bool may_be_walk = false;  ///< a random walk of the bias would explain as much
-  bool may_be_line = false;  ///< refused because a line in time would do as well
-  bool wants_more = false;   ///< refused because a shape is at its upper bound
   bool fails_far = false;    ///< refused for what it does on rows far from those fitted
   std::string reason;        ///< one line: why it is accepted or not
   double rms_after_dph = 0;  ///< out of sample; both 0 if it could not be judged
@@ -40,21 +35,17 @@ struct TriedAddition {
   /// The resulting model, without a network; only if accepted.
   std::optional<model::Model> model;
 
-  /// Fraction of the error that is left out of sample.
-  double left() const { return rms_before_dph > 0 ? rms_after_dph / rms_before_dph : 1; }
+  judge::Score score;  ///< out of sample
+  /// Whether it gains clearly more than another addition to the same model.
+  bool is_clearly_better(const TriedAddition& other) const {
+    return score.gain >= other.score.gain + judge::kGain;
+  }
 };
 
 /// Runs the command `add`, network included, and returns verdict and model. Throws InputError like
 /// fit::add_effect().
 fit::Addition try_to_add(const model::Model& model, const AdditionRequest& request,
                          const runs::Runs& runs);
-
-/// Whether an addition to `model`, with the error before and after in rows of one length, takes out
-/// enough of what has been taken out since the fit (rules::kWorthAdding). One that removes very
-/// little may only correct the inexactness of earlier terms; only a run that was not fitted can
-/// tell. It is not asked of the one effect that a diagnosis names: what inexact terms leave has
-/// been allowed for before it was named.
-bool is_worth_adding(const model::Model& model, double before_dph, double after_dph);
 
 /// Tries additions as `add` would judge them, without the model's network. The model is refitted
 /// once for all of them, and the regressors of the runs are remembered from model to model.
@@ -76,33 +67,18 @@ class AdditionJudge {
   /// threads.
   void prepare();
 
-  /// An effect of time that is refused because a line would do as well is tried once more with what
-  /// its formula leaves out (an ageing that is faster when warm).
   TriedAddition operator()(AdditionRequest request);
 
   /// Whether a change of shapes would be certainly visible in the runs of the fit
   /// (fit::possible_gain(), fit::rules::kVisible). A trial takes a hundred times as long.
   bool may_help(const AdditionRequest& request);
 
-  /// For a description without physics also requires every run, no harm in either direction of
-  /// the temperature, and no failure at temperatures that were not fitted (fit::TemperatureTest):
-  /// stretches left out of a run have the temperatures and rates of their neighbours, another
-  /// programme has not. A run that alone moves an input of the description does not judge
-  /// it, nor does one that shows nothing of effects of the catalogue.
-  TriedAddition of_description(AdditionRequest request);
-
  private:
-  TriedAddition as_it_is(AdditionRequest request);
-  TriedAddition description_as_it_is(AdditionRequest request);
   bool has_own_biases() const { return bias_of_ == series::BiasOf::power_on; }
   // The verdict, without a model. `addition`: nothing if it could not be fitted.
   TriedAddition tried(AdditionRequest request, std::optional<fit::Addition>& addition);
   void take_model(std::optional<fit::Addition>& addition, TriedAddition& trial) const;
   std::string objection_of_biases(const fit::Addition& addition) const;
-  std::string objection_of_far_rows(const fit::Addition& addition) const;
-  std::string objection_of_run(const AdditionRequest& request, std::size_t run,
-                               const fit::Addition& on_all) const;
-  bool others_show(const fit::Addition& on_all, std::size_t run) const;
 
   model::Model model_;
   const runs::Runs& runs_;

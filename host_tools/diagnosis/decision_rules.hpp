@@ -13,10 +13,8 @@ namespace fogcomp::diagnosis::rules {
 /// Probability that nothing is missing below which it is not believed.
 constexpr double kDoubtful = 0.1;
 
-/// Chance that noise alone has it, below which a line in time is told; and below which, as its
-/// natural logarithm, fast structure is: three tests without a physical model. At 0.05 % a cycle
-/// was reported for 1 of 300 clean gyros.
-constexpr double kFaintChance = 0.01;
+/// Chance that noise alone has it, as its natural logarithm, below which fast structure is told:
+/// three tests without a physical model. At 0.05 % a cycle was reported for 1 of 300 clean gyros.
 inline const double kFastLogP = std::log(0.00001);
 
 /// Minimum number of rows: needed to fit a few effects and their noise.
@@ -57,12 +55,6 @@ constexpr double kConfusable = 0.05;
 constexpr double kMinShareOfInput = 0.5;
 
 // ---- What to add, and when to stop ------------------------------------------------------------
-/// Of several descriptions, one that leaves at least this fraction of what another does is as good.
-constexpr double kClearlyLess = 0.97;
-
-/// A description that leaves at most this fraction of what a named effect leaves out of sample
-/// refutes a name that does not help there. A third is what a description is to bring at least.
-constexpr double kRefutes = 2.0 / 3;
 
 /// Fraction of the excess above which a part counts as the main part of an unknown residual.
 constexpr double kMainPart = 0.5;
@@ -73,9 +65,5 @@ constexpr double kMinVisible = 0.03;
 
 /// An addition that lowers the error by less than this fraction hardly helps.
 constexpr double kHardlyHelps = 0.1;
-
-/// Fraction of the mean square removed from the model's error since its fit: an addition that
-/// removes less, and hardly helps, may only correct inexact terms added before.
-constexpr double kWorthAdding = 0.025;
 
 }  // namespace fogcomp::diagnosis::rules

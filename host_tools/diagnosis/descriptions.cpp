@@ -52,13 +52,6 @@ bool names_twice(const std::vector<std::string>& effects) {
   return different.size() < effects.size();
 }
 
-std::vector<std::string> without_events(const Diagnosis& diagnosis,
-                                        std::vector<std::string> effects) {
-  for (const std::string& event : events_among(diagnosis, effects))
-    effects.erase(std::find(effects.begin(), effects.end(), event));
-  return effects;
-}
-
 // Fraction of the mean square above the noise floor that an effect alone takes out.
 double removed_alone(const Diagnosis& diagnosis, const CandidateFinding& finding) {
   const double now = std::pow(diagnosis.residual_rms_dph, 2);
@@ -92,6 +85,24 @@ std::vector<std::string> events_among(const Diagnosis& diagnosis,
   for (const std::string& name : effects) {
     const CandidateFinding* const finding = diagnosis.find(name);
     if (finding != nullptr && model::is_event(finding->term())) events.push_back(name);
+  }
+  return events;
+}
+
+std::vector<std::string> without_events(const Diagnosis& diagnosis,
+                                        std::vector<std::string> effects) {
+  for (const std::string& event : events_among(diagnosis, effects))
+    effects.erase(std::find(effects.begin(), effects.end(), event));
+  return effects;
+}
+
+std::vector<std::string> first_events(const Diagnosis& diagnosis,
+                                      const std::vector<std::string>& named) {
+  std::vector<std::string> events;
+  for (const CandidateFinding& finding : diagnosis.candidates) {
+    const bool is_first = finding.probability >= rules::kNamed ||
+                          std::find(named.begin(), named.end(), finding.effect) != named.end();
+    if (is_first && model::is_event(finding.term())) events.push_back(finding.effect);
   }
   return events;
 }

@@ -30,6 +30,15 @@ struct Description {
 std::vector<std::string> events_among(const Diagnosis& diagnosis,
                                       const std::vector<std::string>& effects);
 
+/// The others.
+std::vector<std::string> without_events(const Diagnosis& diagnosis,
+                                        std::vector<std::string> effects);
+
+/// Events that are to be added before anything else: those named, and those that are missing as
+/// surely as an effect has to be to be named, whatever else is missing.
+std::vector<std::string> first_events(const Diagnosis& diagnosis,
+                                      const std::vector<std::string>& named);
+
 /// Whether the most probable set has an event. It explains whatever the others leave: a formula
 /// that needs none may be the truth.
 bool needs_event(const Diagnosis& diagnosis);

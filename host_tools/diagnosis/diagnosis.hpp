@@ -12,7 +12,6 @@
 #include "diagnosis/diagnosis_data.hpp"
 #include "diagnosis/experiment.hpp"
 #include "diagnosis/fast_finding.hpp"
-#include "diagnosis/line_in_time.hpp"
 #include "diagnosis/network_learnt.hpp"
 #include "diagnosis/residual_place.hpp"
 #include "model/model.hpp"
@@ -27,7 +26,7 @@ const char* name_of(Verdict verdict);
 /// Why what a diagnosis names is something else.
 enum class Refuted {
   no,
-  out_of_sample,  ///< it fails there: a description leaves far less (rules::kRefutes), it raises
+  out_of_sample,  ///< it fails there: a description gains clearly more, it raises
                   ///< the error and nothing lowers it, or it harms on thirds of the runs
   by_formula      ///< it needs or is an event, or needs two parts; a formula that needs none is as
                   ///< certain as names
@@ -70,10 +69,6 @@ struct Diagnosis {
   /// Where that is most of it: a ripple over a late temperature that may make it, for `add`.
   std::vector<std::string> late_ripples;
 
-  /// What is refused as an effect, because one run cannot tell ageing from other slow changes: only
-  /// if significant. Set by stepwise_selection().
-  std::optional<LineInTime> line;
-
   double residual_rms_dph = 0;  ///< of a row, the model refitted to these runs
   /// Error of the given model on these runs, network included: what `compare` prints.
   std::optional<compare::BoardError> as_given;
@@ -113,7 +108,6 @@ std::string effect_to_add(const Diagnosis& diagnosis);
 struct DiagnosisSettings {
   std::optional<noise::NoiseModel>
       noise;                 ///< from a static record; otherwise from the runs' quiet parts
-  std::uint64_t seed = 1;    ///< of the draws that calibrate the test
   bool run_offsets = false;  ///< additions are judged with a bias of its own for each power-on
   /// Called with the fraction done, 0..1 (for a stepwise selection: of its maximum length); may be
   /// empty.

@@ -18,12 +18,12 @@ struct PossibleColumns {
   VisibleStructure smooth;
 };
 
-void put_steps_in_place(const series::SignalSeries& series, const Residualizer& residualizer,
-                        PossibleColumns& found) {
+void put_steps_in_place(const series::SignalSeries& series, const fit::NoiseWeightedFit& fit,
+                        const Residualizer& residualizer, PossibleColumns& found) {
   for (Candidate& candidate : found.candidates.testable) {
     if (!candidate.is_event()) continue;
     place_steps(candidate.shapes, series, residualizer, found.smooth.all);
-    remove_gradual_steps(candidate.shapes, series.rows(), residualizer);
+    remove_gradual_steps(candidate.shapes, series.rows(), fit);
   }
   remove_those_without_shapes(found.candidates.testable);
 }
@@ -47,7 +47,7 @@ PossibleColumns possible_columns(const DiagnosisData& data, const fit::NoiseWeig
       found.smooth = visible_structure(series.rows(), residualizer);
     }
   });
-  put_steps_in_place(series, residualizer, found);
+  put_steps_in_place(series, fit, residualizer, found);
   return found;
 }
 

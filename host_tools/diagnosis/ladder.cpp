@@ -4,7 +4,6 @@
 #include <atomic>
 #include <utility>
 
-#include "diagnosis/model_fit.hpp"
 #include "fit/turn_on_bias.hpp"
 #include "support/parallel.hpp"
 
@@ -30,17 +29,6 @@ model::Model with_network(const model::Model& before, const TriedAddition& addit
                           const runs::Runs& runs) {
   if (!before.network.present()) return *addition.model;
   return try_to_add(before, addition.request, runs).model;
-}
-
-// The line in time for which an effect was refused, if it is significant. Several runs show by
-// themselves whether it goes on from one to the next.
-std::optional<LineInTime> refused_line(const model::Model& model, const DiagnosisData& data,
-                                       const runs::Runs& runs, const NextStep& next,
-                                       const std::optional<noise::NoiseModel>& noise) {
-  const std::size_t count = runs.training.size() + runs.holdouts.size();
-  if (count > 1 || !next.refused_line()) return std::nullopt;
-  const auto line = find_line_in_time(data, fit_for_diagnosis(model, data, noise));
-  return line && line->is_significant() ? line : std::nullopt;
 }
 
 // A diagnosis of a model and, if that is wanted, what to do next.
@@ -71,14 +59,12 @@ Look look_once(const model::Model& model, const DiagnosisData& given, AdditionJu
   look.next = find_next_step(model, look.diagnosis, data, judge, unheard);
   if (look.next.chance_of_forms) shown_by_formulas(look.diagnosis, *look.next.chance_of_forms);
   if (look.next.name_is != Refuted::no) withdraw_name(look.diagnosis, look.next.name_is);
-  look.diagnosis.line = refused_line(model, data, judge.runs(), look.next, settings.noise);
   return look;
 }
 
 // Whether what is missing has found no name that holds with one bias for all power-ons.
 bool finds_no_name(const Look& look) {
-  return look.diagnosis.verdict != Verdict::none && !look.next.little_is_left &&
-         (!look.next.addition || look.next.describes);
+  return look.diagnosis.verdict != Verdict::none && (!look.next.addition || look.next.describes);
 }
 
 bool biases_differ(const model::Model& model, const runs::Runs& runs) {

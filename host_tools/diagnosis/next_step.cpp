@@ -22,12 +22,6 @@ std::vector<std::string> named_effects(const Diagnosis& diagnosis) {
   return one.empty() ? effects_together(diagnosis) : std::vector<std::string>{one};
 }
 
-// Whether an addition could be worth it if it removed everything above the noise.
-bool may_be_worth_adding(const model::Model& model, const Diagnosis& diagnosis) {
-  const double now_dph = diagnosis.residual_rms_dph;
-  return is_worth_adding(model, now_dph, std::min(now_dph, diagnosis.noise_floor_dph));
-}
-
 // Whether the addition is accepted; stores it in `next` in either case.
 bool keep(TriedAddition tried, NextStep& next) {
   const bool accepted = tried.accepted;
@@ -41,18 +35,13 @@ bool keep(TriedAddition tried, NextStep& next) {
 
 // Likewise for what has not been tried.
 bool try_out(AdditionRequest request, AdditionJudge& judge, NextStep& next) {
-  return keep(next.describes ? judge.of_description(std::move(request)) : judge(std::move(request)),
-              next);
+  return keep(judge(std::move(request)), next);
 }
 
-// Tries what the diagnosis names. `may_be_little`: it names a single effect and no rival, or an
-// event, which no inexact term imitates.
+// Tries what the diagnosis names.
 bool try_named(const Diagnosis& diagnosis, const std::vector<std::string>& named,
-               bool may_be_little, AdditionJudge& judge, NextStep& next) {
-  if (named.empty()) return false;
-  AdditionRequest request = *request_of(diagnosis, named);
-  request.may_be_little = may_be_little;
-  if (!try_out(std::move(request), judge, next)) return false;
+               AdditionJudge& judge, NextStep& next) {
+  if (named.empty() || !try_out(*request_of(diagnosis, named), judge, next)) return false;
   if (named.size() > 1) next.together = named;
   return true;
 }
@@ -79,7 +68,7 @@ bool try_higher_orders(const Diagnosis& diagnosis, const std::vector<std::string
   const AdditionRequest first = *request_of(diagnosis, named);
   if (first.effects.size() != 1) return false;
   for (const std::string& effect : higher_orders(first.effects.front())) {
-    if (keep(judge.of_description({{effect}, ""}), next)) return true;
+    if (keep(judge({{effect}, ""}), next)) return true;
   }
   return false;
 }
@@ -104,7 +93,7 @@ bool try_rivals(const Diagnosis& diagnosis, const std::vector<std::string>& name
 bool try_sets(std::vector<Description> sets, AdditionJudge& judge, NextStep& next) {
   if (sets.size() > kMaxTried) sets.resize(kMaxTried);
   for (Description& set : sets) {
-    if (!keep(judge.of_description(std::move(set.request)), next)) continue;
+    if (!keep(judge(std::move(set.request)), next)) continue;
     if (set.effects.size() > 1) next.together = std::move(set.effects);
     return true;
   }
@@ -113,8 +102,7 @@ bool try_sets(std::vector<Description> sets, AdditionJudge& judge, NextStep& nex
 
 // Whether no other description could leave clearly less than this one.
 bool leaves_noise(const TriedAddition& tried, double noise_floor_dph, const runs::Runs& runs) {
-  return tried.accepted && runs.holdouts.empty() &&
-         rules::kClearlyLess * tried.rms_after_dph <= noise_floor_dph;
+  return tried.accepted && runs.holdouts.empty() && tried.rms_after_dph <= noise_floor_dph;
 }
 
 // Whether trials side by side would take too much memory: each needs a hundred columns.
@@ -123,18 +111,6 @@ bool is_large(const runs::Runs& runs) {
   std::size_t blocks = 0;
   for (const runs::Run& run : runs.training) blocks += run.blocks.blocks.size();
   return blocks > kMaxBlocks;
-}
-
-// Refuses a description that leaves nearly all that is above the noise.
-void refuse_if_little(double noise_floor_dph, TriedAddition& tried) {
-  const double before = tried.rms_before_dph * tried.rms_before_dph;
-  const double fall = before - tried.rms_after_dph * tried.rms_after_dph;
-  const double above_noise = before - noise_floor_dph * noise_floor_dph;
-  if (!tried.accepted || fall >= rules::kHardlyHelps * above_noise) return;
-  tried.accepted = false;
-  tried.reason =
-      format("it leaves nearly all that is above the noise: %s -> %s deg/h",
-             rounded(tried.rms_before_dph).c_str(), rounded(tried.rms_after_dph).c_str());
 }
 
 // Refuses a description by an effect that goes on while the power is off if there is one power-on:
@@ -162,8 +138,7 @@ bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
   if (descriptions.size() > kMaxTried) descriptions.resize(kMaxTried);
   std::vector<TriedAddition> tried(descriptions.size());
   const auto judge_one = [&](std::size_t i) {
-    tried[i] = judge.of_description(std::move(descriptions[i].request));
-    refuse_if_little(diagnosis.noise_floor_dph, tried[i]);
+    tried[i] = judge(std::move(descriptions[i].request));
     refuse_if_of_one_power_on(judge.runs(), tried[i]);
   };
   judge_one(0);  // with all threads: often it is the one
@@ -177,7 +152,7 @@ bool describe(const Diagnosis& diagnosis, std::vector<Description> descriptions,
   for (std::size_t i = 0; i < tried.size(); ++i) {
     if (!tried[i].accepted) {
       next.refused.push_back(std::move(tried[i]));
-    } else if (!next.addition || tried[i].left() < rules::kClearlyLess * next.addition->left()) {
+    } else if (!next.addition || tried[i].is_clearly_better(*next.addition)) {
       next.addition = std::move(tried[i]);
       next.describes = !descriptions[i].is_part;
       next.together.clear();
@@ -264,7 +239,7 @@ std::vector<Description> possible_descriptions(const Diagnosis& diagnosis,
 // a formula that does not leave clearly less: it has a cause.
 void refine(const model::Model& model, AdditionJudge& judge, NextStep& next) {
   std::optional<TriedAddition> best = best_refinement(model, judge);
-  if (!best || (next.addition && next.addition->left() < rules::kClearlyLess * best->left())) {
+  if (!best || (next.addition && next.addition->is_clearly_better(*best))) {
     return;
   }
   next.addition = std::move(best);
@@ -276,17 +251,19 @@ bool may_be_refined(const NextStep& next) {
   return !next.addition || (next.describes && !next.addition->request.expression.empty());
 }
 
-// Whether the first refusal, of what the diagnosis names, contradicts the name: it raises the error
-// far from the rows fitted, a description leaves far less out of sample or, without one, the only
-// name raises the error there.
-bool refutes_name(const Diagnosis& diagnosis, bool described, const NextStep& next) {
-  if (diagnosis.verdict == Verdict::unknown || next.refused.empty()) return false;
-  const TriedAddition& named = next.refused.front();
-  if (named.rms_before_dph <= 0 || named.may_be_walk) return false;
-  if (named.fails_far) return true;
-  if (!described) return diagnosis.verdict == Verdict::missing_effect && named.left() > 1;
-  return named.left() > 1 - rules::kHardlyHelps &&
-         next.addition->left() < rules::kRefutes * named.left();
+// Whether the refusal of what the diagnosis names contradicts the name: it raises the error far
+// from the rows fitted, a description leaves far less out of sample or, without one, the only name
+// raises the error there.
+bool refutes_name(const Diagnosis& diagnosis, const std::vector<std::string>& named, bool described,
+                  const NextStep& next) {
+  const auto refused =
+      std::find_if(next.refused.begin(), next.refused.end(),
+                   [&](const TriedAddition& one) { return one.request.names() == named; });
+  if (diagnosis.verdict == Verdict::unknown || refused == next.refused.end()) return false;
+  if (refused->rms_before_dph <= 0) return false;
+  if (refused->fails_far) return true;
+  if (!described) return diagnosis.verdict == Verdict::missing_effect && refused->score.harms();
+  return next.addition->is_clearly_better(*refused);
 }
 
 // Whether a network may learn what is missing. Within one run the inputs follow a single path, so
@@ -322,13 +299,9 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
                              const DiagnosisData& data, AdditionJudge& judge,
                              const DiagnosisSettings& settings, NextStep& next) {
   std::vector<std::string> named = named_effects(diagnosis);
-  const std::vector<std::string> events = events_among(diagnosis, named);
-  if (!events.empty()) named = events;
+  const std::vector<std::string> events = first_events(diagnosis, named);
+  named = without_events(diagnosis, std::move(named));
   const bool is_unknown = diagnosis.verdict == Verdict::unknown;
-  const bool is_one = diagnosis.verdict == Verdict::missing_effect && named.size() == 1;
-  const bool is_little = judge.runs().holdouts.empty() && !may_be_worth_adding(model, diagnosis);
-  next.little_is_left = is_little && !is_one;
-  if (next.little_is_left) return true;
   std::optional<LikelyFormulas> likely;
   const AskFormulas formulas = [&]() -> const LikelyFormulas& {
     if (!likely) likely = likely_formulas(model, diagnosis, data, settings);
@@ -336,10 +309,10 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
   };
   if (!is_unknown || !events.empty()) {
     const bool may_be_formula =
-        !is_little && (is_unknown || needs_event(diagnosis) || needs_second_part(diagnosis, named));
+        is_unknown || needs_event(diagnosis) || needs_second_part(diagnosis, named);
     if (may_be_formula && try_forms(diagnosis, formulas(), judge, next)) return true;
-    const bool may_be_little = is_one || !events.empty();
-    if (try_named(diagnosis, named, may_be_little, judge, next) || is_little) return true;
+    if (try_named(diagnosis, events, judge, next)) return true;
+    if (!is_unknown && try_named(diagnosis, named, judge, next)) return true;
     if (try_higher_orders(diagnosis, named, judge, next)) return true;
     if (try_rivals(diagnosis, named, judge, next)) return true;
   }
@@ -350,16 +323,11 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
   const bool described =
       describe(diagnosis, possible_descriptions(diagnosis, named, formulas, next), judge, next);
   if (described && !next.describes) return true;
-  if (refutes_name(diagnosis, described, next)) next.name_is = Refuted::out_of_sample;
+  if (refutes_name(diagnosis, named, described, next)) next.name_is = Refuted::out_of_sample;
   return described;
 }
 
 }  // namespace
-
-bool NextStep::refused_line() const {
-  return std::any_of(refused.begin(), refused.end(),
-                     [](const TriedAddition& one) { return one.may_be_line; });
-}
 
 NextStep find_refinement(const model::Model& model, AdditionJudge& judge) {
   NextStep next;

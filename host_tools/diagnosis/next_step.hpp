@@ -24,17 +24,11 @@ struct NextStep {
   bool only_between_recordings = false;
   Refuted name_is = Refuted::no;  ///< what the diagnosis names
   std::vector<TriedAddition> refused;
-  /// Everything left may be inexactness of the present terms, compared with what was removed:
-  /// nothing is tried.
-  bool little_is_left = false;
   std::vector<Form> forms;               ///< best first
   std::optional<Experiment> experiment;  ///< that would tell these apart
   /// Chance that noise alone would look like these forms, where only they show that something is
   /// missing.
   std::optional<double> chance_of_forms;
-
-  /// Whether an effect of time was refused because a line in time would do as well.
-  bool refused_line() const;
 };
 
 /// What frees something that the formulas of the model's own effects leave out, if it is accepted.
@@ -44,16 +38,13 @@ NextStep find_refinement(const model::Model& model, AdditionJudge& judge);
 /// those that cannot be told from it, then sets of effects, and others that are as certainly
 /// missing. If it names nothing, all that is refused, or a set leaves more than noise, tries sets,
 /// single effects and formulas over the signals that vary (formulas_over()), those that explain
-/// most, and takes the one that leaves least out of sample. An accepted addition must also lower
-/// the error of the training runs and, without a holdout, by at least rules::kWorthAdding of what
-/// was removed since the fit, unless it is the one effect that is named. A bias step comes first,
-/// because the rest is judged once it is masked, but for formulas that need none. All but names are
-/// judged by AdditionJudge::of_description(). If all fail, or a formula is left, a refinement is
-/// tried (find_refinement()), then a network of temperature and rate, unless the model has one or
-/// there is only one run. Nothing but single effects is tried if most of the residual is no
-/// function of the signals (a cycle, jumps), nothing but a refinement if it may be a random walk.
-/// If nothing is missing, but slow noise of these runs may hide it, formulas are asked beside the
-/// catalogue. `data` has the rows of the training runs of `judge`, which is of `model`.
+/// most, and takes the one that gains most. A bias step comes first, because the rest is judged
+/// once it is masked, but for formulas that need none. If all fail, or a formula is left, a
+/// refinement is tried (find_refinement()), then a network of temperature and rate, unless the
+/// model has one or there is only one run. Nothing but single effects is tried if most of the
+/// residual is no function of the signals (a cycle, jumps), nothing but a refinement if it may be a
+/// random walk. If nothing is missing, but slow noise of these runs may hide it, formulas are asked
+/// beside the catalogue. `data` has the rows of the training runs of `judge`, which is of `model`.
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
                         const DiagnosisData& data, AdditionJudge& judge,
                         const DiagnosisSettings& settings = {});

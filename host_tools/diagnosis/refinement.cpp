@@ -12,7 +12,6 @@ namespace {
 
 AdditionRequest refinement(const model::EffectTerm& term, const std::string& settings) {
   AdditionRequest request{{term.name + ":" + settings}, ""};
-  request.may_be_little = true;
   request.refines = true;
   return request;
 }
@@ -25,7 +24,7 @@ std::optional<TriedAddition> refined(const model::EffectTerm& term, AdditionJudg
     AdditionRequest request = refinement(term, settings);
     if (!judge.may_help(request)) return false;
     TriedAddition tried = judge(std::move(request));
-    if (tried.accepted && (!best || tried.left() < best->left())) best = std::move(tried);
+    if (tried.accepted && (!best || tried.score.gain > best->score.gain)) best = std::move(tried);
     return true;
   };
   const std::vector<std::string> settings = model::possible_refinements(term);
@@ -42,7 +41,7 @@ std::optional<TriedAddition> best_refinement(const model::Model& model, Addition
   std::optional<TriedAddition> best;
   for (const model::EffectTerm& term : model.terms) {
     std::optional<TriedAddition> tried = refined(term, judge);
-    if (tried && (!best || tried->left() < best->left())) best = std::move(tried);
+    if (tried && (!best || tried->score.gain > best->score.gain)) best = std::move(tried);
   }
   return best;
 }

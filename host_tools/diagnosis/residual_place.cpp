@@ -1,8 +1,18 @@
 #include "diagnosis/residual_place.hpp"
 
-#include "fit/explained_space.hpp"
+#include <cmath>
 
 namespace fogcomp::diagnosis {
+namespace {
+
+// Logarithm of the evidence for orthonormal columns against none: noise of unit variance, the most
+// probable size (empirical Bayes).
+double log_evidence(double chi2_drop, double columns) {
+  if (chi2_drop <= columns) return 0;
+  return (chi2_drop - columns) / 2 - columns / 2 * std::log(chi2_drop / columns);
+}
+
+}  // namespace
 
 ResidualPlace place_of(const VisibleStructure& structure, const Eigen::VectorXd& residual,
                        const std::vector<recording::Segment>& segments) {
@@ -11,7 +21,7 @@ ResidualPlace place_of(const VisibleStructure& structure, const Eigen::VectorXd&
   for (std::size_t i = 0; i < structure.groups.size(); ++i) {
     const Eigen::VectorXd projection = structure.groups[i].cast<double>().transpose() * residual;
     const double evidence =
-        fit::log_evidence(projection.squaredNorm(), static_cast<double>(projection.size()));
+        log_evidence(projection.squaredNorm(), static_cast<double>(projection.size()));
     place.variables.push_back({structure.variables[i], evidence});
     if (evidence <= max) continue;
     max = evidence;

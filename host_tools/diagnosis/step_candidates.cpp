@@ -8,7 +8,7 @@
 
 #include "diagnosis/decision_rules.hpp"
 #include "fit/decision_rules.hpp"
-#include "fit/noise_weighted_fit.hpp"
+#include "fit/predict.hpp"
 #include "noise/change_points.hpp"
 #include "support/least_squares.hpp"
 #include "support/parallel.hpp"
@@ -139,12 +139,13 @@ void place_steps(std::vector<Candidate::Shape>& shapes, const series::SignalSeri
 }
 
 void remove_gradual_steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows,
-                          const Residualizer& residualizer) {
-  const Eigen::VectorXd residual = residualizer.residual().head(rows.size());
+                          const fit::NoiseWeightedFit& fit) {
+  const noise::Whitening whitening(fit::noise_beside(rows, fit), rows, fit.row_weights);
+  const Eigen::VectorXd residual = whitening.apply(fit.residual_dph);
   std::vector<char> is_gradual(shapes.size());
   for_each_index(shapes.size(), [&](std::size_t i) {
-    is_gradual[i] = noise::gain_of_gradual_change(shapes[i].row, residualizer.whitening(), rows,
-                                                  residual) > fit::rules::kMaxGradualGain;
+    is_gradual[i] = noise::gain_of_gradual_change(shapes[i].row, whitening, rows, residual) >
+                    fit::rules::kMaxGradualGain;
   });
   std::vector<Candidate::Shape> kept;
   for (std::size_t i = 0; i < shapes.size(); ++i) {

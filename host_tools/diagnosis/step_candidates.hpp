@@ -25,6 +25,6 @@ void place_steps(std::vector<Candidate::Shape>& shapes, const series::SignalSeri
 /// (noise::gain_of_gradual_change(), fit::rules::kMaxGradualGain): slow noise, or another effect.
 /// May leave none.
 void remove_gradual_steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows,
-                          const Residualizer& residualizer);
+                          const fit::NoiseWeightedFit& fit);
 
 }  // namespace fogcomp::diagnosis

@@ -48,7 +48,6 @@ void add_errors(Document& document, const fit::Addition& addition) {
   }
   document.heading("Before and after");
   document.table(std::move(table));
-  for (const fit::HalfTest& half : addition.halves) document.sentence(words(fit::half_words(half)));
 }
 
 // For several effects: each alone, and beside the others.

@@ -6,22 +6,13 @@
 namespace fogcomp::findings {
 namespace {
 
-Json halves_json(const std::vector<fit::HalfTest>& halves) {
-  return json_array(halves, [&](const fit::HalfTest& half) {
-    return Json::object()
-        .set("identified_on", half.identified_on)
-        .set("determined", half.determined)
-        .set("rms_before_dph", half.rms_before_dph)
-        .set("rms_after_dph", half.rms_after_dph);
-  });
-}
-
 Json judged_json(const std::optional<fit::OutOfSample>& judged) {
   if (!judged) return Json();
   return Json::object()
       .set("rms_before_dph", judged->rms_before_dph)
       .set("rms_after_dph", judged->rms_after_dph)
-      .set("gain", judged->chi2_drop);
+      .set("gain", judged->score.gain)
+      .set("gain_sigma", judged->score.standard_error);
 }
 
 Json parameters_json(const model::EffectTerm& term) {
@@ -87,11 +78,13 @@ Json add_json(const fit::Addition& addition, const std::string& written) {
       .set("row_s", addition.row_s)
       .set("out_of_sample_rms_before_dph", judged ? Json(judged->rms_before_dph) : Json())
       .set("out_of_sample_rms_after_dph", judged ? Json(judged->rms_after_dph) : Json())
-      .set("out_of_sample_gain", judged ? Json(judged->chi2_drop) : Json())
-      .set("thirds", judged_json(addition.thirds))
-      .set("chance_of_walk", addition.chance_of_walk)
+      .set("out_of_sample_gain", judged ? Json(judged->score.gain) : Json())
+      .set("out_of_sample_gain_sigma", judged ? Json(judged->score.standard_error) : Json())
+      .set("far", json_array(addition.far,
+                             [](const fit::OutOfSample& one) {
+                               return judged_json(one).set("how", one.how);
+                             }))
       .set("runs", runs_json(addition.runs))
-      .set("halves", halves_json(addition.halves))
       .set("steps", bias_steps_json(addition.model, step_files(addition)))
       .set("parameters", is_network ? Json::object() : parameters_json(term))
       .set("coefficients", is_network ? Json::object() : coefficients_json(term))

@@ -95,7 +95,7 @@ void add_candidates(Document& document, const diagnosis::Diagnosis& diagnosis) {
     table.rows.push_back(std::move(row));
   }
   document.heading("Each effect", Shown::on_page);
-  document.table(std::move(table));
+  document.table(std::move(table), Shown::on_request);
 }
 
 void add_untestable(Document& document, const diagnosis::Diagnosis& diagnosis) {
@@ -113,7 +113,7 @@ void add_untestable(Document& document, const diagnosis::Diagnosis& diagnosis) {
             (effects.size() > 1 ? " (need " : " (needs ") + needs + ")";
   }
   if (list.empty()) return;
-  document.sentence(words("not visible in these recordings: " + list));
+  document.sentence(words("not visible in these recordings: " + list), Shown::on_request);
 }
 
 // Names of the segments, which several runs may share.
@@ -328,9 +328,12 @@ Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
   } else {
     next_after_ladder(document, ladder, data, files);
   }
-  document.sentence(words(said.certainty, names));
-  for (const std::string& line : said.findings) document.sentence(words(line, names));
-  for (const std::string& line : said.limits) document.sentence(words(line, names));
+  document.lead("how sure", words(said.certainty, names));
+  document.lead("how much", words(said.size, names));
+  document.lead("where", words(said.place, names));
+  for (const auto& lines : {said.findings, said.limits}) {
+    for (const std::string& line : lines) document.sentence(words(line, names), Shown::on_request);
+  }
   add_explanations(document, diagnosis);
   add_candidates(document, diagnosis);
   add_untestable(document, diagnosis);

@@ -179,11 +179,6 @@ Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::Next
                           .set("segments", shares_json(diagnosis.segments)));
   set_residual(result, diagnosis);
   result.set("random_walk_dph_per_rth", diagnosis.walk_dph_per_rth);
-  const std::optional<diagnosis::LineInTime>& line = diagnosis.line;
-  result.set(
-      "line_in_time",
-      line ? Json::object().set("slope_dphh", line->slope_dphh).set("sigma_dphh", line->sigma_dphh)
-           : Json());
   result.set("network", network_json(diagnosis.network));
   result.set("nothing_missing", diagnosis.nothing)
       .set("something_else", diagnosis.something_else)

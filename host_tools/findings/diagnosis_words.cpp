@@ -28,8 +28,18 @@ Headline missing_words(const diagnosis::Diagnosis& diagnosis) {
   const std::string described = shape_words(finding->term());
   return {format("missing effect: %s (%s)", diagnosis.effect.c_str(),
                  model::info_of(finding->term()).title.c_str()),
-          format("probability %.2f%s", finding->probability,
-                 described.empty() ? "" : ("; " + described).c_str())};
+          format("%s %.2f%s", diagnosis.effect.c_str(), finding->probability,
+                 described.empty() ? "" : (" (" + described + ")").c_str())};
+}
+
+// How probably each is the largest of what is missing.
+std::string lead_words(const diagnosis::Diagnosis& diagnosis) {
+  std::vector<std::string> leads;
+  for (const std::string& name : diagnosis.confusable) {
+    const diagnosis::CandidateFinding* const finding = diagnosis.find(name);
+    if (finding != nullptr) leads.push_back(name + format(" %.2f", finding->lead));
+  }
+  return join(leads, ", ");
 }
 
 std::string refutation_words(const diagnosis::Diagnosis& diagnosis) {
@@ -98,7 +108,7 @@ Headline verdict_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
     case diagnosis::Verdict::missing_effect:
       return missing_words(diagnosis);
     case diagnosis::Verdict::ambiguous:
-      return {"an effect is missing: " + which_words(diagnosis.confusable), ""};
+      return {"an effect is missing: " + which_words(diagnosis.confusable), lead_words(diagnosis)};
     case diagnosis::Verdict::unknown:
       break;
   }
@@ -124,9 +134,8 @@ std::string together_words(const diagnosis::Diagnosis& diagnosis,
     const diagnosis::CandidateFinding* const finding = diagnosis.find(effect);
     if (finding != nullptr) alone.push_back(percent(finding->explained_fraction));
   }
-  return join_list(together, "and") + " together explain " + percent(set->explained_fraction) +
-         format(" of what is above the noise (probability %.2f); alone ", set->probability) +
-         join_list(alone, "and");
+  return format("the set %.2f, explains ", set->probability) + percent(set->explained_fraction) +
+         " of what is above the noise, alone " + join_list(alone, "and");
 }
 
 // The reason why nothing is proposed; "" where nothing is missing.
@@ -143,8 +152,6 @@ void add_next(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
   if (next.describes) {
     for (const std::string& line : description_words(next)) words.findings.push_back(line);
   }
-  const std::string line = line_words(diagnosis.line);
-  if (!line.empty()) words.findings.push_back(line);
   if (next.addition) {
     words.command = add_command_line(next.addition->request, files.model, files);
   } else {
@@ -155,16 +162,16 @@ void add_next(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
 // Where something is missing: where it is, and what was tried.
 void add_what_is_left(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
                       const diagnosis::NextStep& next) {
-  const std::string where = where_words(diagnosis);
-  if (!where.empty()) words.findings.push_back(where);
   const std::string fast = fast_words(diagnosis);
-  if (!fast.empty()) words.findings.push_back(fast);
+  words.place = fast.empty() ? where_words(diagnosis) : fast;
+  if (!fast.empty()) words.findings.push_back(where_words(diagnosis));
   if (diagnosis.experiment && !diagnosis.experiment->sentence.empty()) {
     words.findings.push_back("to tell: " + diagnosis.experiment->sentence);
   }
-  const bool is_named = diagnosis.verdict != diagnosis::Verdict::unknown;
-  if (is_named && next.addition && !next.refused.empty()) {
-    words.findings.push_back(refusal_words(next.refused[0]));
+  if (diagnosis.verdict == diagnosis::Verdict::unknown || !next.addition) return;
+  for (const diagnosis::TriedAddition& refused : next.refused) {
+    const bool is_named = refused.request.names() == std::vector<std::string>{diagnosis.effect};
+    if (is_named) words.certainty += "; " + refusal_words(refused);
   }
 }
 
@@ -210,17 +217,15 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
     const bool likely = set == nullptr || set->probability >= kLikely;
     words.verdict = std::string("several effects together ") + (likely ? "are" : "may be") +
                     " missing: " + join_list(next.together, "and");
-    words.certainty = diagnosis.verdict == diagnosis::Verdict::ambiguous
-                          ? "these recordings cannot tell which is the largest: " +
-                                join_list(diagnosis.confusable, "or")
-                          : "";
+    words.certainty = together_words(diagnosis, next.together);
   }
-  words.findings.push_back(
-      size_words(diagnosis, next.describes ? "" : diagnosis::effect_to_add(diagnosis)));
-  const std::string as_given = as_given_words(diagnosis);
-  if (!as_given.empty()) words.findings.push_back(as_given);
-  const std::string together = together_words(diagnosis, next.together);
-  if (!together.empty()) words.findings.push_back(together);
+  // What the verdict names first, reservations last.
+  const bool is_named = !is_none && diagnosis.verdict != diagnosis::Verdict::unknown;
+  std::vector<std::string> certainties{words.certainty, probability_words(diagnosis)};
+  if (!is_named && next.together.empty()) std::swap(certainties[0], certainties[1]);
+  words.certainty = certainties[0] +
+                    (certainties[0].empty() || certainties[1].empty() ? "" : "; ") + certainties[1];
+  words.size = size_words(diagnosis, next);
   if (is_none && next.addition) {
     words.verdict = "no effect is missing, but " +
                     join_list(next.addition->request.names(), "and") + " can be refined";
@@ -229,7 +234,6 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
   if (!is_none || next.addition) add_next(words, diagnosis, next, files);
   if (diagnosis.outliers > 0)
     words.limits.push_back(noise::outlier_words(diagnosis.outliers, diagnosis.row_s));
-  words.limits.push_back(probability_words(diagnosis));
   const std::string network = network_words(diagnosis);
   if (!network.empty()) words.limits.push_back(network);
   add_notes(words, diagnosis, next);

@@ -13,10 +13,12 @@ namespace fogcomp::findings {
 /// A diagnosis in words, without the values of tables.
 struct DiagnosisWords {
   std::string verdict;                ///< the result
-  std::string certainty;              ///< of the verdict, or the alternatives; may be ""
-  std::vector<std::string> findings;  ///< size, place, and the experiment that would decide
+  std::string certainty;              ///< probabilities of it and of the alternatives
+  std::string size;                   ///< of what is left
+  std::string place;                  ///< where it is; may be ""
   std::string next;                   ///< advice without a command; may be ""
   std::string command;                ///< command line to type next; may be ""
+  std::vector<std::string> findings;  ///< more, and the experiment that would decide
   std::vector<std::string> limits;    ///< reservations
 };
 

@@ -40,6 +40,10 @@ void Document::sentence(Text text, Shown shown) {
   if (!text.empty()) parts_.push_back({Sentence{std::move(text)}, shown});
 }
 
+void Document::lead(std::string question, Text text) {
+  if (!text.empty()) leads_.push_back({std::move(question), std::move(text)});
+}
+
 void Document::listing(std::string text, Shown shown) {
   parts_.push_back({Listing{std::move(text)}, shown});
 }

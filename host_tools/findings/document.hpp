@@ -16,6 +16,12 @@ struct Sentence {
   Text text;
 };
 
+/// One of the few lines between result and proposal: "how sure: probability 0.97".
+struct Lead {
+  std::string question;
+  Text text;
+};
+
 /// Starts a section.
 struct Heading {
   Text text;
@@ -66,8 +72,9 @@ struct Table {
   bool is_of_words(std::size_t column) const;
 };
 
-/// Where a part of a document is shown. A terminal shows what a page draws as values, on request.
-enum class Shown : std::uint8_t { everywhere, on_page, in_details };
+/// Where a part of a document is shown. On request a terminal shows more: what a page has as well,
+/// and as values what it draws (`in_details`).
+enum class Shown : std::uint8_t { everywhere, on_page, on_request, in_details };
 
 /// Findings of a command, made once. Report page and terminal render it in their own way.
 class Document {
@@ -95,6 +102,8 @@ class Document {
   }
   /// The options with which the recordings were read; next() repeats them in its commands.
   void read_with(const std::vector<std::string>& options);
+  /// An empty text is left out.
+  void lead(std::string question, Text text);
   void heading(Text text, Shown shown = Shown::everywhere);
   /// Heading with the file's name; its folder, if any, is below.
   void file_heading(const std::string& path, const Text& remark = {});
@@ -108,12 +117,14 @@ class Document {
 
   const std::string& subject() const { return subject_; }
   const Text& found() const { return found_; }
+  const std::vector<Lead>& leads() const { return leads_; }
   const Next& what_next() const { return next_; }
   const std::vector<Part>& parts() const { return parts_; }
 
  private:
   std::string subject_;
   Text found_;
+  std::vector<Lead> leads_;
   Next next_;
   bool proposes_reading_ = false;
   std::vector<Part> parts_;

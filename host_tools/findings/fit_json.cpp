@@ -60,7 +60,7 @@ Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
   const std::optional<double> determined = fit.determined_weights();
   result.set("network_effective_parameters", determined ? Json(*determined) : Json());
   const std::optional<fit::OutOfSample>& judged = fit.result.network_judged;
-  result.set("network_gain", judged ? Json(judged->chi2_drop) : Json());
+  result.set("network_gain", judged ? Json(judged->score.gain) : Json());
   return result;
 }
 

@@ -62,7 +62,6 @@ void add_ladder(Document& document, const diagnosis::Ladder& ladder,
   document.table(std::move(table));
   document.sentence(words(end_words(ladder), names));
   if (ladder.steps.empty()) return;
-  document.sentence(words(line_words(ladder.last.line)));
   for (const model::EffectTerm& step : found_steps(ladder.model)) {
     document.sentence(bias_step_words(step, file_of(step, data, files.runs)));
   }

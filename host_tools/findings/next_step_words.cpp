@@ -85,10 +85,6 @@ std::string refusal_words(const diagnosis::TriedAddition& refused) {
 }
 
 std::string nothing_holds_words(const diagnosis::NextStep& next) {
-  if (next.little_is_left) {
-    return "nothing to add: what is left is so small compared with what was removed that it may be "
-           "the inexactness of what is there: let a run that was not fitted decide, with --holdout";
-  }
   if (next.refused.empty()) return "";
   const std::string text = "nothing to add: " + refusal_words(next.refused[0]);
   constexpr std::size_t kMaxSaid = 3;
@@ -99,14 +95,6 @@ std::string nothing_holds_words(const diagnosis::NextStep& next) {
   const std::size_t unsaid = next.refused.size() - 1 - others.size();
   if (unsaid > 0) others.push_back(format("%zu more", unsaid));
   return others.empty() ? text : text + "; so were: " + join(others, "; ") + " (--json says why)";
-}
-
-std::string line_words(const std::optional<diagnosis::LineInTime>& line) {
-  if (!line) return "";
-  return "the residual drifts by " + with_sigma(line->slope_dphh, line->sigma_dphh, true) +
-         " deg/h/h over the run, a line in time that stays out of the model: one run cannot tell "
-         "ageing from other slow changes of gyro or chamber; a second run, a day later, would show "
-         "it";
 }
 
 std::string step_words(const diagnosis::Ladder::Step& step) {

@@ -33,9 +33,6 @@ std::string refusal_words(const diagnosis::TriedAddition& refused);
 /// best description.
 std::string nothing_holds_words(const diagnosis::NextStep& next);
 
-/// A drift that is linear in time, and what would tell its cause; "" without one.
-std::string line_words(const std::optional<diagnosis::LineInTime>& line);
-
 /// A step of the selection: "+ temperature_rate (or shupe)".
 std::string step_words(const diagnosis::Ladder::Step& step);
 

@@ -17,27 +17,22 @@ constexpr double kSlowCycle_s = 7200;  // no laboratory machine is that slow
 
 }  // namespace
 
-std::string size_words(const diagnosis::Diagnosis& diagnosis, const std::string& effect) {
-  std::string text = "the model leaves " + rounded(diagnosis.residual_rms_dph) +
-                     " deg/h rms; the noise floor is " + rounded(diagnosis.noise_floor_dph);
-  if (const diagnosis::CandidateFinding* finding = diagnosis.find(effect)) {
-    text += "; with " + effect + " " + rounded(finding->rms_after_dph);
-  }
-  return text;
-}
-
-std::string as_given_words(const diagnosis::Diagnosis& diagnosis) {
+std::string size_words(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next) {
   constexpr double kTellsApart = 0.01;
-  if (!diagnosis.as_given) return "";
-  const compare::BoardError& given = *diagnosis.as_given;
-  const double apart = std::abs(given.rms_dph - diagnosis.residual_rms_dph);
-  if (apart <= kTellsApart * given.rms_dph) return "";
-  if (!given.delay_matters()) {
-    return "these figures are of the model refitted to these runs; as it is, it leaves " +
-           rounded(given.rms_dph) + " deg/h rms";
+  const compare::BoardError* const given = diagnosis.as_given ? &*diagnosis.as_given : nullptr;
+  const double left_dph = given != nullptr ? given->rms_dph : diagnosis.residual_rms_dph;
+  std::string text = rounded(left_dph) + format(" deg/h rms of %.3g s means", diagnosis.row_s);
+  if (next.addition &&
+      std::abs(next.addition->fitted_before_dph - left_dph) > kTellsApart * left_dph) {
+    text += ", refitted " + rounded(next.addition->fitted_before_dph);
   }
-  return "these figures are of the model refitted without the board's delay; " +
-         compare::delay_words(given);
+  text += "; noise " + rounded(diagnosis.noise_floor_dph);
+  if (next.addition) {
+    text += "; with " + join_list(next.addition->request.names(), "and") + " " +
+            rounded(next.addition->fitted_after_dph);
+  }
+  return given != nullptr && given->delay_matters() ? text + "; " + compare::delay_words(*given)
+                                                    : text;
 }
 
 std::string where_words(const diagnosis::Diagnosis& diagnosis) {
@@ -47,11 +42,10 @@ std::string where_words(const diagnosis::Diagnosis& diagnosis) {
   std::string text;
   for (std::size_t i = 0; i < std::min<std::size_t>(3, segments.size()); ++i) {
     if (segments[i].share < 0.1) break;
-    text += (text.empty() ? "it sits in " : ", ") + segments[i].name + " (" +
-            percent(segments[i].share) + ")";
+    text += (text.empty() ? "" : ", ") + segments[i].name + " (" + percent(segments[i].share) + ")";
   }
   if (!diagnosis.variable.empty()) {
-    text += (text.empty() ? "it depends most on " : "; it depends most on ") +
+    text += std::string(text.empty() ? "" : "; ") + "varies most with " +
             variable_label(diagnosis.variable).plain();
   }
   return text;
@@ -82,9 +76,8 @@ std::string fast_words(const diagnosis::Diagnosis& diagnosis) {
 }
 
 std::string probability_words(const diagnosis::Diagnosis& diagnosis) {
-  return "probability that nothing is missing: " + format("%.2f", diagnosis.nothing) +
-         ", that something is which is no effect of the catalogue: " +
-         format("%.2f", diagnosis.something_else);
+  return format("nothing missing %.2f; outside the catalogue %.2f", diagnosis.nothing,
+                diagnosis.something_else);
 }
 
 std::string network_words(const diagnosis::Diagnosis& diagnosis) {

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "fit/addition_verdict.hpp"
-#include "fit/rise_test.hpp"
 #include "runs/row_length.hpp"
 #include "series/required_inputs.hpp"
 #include "support/input_error.hpp"
@@ -48,26 +47,21 @@ void fit_both(int network_hidden, const AddSettings& settings, const KnownSteps*
   };
   if (settings.before != nullptr) {
     refits.before = settings.before->model;
-    refits.after.soak_sigma_before_dph = settings.before->soak_sigma_dph;
   } else {
-    const FitResult before = fit_model(refits.before, *refits.series, fitting);
-    refits.after.soak_sigma_before_dph = before.identified.soak_sigma_dph;
+    fit_model(refits.before, *refits.series, fitting);
   }
   half = 1;
   if (steps != nullptr) fitting.identify.steps = steps->after;
   if (network_hidden > 0) fitting.network.hidden = network_hidden;
   refits.after.fit = fit_model(refits.after.model, *refits.series, fitting);
-  refits.after.soak_sigma_after_dph = refits.after.fit.identified.soak_sigma_dph;
 }
 
-// Errors on all runs, the holdouts last, in the models' rows. Returns the change on the holdouts.
-RiseTest compare_on_runs(const runs::Runs& runs, const AddSettings& settings, Refits& refits) {
-  RiseTest on_holdouts(settings.run_offsets);
+// Errors on all runs, the holdouts last, in the models' rows.
+void compare_on_runs(const runs::Runs& runs, const AddSettings& settings, Refits& refits) {
   const auto compare = [&](const runs::Run& run, bool holdout) {
     const double row_s = refits.before.average_s;
     compare::Comparison without = compare::compare_with(refits.before, run, row_s);
     compare::Comparison with = compare::compare_with(refits.after.model, run, row_s);
-    if (holdout) on_holdouts.add(without, with);
     refits.after.runs.push_back({run.file, holdout, without.whole.rms_dph, with.whole.rms_dph,
                                  without.noise_floor_dph, with.outside.temperature,
                                  std::move(without), std::move(with)});
@@ -76,7 +70,9 @@ RiseTest compare_on_runs(const runs::Runs& runs, const AddSettings& settings, Re
     for (const runs::Run& run : runs.training) compare(run, false);
   }
   for (const runs::Run& run : runs.holdouts) compare(run, true);
-  return on_holdouts;
+  if (runs.holdouts.empty()) return;
+  refits.after.whole = judge_on_holdouts(refits.before, refits.after.model, runs.holdouts,
+                                         refits.after.fit.identified.noise, settings.run_offsets);
 }
 
 // Every fit searches for steps anew and moves them behind all other terms. Returns their places;
@@ -115,13 +111,12 @@ Refits refit(model::Model model, const EffectChange& change, const runs::Runs& r
 }
 
 // Appends the change and what it brought to the model's history.
-void record(const EffectChange& change, const runs::Runs& runs, const RiseTest& on_holdouts,
-            Refits& refits) {
+void record(const EffectChange& change, const runs::Runs& runs, Refits& refits) {
   Addition& after = refits.after;
   model::HistoryEntry step{"add " + change.what, runs.data_hash, refits.before.residual_rms_dph,
                            after.model.residual_rms_dph,
                            runs.noise_floor_dph(after.model.average_s)};
-  if (after.holdouts) step.holdout = on_holdouts.rms_dph();
+  if (after.whole) step.holdout = {after.whole->rms_before_dph, after.whole->rms_after_dph};
   step.forced = !after.accepted;
   after.model.history.push_back(std::move(step));
 }
@@ -165,7 +160,6 @@ RefittedModel refitted(const model::Model& model, const runs::Runs& runs,
   FitResult fit = fit_model(result.model, *result.series, fit_settings(result.model, settings));
   result.noise = fit.identified.noise;
   result.row_weights = std::move(fit.identified.row_weights);
-  result.soak_sigma_dph = fit.identified.soak_sigma_dph;
   return result;
 }
 
@@ -173,18 +167,15 @@ Addition judge_addition(const model::Model& model, const EffectChange& change,
                         const runs::Runs& runs, const AddSettings& settings) {
   const double row_s = runs::row_length(runs.training, model.average_s).row_s;
   Refits refits = refit(in_rows(model, row_s), change, runs, settings);
-  const RiseTest on_holdouts = compare_on_runs(runs, settings, refits);
+  compare_on_runs(runs, settings, refits);
   Addition& after = refits.after;
   after.row_s = row_s;
   after.fitted_before_dph = refits.before.residual_rms_dph;
   after.fitted_after_dph = after.model.residual_rms_dph;
-  const bool is_judged = !runs.holdouts.empty();
-  if (is_judged) after.holdouts = on_holdouts.rms_dph();
-  const FittedPair pair{model.terms,   change,        *refits.series,
-                        refits.before, runs.holdouts, settings};
+  const FittedPair pair{model.terms, change, *refits.series, refits.before, runs, settings};
   change.network_hidden > 0 ? judge_network(pair, after) : judge_effects(pair, after);
-  decide(refits.before, is_judged && on_holdouts.rose(), after);
-  record(change, runs, on_holdouts, refits);
+  decide(after);
+  record(change, runs, refits);
   return std::move(after);
 }
 
@@ -196,8 +187,9 @@ void take_own_rows(const model::Model& model, const EffectChange& change, const 
   const KnownSteps steps{steps_of(model, runs.training), addition.fit.identified.steps};
   Refits refits = refit(model, change, runs, anew, &steps);
   static_cast<AdditionVerdict&>(refits.after) = addition;
-  const RiseTest on_holdouts = compare_on_runs(runs, settings, refits);
-  record(change, runs, on_holdouts, refits);
+  compare_on_runs(runs, settings, refits);
+  record(change, runs, refits);
+  refits.after.whole = std::move(addition.whole);
   addition = std::move(refits.after);
 }
 

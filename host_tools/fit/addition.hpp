@@ -21,7 +21,6 @@ struct RefittedModel {
   model::Model model;
   noise::NoiseModel noise{};  ///< as Identification has them
   Eigen::VectorXd row_weights{};
-  double soak_sigma_dph = 0;
 };
 
 struct AddSettings {
@@ -29,8 +28,8 @@ struct AddSettings {
   std::uint64_t seed = 1;    ///< of the network's initial weights
   /// Called with the fraction of the trainings done, 0..1; may be empty.
   std::function<void(double)> progress{};
-  /// Compute only verdict and model; skip what is printed beside them (halves, comparisons on the
-  /// training runs, parts of a set except those that fail).
+  /// Compute only verdict and model; skip what is printed beside them (comparisons on the training
+  /// runs, parts of a set except those that fail).
   bool verdict_only = false;
   /// Of refitted(), for several trials with one model and the same runs.
   const RefittedModel* before = nullptr;
@@ -45,28 +44,19 @@ struct AdditionVerdict {
     std::optional<OutOfSample> beside;  ///< when the others are already there
   };
   double row_s = 0;  ///< rows in which it was judged (runs/row_length.hpp)
-  /// In these rows, of the whole model: rms of the training runs, and of the holdouts together.
+  /// In these rows, of the whole model: rms of the training runs.
   double fitted_before_dph = 0;
   double fitted_after_dph = 0;
-  std::optional<model::HistoryEntry::Holdout> holdouts{};
-  /// Std of the drift in the soak that is known worst, before and after.
-  double soak_sigma_before_dph = 0;
-  double soak_sigma_after_dph = 0;
+  std::optional<OutOfSample> whole{};  ///< the whole model, network included, on the holdouts
   std::vector<Part> parts;  ///< of a set, in the order of Addition::changed; empty for one effect
   /// The effects alone, before against after; for a network, the model with it against that
   /// without. Nothing if the training was interrupted.
   std::optional<OutOfSample> out_of_sample;
-  /// Where stretches of the runs judge: the same on thirds of them, which must not harm; nothing if
-  /// none is determined by the others. Stretches lie between others at the same temperatures.
-  std::optional<OutOfSample> thirds;
-  /// Without another run as judge: probability, 0..1, that a random walk of the bias explains what
-  /// the addition explains. The stretches of one run lie between others of the same walk.
-  std::optional<double> chance_of_walk;
-  std::vector<HalfTest> halves;  ///< the same on the halves of the training runs; for information
+  /// The same on rows unlike those that foretell them (far_parts()), which must not harm; empty
+  /// where a holdout judges.
+  std::vector<OutOfSample> far;
   bool accepted = false;
-  std::string reason;        ///< one line: why it is accepted or not
-  bool may_be_line = false;  ///< refused because a line in time would do as well
-  bool wants_more = false;   ///< refused because a shape is at its upper bound
+  std::string reason;  ///< one line: why it is accepted or not
 };
 
 /// A model with added or changed effects, and the verdict on them.

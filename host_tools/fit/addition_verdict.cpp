@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include "fit/decision_rules.hpp"
-#include "fit/walk_instead.hpp"
 #include "model/catalogue.hpp"
-#include "model/shape_limits.hpp"
-#include "model/shape_parameter.hpp"
+#include "noise/outlier_rows.hpp"
 #include "support/input_error.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
@@ -22,22 +21,41 @@ model::Model without_network(model::Model model) {
   return model;
 }
 
-// Data needed to compare two models out of sample.
-struct Judge {
-  const FittedPair& pair;
-  JudgedWith with;
+// Compares two models out of sample: a holdout is one more part that is left out, from which
+// nothing was learnt before.
+class Judge {
+ public:
+  Judge(const FittedPair& judged, const Addition& after)
+      : pair(judged),
+        with_{after.fit.identified.noise, after.fit.identified.row_weights,
+              judged.settings.run_offsets} {
+    if (pair.runs.holdouts.empty()) return;
+    all_ = std::make_unique<KnownRegressors>(after.model, pair.runs.all());
+    const series::Rows& rows = all_->series().rows();
+    weights_ = rows.weights.cwiseProduct(noise::counted_rows(rows));
+    weights_.head(with_.row_weights.size()) = with_.row_weights;
+  }
 
-  // `changed`: the terms of `after` that `before` lacks.
-  OutOfSample operator()(const model::Model& before, const model::Model& after,
-                         const std::vector<std::size_t>& changed) const {
-    if (!pair.holdouts.empty()) return on_holdouts(before, after);
-    return CrossValidation(pair.known, before.terms, after.terms, changed, with)
-        .on_runs_or_stretches();
+  OutOfSample operator()(const model::Model& before, const model::Model& after) const {
+    if (!all_) return on_training_runs(before, after).on_runs_or_stretches();
+    OutOfSample judged = judge_on_holdouts(without_network(before), without_network(after),
+                                           pair.runs.holdouts, with_.noise, with_.run_offsets);
+    const CrossValidation validation(*all_, before.terms, after.terms,
+                                     {with_.noise, weights_, with_.run_offsets});
+    judged.score =
+        validation.on_rows_from(static_cast<std::size_t>(with_.row_weights.size())).score;
+    return judged;
   }
-  OutOfSample on_holdouts(const model::Model& before, const model::Model& after) const {
-    return judge_on_holdouts(without_network(before), without_network(after), pair.holdouts,
-                             with.noise, with.run_offsets);
+  CrossValidation on_training_runs(const model::Model& before, const model::Model& after) const {
+    return {pair.known, before.terms, after.terms, with_};
   }
+
+  const FittedPair& pair;
+
+ private:
+  JudgedWith with_;
+  std::unique_ptr<const KnownRegressors> all_;  // of training runs, then holdouts
+  Eigen::VectorXd weights_;                     // of its rows
 };
 
 // The model with subsets of the added effects, refitted; without a network.
@@ -86,19 +104,19 @@ class PartsOfSet {
   std::map<Subset, std::optional<model::Model>> fitted_;
 };
 
-// Judges the effects `added` to those of `before`; nothing if the data determine them only together
-// with others.
+// Judges what `after` has more than `before`; nothing if the data determine it only together with
+// others.
 std::optional<OutOfSample> judge_part(const Judge& judge, const PartsOfSet& models,
                                       const PartsOfSet::Subset& before,
-                                      const PartsOfSet::Subset& after, std::size_t added) {
+                                      const PartsOfSet::Subset& after) {
   const std::optional<model::Model>& without = models.with(before);
   const std::optional<model::Model>& with = models.with(after);
   if (!without || !with) return std::nullopt;
-  return judge(*without, *with, places_of(judge.pair.change, {added}, *with));
+  return judge(*without, *with);
 }
 
 bool is_needless(const Addition::Part& part) {
-  return part.beside && !part.beside->helps();
+  return part.beside && !part.beside->score.improves();
 }
 
 PartsOfSet::Subset all_but(const PartsOfSet::Subset& all, std::size_t one) {
@@ -125,8 +143,8 @@ std::vector<Addition::Part> judge_parts(const Judge& judge, PartsOfSet& models) 
     const auto own = needless.begin() + static_cast<std::ptrdiff_t>(i);
     if (verdict_only && std::find(needless.begin(), own, true) != own) return;
     parts[i].effect = change.terms[all[i]].name;
-    if (!verdict_only) parts[i].alone = judge_part(judge, models, {}, {all[i]}, all[i]);
-    parts[i].beside = judge_part(judge, models, all_but(all, all[i]), all, all[i]);
+    if (!verdict_only) parts[i].alone = judge_part(judge, models, {}, {all[i]});
+    parts[i].beside = judge_part(judge, models, all_but(all, all[i]), all);
     *own = is_needless(parts[i]);
   });
   const auto first = std::find_if(parts.begin(), parts.end(), is_needless);
@@ -134,74 +152,16 @@ std::vector<Addition::Part> judge_parts(const Judge& judge, PartsOfSet& models) 
   return parts;
 }
 
-// Judges the effects out of sample: all together, each of several, far from the rows fitted.
-void judge_rows(const Judge& judge, Addition& after) {
-  const FittedPair& pair = judge.pair;
-  std::optional<CrossValidation> validation;
-  const bool holdouts_judge = !pair.holdouts.empty() && !is_event(pair.change);
-  if (!holdouts_judge || !pair.settings.verdict_only) {
-    validation.emplace(pair.known, pair.before.terms, after.model.terms, after.changed, judge.with);
-  }
-  after.out_of_sample = holdouts_judge ? judge.on_holdouts(pair.before, after.model)
-                                       : validation->on_runs_or_stretches();
-  if (pair.settings.verdict_only && !after.out_of_sample->helps()) return;
-  if (pair.change.changed.size() > 1) {
-    PartsOfSet models(pair, after.model);
-    after.parts = judge_parts(judge, models);
-  }
-  if (!pair.settings.verdict_only) after.halves = validation->on_halves();
-  const bool has_needless = std::any_of(after.parts.begin(), after.parts.end(), is_needless);
-  if (after.out_of_sample->within_runs && after.out_of_sample->helps() && !has_needless) {
-    after.thirds = validation->on_far_rows(FarRows::thirds);
-  }
+std::vector<model::EffectTerm> changed_terms(const Addition& addition) {
+  std::vector<model::EffectTerm> terms;
+  for (const std::size_t i : addition.changed) terms.push_back(addition.model.terms[i]);
+  return terms;
 }
 
-std::optional<double> ask_walk(const Judge& judge, const Addition& after) {
-  if (!judge.with.noise.from_quiet_parts) return std::nullopt;
-  return chance_of_walk_instead(judge.pair.before.terms, after.model.terms, after.changed,
-                                judge.pair.known, judge.with);
-}
-
-// Reason not to accept a new part of a term although it helps.
-struct Doubt {
-  std::string sentence;  // "" if there is none
-  bool may_be_line = false;
-  bool wants_more = false;
-};
-Doubt doubt_of(const model::EffectTerm& term, const model::Model& before) {
-  const model::EffectTerm* own = model::is_event(term) ? nullptr : before.find(term.name);
-  for (const model::ShapeDoubt& doubt : model::shape_doubts(term)) {
-    if (own != nullptr && own->parameters[doubt.parameter].identified) continue;
-    // Other bounds are values like any: what is flat there, and what a simpler effect would do as
-    // well, is said of the model and no reason against it.
-    const bool may_be_line = doubt.instead == model::kLineInTime;
-    if (may_be_line || doubt.wants_more) return {doubt.sentence, may_be_line, doubt.wants_more};
-  }
-  // With a free shape the coefficient may be uncertain although the curve is known well: for t <<
-  // t0 the logarithm of aging is a line with the slope coefficient / t0.
-  const bool judged = own == nullptr && model::shape_parameters({term}).empty();
-  return {judged ? model::coefficient_doubt(term) : ""};
-}
-
-// "" where the drift in a soak is determined with the addition: better than the drift to be removed
-// and, judged by these runs alone, than the error that the model leaves without it. Terms that
-// nearly cancel on these runs describe them, and do not cancel in another programme.
-std::string undetermined_words(const model::Model& before, const Addition& after) {
-  const auto& uncertain = after.model.uncertain;
-  if (uncertain && !uncertain->at_power_on && !before.uncertain) {
-    return format(
-        "with it these runs do not determine the drift: in a soak it is known to +- %.2g "
-        "deg/h, and %.2g deg/h are to be compensated",
-        uncertain->sigma_dph, uncertain->drift_dph);
-  }
-  const auto square = [](double value) { return value * value; };
-  const double risen = square(after.soak_sigma_after_dph) - square(after.soak_sigma_before_dph);
-  if (!after.out_of_sample->within_runs || risen <= square(after.fitted_before_dph)) return "";
-  return format(
-      "with it the drift in a soak is known to +- %.2g deg/h only, and without it these runs leave "
-      "%.2g deg/h: its terms nearly cancel here, and may not in another programme; let a run that "
-      "was not fitted decide, with --holdout",
-      after.soak_sigma_after_dph, after.fitted_before_dph);
+const OutOfSample* harmed(const AdditionVerdict& verdict) {
+  const auto found = std::find_if(verdict.far.begin(), verdict.far.end(),
+                                  [](const OutOfSample& one) { return harms(one); });
+  return found == verdict.far.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -235,67 +195,55 @@ std::vector<std::size_t> places_of(const EffectChange& change,
 }
 
 void judge_effects(const FittedPair& pair, Addition& after) {
-  const AddSettings& settings = pair.settings;
-  const Identification& identified = after.fit.identified;
-  const Judge judge{pair, {identified.noise, identified.row_weights, settings.run_offsets}};
-  // Few runs are judged by their stretches, and then a walk is asked for: both at once.
-  const std::size_t runs = pair.known.series().rows().runs().size();
-  const bool few = pair.holdouts.empty() && runs < rules::kEnoughRuns;
-  std::optional<double> chance_of_walk;
-  std::atomic<bool> has_failed{false};
-  for_each_index(few ? 2 : 1, [&](std::size_t i) {
-    if (i == 0) {
-      judge_rows(judge, after);
-      has_failed = settings.verdict_only && !after.out_of_sample->helps();
-    } else if (!has_failed) {
-      chance_of_walk = ask_walk(judge, after);
+  const Judge judge(pair, after);
+  const bool verdict_only = pair.settings.verdict_only;
+  if (!pair.runs.holdouts.empty() && !is_event(pair.change)) {
+    after.out_of_sample = judge(pair.before, after.model);
+  } else {
+    const CrossValidation validation = judge.on_training_runs(pair.before, after.model);
+    after.out_of_sample = validation.on_runs_or_stretches();
+    if (verdict_only && !after.out_of_sample->score.improves()) return;
+    for (const FarPart& far : far_parts(pair.known.series().rows(), changed_terms(after))) {
+      after.far.push_back(validation.on(far));
     }
-  });
-  if (has_failed || !after.out_of_sample->within_runs) return;
-  after.chance_of_walk = few ? chance_of_walk : ask_walk(judge, after);
+  }
+  const bool has_failed = !after.out_of_sample->score.improves() || harmed(after) != nullptr;
+  if (pair.change.changed.size() < 2 || (verdict_only && has_failed)) return;
+  PartsOfSet models(pair, after.model);
+  after.parts = judge_parts(judge, models);
 }
 
 void judge_network(const FittedPair& pair, Addition& after) {
   after.out_of_sample = after.fit.network_judged;
-  if (!after.model.network.present() || pair.holdouts.empty()) return;
-  after.out_of_sample = judge_on_holdouts(without_network(after.model), after.model, pair.holdouts,
-                                          after.fit.identified.noise, pair.settings.run_offsets);
+  if (!after.model.network.present() || pair.runs.holdouts.empty()) return;
+  after.out_of_sample =
+      judge_on_holdouts(without_network(after.model), after.model, pair.runs.holdouts,
+                        after.fit.identified.noise, pair.settings.run_offsets);
 }
 
-void decide(const model::Model& before, bool has_risen, Addition& after) {
+void decide(Addition& after) {
   after.accepted = false;
   after.reason = "its training was interrupted";
   if (!after.out_of_sample) return;
   const OutOfSample& judged = *after.out_of_sample;
-  after.reason = format("%s out of sample: %s %s", judged.helps() ? "helps" : "does not help",
+  const bool is_better = after.changed.empty() ? helps(judged) : judged.score.improves();
+  after.reason = format("%s out of sample: %s %s", is_better ? "helps" : "does not help",
                         after.changed.empty() ? "it takes the residual" : "the effects alone leave",
                         out_of_sample_words(judged).c_str());
-  if (!judged.helps()) return;
-  Doubt doubt;
-  for (const std::size_t i : after.changed) {
-    if (doubt.sentence.empty()) doubt = doubt_of(after.model.terms[i], before);
-  }
+  if (!is_better) return;
   const auto needless = std::find_if(after.parts.begin(), after.parts.end(), is_needless);
-  const std::string undetermined = undetermined_words(before, after);
-  if (has_risen) {
-    after.reason = format("makes the whole model worse on the holdouts: %s -> %s deg/h",
-                          rounded(after.holdouts->rms_before_dph).c_str(),
-                          rounded(after.holdouts->rms_after_dph).c_str());
-  } else if (!doubt.sentence.empty()) {
-    after.reason = doubt.sentence;
-    after.may_be_line = doubt.may_be_line;
-    after.wants_more = doubt.wants_more;
-  } else if (!undetermined.empty()) {
-    after.reason = undetermined;
+  const OutOfSample* const harm = harmed(after);
+  if (after.whole && after.whole->rms_after_dph > after.whole->rms_before_dph &&
+      after.whole->score.harms()) {
+    after.reason =
+        "makes the whole model worse on the holdouts: " + out_of_sample_words(*after.whole);
+  } else if (after.fitted_after_dph >= after.fitted_before_dph) {
+    after.reason = "does not lower the error of these runs";
+  } else if (harm != nullptr) {
+    after.reason = "it raises the error far from the rows fitted: " + out_of_sample_words(*harm);
   } else if (needless != after.parts.end()) {
     after.reason = needless->effect +
                    " brings nothing beside the others: " + out_of_sample_words(*needless->beside);
-  } else if (after.thirds && after.thirds->harms()) {
-    after.reason = harm_words(*after.thirds);
-  } else if (after.chance_of_walk.value_or(0) >= rules::kMaxChanceOfWalk) {
-    after.reason =
-        "on these runs alone a random walk of the bias explains it as well: let a run that was not "
-        "fitted decide, with --holdout";
   } else {
     after.accepted = true;
   }

@@ -4,6 +4,7 @@
 
 #include "fit/addition.hpp"
 #include "fit/effect_change.hpp"
+#include "runs/runs.hpp"
 
 namespace fogcomp::fit {
 
@@ -25,7 +26,7 @@ struct FittedPair {
   const EffectChange& change;
   const KnownRegressors& known;  ///< of these rows
   const model::Model& before;
-  const std::vector<runs::Run>& holdouts;
+  const runs::Runs& runs;
   const AddSettings& settings;
 };
 
@@ -34,8 +35,7 @@ void judge_effects(const FittedPair& pair, Addition& after);
 /// Compares with the same effects without the network: on the holdouts or, without any, by
 /// cross-validation. A network that does not help is not kept.
 void judge_network(const FittedPair& pair, Addition& after);
-/// Sets verdict and reason from what judge_effects() or judge_network() found. `has_risen`: the
-/// error of the whole model on the holdouts, by more than chance.
-void decide(const model::Model& before, bool has_risen, Addition& after);
+/// Sets verdict and reason from what judge_effects() or judge_network() found.
+void decide(Addition& after);
 
 }  // namespace fogcomp::fit

@@ -3,34 +3,35 @@
 #include <string>
 #include <vector>
 
-#include "noise/noise_model.hpp"
-#include "recording/row_range.hpp"
+#include "fit/foretelling.hpp"
+#include "model/model.hpp"
 #include "series/rows.hpp"
 
 namespace fogcomp::fit {
 
-/// Rows that are left out of a fit together, to be judged by it.
-using Part = std::vector<recording::RowRange>;
+/// Parts of the rows that are left out, one after the other, to be foretold from the others.
+struct Folds {
+  std::vector<Part> parts;
+  std::string how;      ///< "on stretches of 7.08 min, a fifth of them left out in turn"
+  bool within = false;  ///< in each part some rows of every run
+};
 
-/// Number of independent stretches of a run. `residual`: of the fit, one value per row.
-double stretches_of(const series::Rows& rows, const std::vector<double>& residual,
-                    const noise::NoiseModel& noise);
+/// Stretches of time in five parts in turn. Every part contains some of each phase of the run, so
+/// that it is interpolated, not extrapolated. Each run begins with another part, so that its start
+/// is left out while the starts of the others are not.
+Folds stretches_in_turn(const series::Rows& rows);
 
-/// Assigns `count` stretches of time to five parts in turn. Every part contains some of each phase
-/// of the run, so that it is interpolated, not extrapolated. Each run begins with another part, so
-/// that its start is left out while the starts of the others are not.
-std::vector<Part> parts_of(const series::Rows& rows, double count);
+/// Each recording.
+Folds runs_in_turn(const series::Rows& rows);
 
-/// `count` parts, each with as much of every run, from its beginning to its end.
-std::vector<Part> cut_runs(const series::Rows& rows, std::size_t count);
-
-/// Rows in ramps: heating, cooling (rules::kRampDegcPerMin).
-std::vector<Part> directions_of(const series::Rows& rows);
-
-/// A third of the rows each: the coldest, the middle, the warmest.
-std::vector<Part> temperatures_of(const series::Rows& rows);
-
-/// "on stretches of 7.08 min, a fifth of them left out in turn"
-std::string how_of(const std::vector<Part>& parts, const series::Rows& rows);
+/// Rows unlike all others, as those of another programme are.
+struct FarPart {
+  Part part;
+  std::string name;  ///< "the warmest third"
+};
+/// Thirds of every run; heating and cooling; the coldest, the middle and the warmest rows, and
+/// thirds by any other input that `terms` use; each recording, if there are two or more.
+std::vector<FarPart> far_parts(const series::Rows& rows,
+                               const std::vector<model::EffectTerm>& terms);
 
 }  // namespace fogcomp::fit

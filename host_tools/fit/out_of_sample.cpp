@@ -1,14 +1,9 @@
 #include "fit/out_of_sample.hpp"
 
-#include <algorithm>
-
 #include "compare/comparison.hpp"
-#include "fit/decision_rules.hpp"
-#include "noise/autocorrelation.hpp"
 #include "noise/outlier_rows.hpp"
 #include "noise/whitening.hpp"
 #include "support/least_squares.hpp"
-#include "support/median.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::fit {
@@ -27,30 +22,29 @@ Eigen::VectorXd residual_on(const model::Model& model, const std::vector<runs::R
                                            static_cast<Eigen::Index>(residual.size()));
 }
 
+// Each row from what is left of those before it.
+judge::Foretold foretold(const noise::Whitening& whitening, const Eigen::VectorXd& left,
+                         const Eigen::VectorXd& weights) {
+  const Eigen::ArrayXd sigma = whitening.scale().array().inverse();
+  const Eigen::ArrayXd surprise = whitening.apply(left).col(0).array() * sigma;
+  return {-surprise, (weights.array() > 0).select(sigma.square(), 0)};
+}
+
 }  // namespace
 
+bool helps(const OutOfSample& judged) {
+  return judged.rms_after_dph <= judged.rms_before_dph && judged.score.improves();
+}
+
+bool harms(const OutOfSample& judged) {
+  return judged.rms_after_dph > judged.rms_before_dph && judged.score.gain < 0 &&
+         judged.promise.is_broken();
+}
+
 std::string out_of_sample_words(const OutOfSample& judged) {
-  const bool falls = judged.rms_after_dph < judged.rms_before_dph;
-  const char* but = "";
-  if (judged.chi2_drop >= rules::kMinChi2Drop && !judged.helps()) but = " without a rise";
-  if (judged.chi2_drop < 0 && falls) but = ": weighed by its noise, slow noise included, it rises";
-  return format("%s -> %s deg/h %s (gain %.1f, needed %g%s)",
+  return format("%s -> %s deg/h %s (gain %.1f +- %.1f, needed %.1f)",
                 rounded(judged.rms_before_dph).c_str(), rounded(judged.rms_after_dph).c_str(),
-                judged.how.c_str(), judged.chi2_drop, rules::kMinChi2Drop, but);
-}
-
-std::string harm_words(const OutOfSample& judged) {
-  return format("it raises the error far from the rows fitted: %s -> %s deg/h %s (gain %.1f)",
-                rounded(judged.rms_before_dph).c_str(), rounded(judged.rms_after_dph).c_str(),
-                judged.how.c_str(), judged.chi2_drop);
-}
-
-bool OutOfSample::helps() const {
-  return chi2_drop >= rules::kMinChi2Drop && rms_after_dph <= rms_before_dph;
-}
-
-bool OutOfSample::harms() const {
-  return chi2_drop <= -rules::kMinChi2Drop;
+                judged.how.c_str(), judged.score.gain, judged.score.standard_error, judge::kGain);
 }
 
 OutOfSample judge_residuals(const series::Rows& rows, const Eigen::VectorXd& before,
@@ -61,18 +55,9 @@ OutOfSample judge_residuals(const series::Rows& rows, const Eigen::VectorXd& bef
   result.rms_before_dph = weighted_rms(before, counted);
   result.rms_after_dph = weighted_rms(after, counted);
   const noise::Whitening whitening(noise, rows, weights);
-  Eigen::VectorXd white_before = whitening.apply(before);
-  Eigen::VectorXd white_after = whitening.apply(after);
-  const double typical = sigma_by_median({white_before.begin(), white_before.end()});
-  const double max = rules::kMaxCounted * std::max(1.0, typical);
-  white_before = white_before.cwiseMax(-max).cwiseMin(max);
-  white_after = white_after.cwiseMax(-max).cwiseMin(max);
-  const double variance =
-      std::max(1.0, white_after.squaredNorm() / static_cast<double>(rows.size()));
-  const double together =
-      noise::correlated_values({white_after.begin(), white_after.end()}, rows.runs());
-  result.chi2_drop =
-      (white_before.squaredNorm() - white_after.squaredNorm()) / (variance * together);
+  result.score =
+      judge::score(Eigen::VectorXd::Zero(rows.size()), foretold(whitening, before, weights),
+                   foretold(whitening, after, weights));
   return result;
 }
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "fit/foretelling.hpp"
 #include "fit/known_regressors.hpp"
-#include "fit/out_of_sample.hpp"
 #include "model/model.hpp"
 #include "series/signal_series.hpp"
 

@@ -1,14 +1,48 @@
 #include "fit/predict.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/least_squares.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp::fit {
 
+namespace {
+
+noise::NoiseModel noise_model(const judge::NoiseLevels& levels, double row_s, double longest_s) {
+  constexpr double kStep = 4;    // of the time constants, whose spectra sum to 1/f
+  constexpr double kLonger = 4;  // so many recordings: a component that walks
+  constexpr double kMinWhite = 1e-15;
+  noise::NoiseModel noise;
+  noise.row_s = row_s;
+  noise.white_variance = std::pow(std::max(levels.white_dph, kMinWhite), 2);
+  const double each = std::pow(levels.flicker_dph, 2) * std::log(kStep) / kPi;
+  for (double tau_s = 2 * row_s; tau_s <= longest_s; tau_s *= kStep) {
+    noise.components.push_back({tau_s, each});
+  }
+  const double walk_per_s = std::pow(levels.walk_dph_per_rth, 2) / kSecondsPerHour;
+  noise.components.push_back({kLonger * longest_s, walk_per_s * kLonger * longest_s / 2});
+  return noise;
+}
+
+}  // namespace
+
+noise::NoiseModel noise_beside(const PossibleDrift& possible, const series::Rows& rows,
+                               const Eigen::VectorXd& drift_dph, const Eigen::VectorXd& weights) {
+  judge::Rows judged;
+  judged.row_s = rows.row_s;
+  judged.drift_dph = drift_dph;
+  judged.columns = possible.columns;
+  judged.prior_sigma = possible.prior_sigma;
+  judged.first_found = possible.first_found;
+  judged.weights = weights;
+  judged.stretches = rows.stretches();
+  return noise_model(judge::Prediction(judged).noise(), rows.row_s, rows.longest_run_s());
+}
+
 judge::Rows judged_rows(const series::Rows& rows, const NoiseWeightedFit& fit,
                         const series::ColumnRange& without) {
-  const double anywhere = std::sqrt(1.0 / 12);  // standard deviation of a uniform position
   judge::Rows judged;
   judged.row_s = rows.row_s;
   judged.drift_dph = rows.drift_dph;
@@ -17,11 +51,15 @@ judge::Rows judged_rows(const series::Rows& rows, const NoiseWeightedFit& fit,
       {fit.columns.leftCols(without.first), fit.columns.rightCols(behind), fit.shape_columns},
       rows.size());
   judged.prior_sigma = Eigen::VectorXd::Zero(judged.columns.cols());
-  judged.prior_sigma.tail(fit.shape_columns.cols()).setConstant(anywhere);
+  judged.prior_sigma.tail(fit.shape_columns.cols()).setConstant(kSigmaOfPosition);
   judged.first_found = fit.linear() - without.count;
   judged.weights = fit.row_weights;
   judged.stretches = rows.stretches();
   return judged;
+}
+
+noise::NoiseModel noise_beside(const series::Rows& rows, const NoiseWeightedFit& fit) {
+  return noise_model(predict(rows, fit).noise(), rows.row_s, rows.longest_run_s());
 }
 
 judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit) {

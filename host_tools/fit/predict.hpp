@@ -1,10 +1,29 @@
 #pragma once
 
+#include <cmath>
+
 #include "fit/noise_weighted_fit.hpp"
 #include "judge/prediction.hpp"
 #include "series/term_columns.hpp"
 
 namespace fogcomp::fit {
+
+/// Standard deviation of a shape's position in its range, 0 to 1, of which nothing is known.
+inline const double kSigmaOfPosition = std::sqrt(1.0 / 12);
+
+/// What a model can do in rows.
+struct PossibleDrift {
+  const Eigen::MatrixXd& columns;      ///< derivatives of the drift by the model's unknowns
+  const Eigen::VectorXd& prior_sigma;  ///< of each unknown; 0: nothing is known
+  Eigen::Index first_found;            ///< as in judge::Rows
+};
+/// Noise of rows beside that (white, flicker and a random walk, by judge::Prediction) as
+/// Gauss-Markov components. `weights`: 0 for excluded rows.
+noise::NoiseModel noise_beside(const PossibleDrift& possible, const series::Rows& rows,
+                               const Eigen::VectorXd& drift_dph, const Eigen::VectorXd& weights);
+
+/// The same beside the columns and shapes of a fit. Requires is_determined().
+noise::NoiseModel noise_beside(const series::Rows& rows, const NoiseWeightedFit& fit);
 
 /// Rows for judge, with the columns of a fit but for `without`, and with its shapes.
 judge::Rows judged_rows(const series::Rows& rows, const NoiseWeightedFit& fit,

@@ -17,7 +17,7 @@ struct ResidualNetwork {
   std::optional<OutOfSample> judged;
 
   /// A network that does not help out of sample has learnt noise, or a property of this run alone.
-  bool worth_keeping() const { return !judged || judged->helps(); }
+  bool worth_keeping() const { return !judged || helps(*judged); }
 };
 
 /// Trains on `target_dph` (per row; the residual of `identified`, or that denoised), whitened with

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "fit/decision_rules.hpp"
+#include "fit/predict.hpp"
 #include "fit/undetermined.hpp"
 
 namespace fogcomp::fit {
@@ -23,24 +24,22 @@ bool earns(const noise::ChangePoint& step, double chi_square) {
   return step.chi_square > chi_square * std::max(1.0, step.chi_square_left);
 }
 
-// What a step is looked for in: the residual of a fit, with that fit's noise. The first `columns`
-// of its matrix are the model; the residual is taken without the later columns.
+// What a step is looked for in: the residual of a fit, in noise that has whatever changes slowly,
+// drift that the model lacks as well. The first `columns` of its matrix are the model; the residual
+// is taken without the later columns.
 struct Ground {
   noise::Whitening whitening;
   Eigen::VectorXd residual;  // whitened, as all below
-  Eigen::MatrixXd model;     // with slow drift
+  Eigen::MatrixXd model;
 };
 
 Ground ground_of(const series::Rows& rows, const NoiseWeightedFit& fit, Eigen::Index columns) {
   const Eigen::Index others = fit.linear() - columns;
   const Eigen::VectorXd residual =
       fit.residual_dph + fit.columns.rightCols(others) * fit.coefficients.segment(columns, others);
-  noise::Whitening whitening(fit.noise, rows, rows.weights.cwiseProduct(fit.robust));
-  const Eigen::MatrixXd slow = noise::slow_columns(rows, rules::kSlowSeconds);
-  Eigen::MatrixXd model(rows.size(), columns + slow.cols());
-  model << fit.columns.leftCols(columns), slow;
+  noise::Whitening whitening(noise_beside(rows, fit), rows, fit.row_weights);
   Eigen::VectorXd white_residual = whitening.apply(residual);
-  Eigen::MatrixXd white_model = whitening.apply(model);
+  Eigen::MatrixXd white_model = whitening.apply(fit.columns.leftCols(columns));
   return {std::move(whitening), std::move(white_residual), std::move(white_model)};
 }
 

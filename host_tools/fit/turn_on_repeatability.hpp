@@ -3,9 +3,9 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "fit/foretelling.hpp"
 #include "fit/known_regressors.hpp"
 #include "fit/noise_weighted_fit.hpp"
-#include "fit/out_of_sample.hpp"
 #include "series/term_columns.hpp"
 
 namespace fogcomp::fit {

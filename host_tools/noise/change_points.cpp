@@ -6,7 +6,6 @@
 
 #include "noise/decision_rules.hpp"
 #include "support/least_squares.hpp"
-#include "support/units.hpp"
 
 namespace fogcomp::noise {
 namespace {
@@ -183,25 +182,6 @@ double gain_of_gradual_change(std::size_t row, const Whitening& whitening, const
   const double most = explained.maxCoeff();
   const auto freedom = static_cast<double>(std::max<Eigen::Index>(1, count - kColumnsBeside - 1));
   return (most - explained[0]) / std::max(1.0, (residual.squaredNorm() - most) / freedom);
-}
-
-Eigen::MatrixXd slow_columns(const series::Rows& rows, double half_period_s) {
-  Eigen::MatrixXd columns(rows.size(), 0);
-  for (const Run& run : runs_of(rows)) {
-    const double start_s = rows.time_s[static_cast<std::size_t>(run.first)];
-    const double length_s = rows.time_s[static_cast<std::size_t>(run.end - 1)] - start_s;
-    const auto count = 1 + static_cast<Eigen::Index>(length_s / half_period_s);
-    const Eigen::Index at = columns.cols();
-    columns.conservativeResize(Eigen::NoChange, at + count);
-    columns.rightCols(count).setZero();
-    for (Eigen::Index k = 0; k < count; ++k) {
-      for (Eigen::Index row = run.first; row < run.end; ++row) {
-        const double turn = (rows.time_s[static_cast<std::size_t>(row)] - start_s) / length_s;
-        columns(row, at + k) = std::cos(kPi * static_cast<double>(k) * turn);
-      }
-    }
-  }
-  return columns;
 }
 
 }  // namespace fogcomp::noise

@@ -42,9 +42,4 @@ std::optional<ChangePoint> find_change_point(const Whitening& whitening, const s
 double gain_of_gradual_change(std::size_t row, const Whitening& whitening, const series::Rows& rows,
                               const Eigen::VectorXd& whitened_residual);
 
-/// A constant and cosines over each recording, down to this half period: rows x any number, 0
-/// outside their recording. Among the columns they keep the bias of a recording and slow drift
-/// outside the model from counting as jumps.
-Eigen::MatrixXd slow_columns(const series::Rows& rows, double half_period_s);
-
 }  // namespace fogcomp::noise

@@ -23,6 +23,9 @@ class Whitening {
  public:
   Whitening(const NoiseModel& noise, const series::Rows& rows, const Eigen::VectorXd& weights);
 
+  /// 1 / standard deviation of each row, given those before it; (deg/h)^-1.
+  const Eigen::VectorXd& scale() const { return scale_; }
+
   /// Whitens every column of `matrix` (rows x any number).
   Eigen::MatrixXd apply(const Eigen::MatrixXd& matrix) const;
 

@@ -25,7 +25,7 @@ struct RefusedRow {
 };
 
 /// The rows of a recording that the board would refuse, in order, each once. Uses the core's own
-/// monitors (firmware/SPEC.md, "Judging a sample"), with these differences because a recording is
+/// monitors (firmware/spec/samples.md), with these differences because a recording is
 /// known as a whole:
 ///  * Between rows the temperature is assumed on a straight line if that helps: it is refused if it
 ///    must have changed by more than 1 degC/s, and exactly 85 degC if it must have been approached

@@ -16,7 +16,7 @@ bool is_sensor_stream(std::string_view head);
 std::string describe(const CaptureCounts& counts);
 
 /// Rows from the frames of a capture, by the board's own parser and its checks of the sequence
-/// numbers (SPEC.md, "Judging a sample"). The first sample's time is its sequence number over the
+/// numbers (firmware/spec/samples.md). The first sample's time is its sequence number over the
 /// sample rate. From there time advances as on the board: by one sample and those lost before it,
 /// and not for a late or repeated one, which makes no row. Lost and invalid samples become gaps.
 /// Extension inputs become columns, each value valid until the next one; rows before the first get

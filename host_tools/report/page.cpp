@@ -208,6 +208,9 @@ class PageWriter {
     plots_.push(plot_json(plot));
   }
   void write(const Document& document) {
+    for (const findings::Lead& lead : document.leads()) {
+      body_ += element("p", escaped(lead.text.sentence()));
+    }
     const Document::Next& next = document.what_next();
     if (!next.sentence.empty()) {
       body_ += "<p class=\"next\"><strong>Next:</strong> " + escaped(next.sentence.sentence()) +

@@ -40,15 +40,18 @@ std::string without_blanks_at_end(std::string line) {
 }
 
 // Breaks `text` between words into lines of at most kMaxLine characters.
-std::string wrapped(const std::string& text, const std::string& indent) {
+std::string wrapped(const std::string& text, const std::string& first, const std::string& others) {
   std::string lines;
-  std::string line = indent;
+  std::string line = first;
+  bool is_begun = false;
   for (const std::string& word : split(text, ' ')) {
-    if (line.size() > indent.size() && width_of(line) + 1 + width_of(word) > kMaxLine) {
+    if (is_begun && width_of(line) + 1 + width_of(word) > kMaxLine) {
       lines += line + "\n";
-      line = indent;
+      line = others;
+      is_begun = false;
     }
-    line += (line.size() > indent.size() ? " " : "") + word;
+    line += (is_begun ? " " : "") + word;
+    is_begun = true;
   }
   return lines + line + "\n";
 }
@@ -113,7 +116,7 @@ std::string text_of(const Table& table) {
   std::string text;
   std::string caption = table.caption.plain();
   if (table.floor > 0) caption += "; the noise floor is " + findings::number(table.floor).plain();
-  if (!caption.empty()) text += wrapped(caption, "  ");
+  if (!caption.empty()) text += wrapped(caption, "  ", "  ");
   text += line_of(titles, columns);
   for (const Table::Row& row : table.rows) {
     if (row.minor) continue;
@@ -121,7 +124,7 @@ std::string text_of(const Table& table) {
     for (const Table::Cell& one : row.cells) cells.push_back(one.text.plain());
     text += line_of(cells, columns);
   }
-  if (!table.notes.empty()) text += wrapped("(" + table.notes.plain() + ")", "  ");
+  if (!table.notes.empty()) text += wrapped("(" + table.notes.plain() + ")", "  ", "  ");
   return text;
 }
 
@@ -135,7 +138,7 @@ class TerminalWriter {
   }
   void operator()(const Sentence& sentence) {
     begin(false);
-    text_ += "  " + sentence.text.plain() + "\n";
+    text_ += wrapped(sentence.text.plain(), "  ", "    ");
   }
   void operator()(const Listing& listing) {
     begin(true);
@@ -149,7 +152,7 @@ class TerminalWriter {
 
   void write(const Document::Part& part) {
     const bool shown =
-        part.shown == Shown::everywhere || (details_ && part.shown == Shown::in_details);
+        part.shown == Shown::everywhere || (details_ && part.shown != Shown::on_page);
     if (shown) std::visit(*this, part.content);
   }
   const std::string& text() const { return text_; }
@@ -175,13 +178,22 @@ class TerminalWriter {
 }  // namespace
 
 std::string terminal(const Document& document, bool details) {
-  std::string text = document.found().plain() + "\n";
+  std::string text = wrapped(document.found().plain(), "", "    ");
+  for (const findings::Lead& lead : document.leads()) {
+    text += wrapped(lead.question + ": " + lead.text.plain(), "  ", "    ");
+  }
   const Document::Next& next = document.what_next();
-  const std::string what = next.command.empty() ? next.sentence.plain() : next.command;
-  if (!what.empty()) text += "  next: " + what + "\n";
+  // A command stays in one line, to be copied.
+  if (!next.command.empty()) {
+    text += "  next: " + next.command + "\n";
+  } else if (!next.sentence.empty()) {
+    text += wrapped("next: " + next.sentence.plain(), "  ", "    ");
+  }
   TerminalWriter writer(details);
   for (const Document::Part& part : document.parts()) writer.write(part);
-  return text + writer.text();
+  const auto waits = [&](const Document::Part& part) { return part.shown == Shown::on_request; };
+  const bool has_more = std::any_of(document.parts().begin(), document.parts().end(), waits);
+  return text + writer.text() + (has_more && !details ? "  more: --details\n" : "");
 }
 
 }  // namespace fogcomp::report

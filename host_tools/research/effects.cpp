@@ -36,10 +36,10 @@ class EffectsComparator : public Comparator {
   std::string chosen() const override {
     if (training_.hidden == 0) return "";
     if (!network_.worth_keeping())
-      return format("no network (gain %.1f)", network_.judged->chi2_drop);
+      return format("no network (gain %.1f)", network_.judged->score.gain);
     return format("%.1f weights determined (gain %.1f)",
                   network_.trained.result.effective_parameters.value_or(0),
-                  network_.judged->chi2_drop);
+                  network_.judged->score.gain);
   }
 
  private:

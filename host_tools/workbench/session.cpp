@@ -230,8 +230,10 @@ Json Session::diagnose(const Words& words) {
   const findings::DiagnosisWords said = findings::words_of(ladder.first, ladder.next, files);
   Json sentences = Json::object();
   sentences.set("verdict", sentence_of(said.verdict)).set("certainty", sentence_of(said.certainty));
-  sentences.set("findings", json_array(said.findings, sentence_of))
-      .set("next", sentence_of(said.next));
+  std::vector<std::string> lines{said.size};
+  if (!said.place.empty()) lines.push_back(said.place);
+  lines.insert(lines.end(), said.findings.begin(), said.findings.end());
+  sentences.set("findings", json_array(lines, sentence_of)).set("next", sentence_of(said.next));
   sentences.set("limits", json_array(said.limits, sentence_of));
   // Arguments of the proposed `add`.
   Json next = Json();

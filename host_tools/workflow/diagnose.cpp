@@ -89,7 +89,6 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const runs::Runs& judgi
   DiagnoseOutcome outcome{
       {in_rows, judging.training, offered(request, model)}, std::move(files), {}};
   diagnosis::DiagnosisSettings settings;
-  settings.seed = request.seed;
   settings.progress = observer.of_stage("diagnosing");
   if (request.at_rest) {
     settings.noise = diagnosis::noise_of_static(

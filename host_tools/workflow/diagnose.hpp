@@ -15,7 +15,6 @@ struct DiagnoseRequest : JudgingRequest {
   std::optional<std::string> at_rest;    ///< recording that determines the noise
   int max_steps = 0;                     ///< of the stepwise selection; 0: diagnose only
   std::optional<double> average_s;       ///< rows of one look; else those of runs::row_length()
-  std::uint64_t seed = 1;                ///< of the random draws of the test
 };
 
 struct DiagnoseOutcome {

@@ -10,7 +10,7 @@ import fnmatch, os, re, sys
 from markdown import blocks
 
 root = sys.argv[1]
-covered = [".", "docs", "docs/*", "findings", "host_tools/*", "tests", "tests/*"]
+covered = [".", "docs", "docs/*", "findings", "firmware", "firmware/*", "host_tools", "host_tools/*", "tests", "tests/*"]
 most_words = 25
 
 problems = []

@@ -4,7 +4,7 @@ set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
-mkdir "$tree/docs" "$tree/firmware"
+mkdir "$tree/docs" "$tree/elsewhere"
 
 # words N: a sentence of N words without its stop.
 words() { printf 'Word %.0s' $(seq "$1") | sed 's/ $//'; }
@@ -18,7 +18,7 @@ wrong=("$(words 26)." "$(words 26)" "$(words 13)\n$(words 13)." "* $(words 13)\n
 # A page for each; on the third line of a page or after it stands what it is about.
 for i in "${!right[@]}"; do printf '# Page\n\n%b\n' "${right[i]}" >"$tree/docs/right$i.md"; done
 for i in "${!wrong[@]}"; do printf '# Page\n\n%b\n' "${wrong[i]}" >"$tree/docs/wrong$i.md"; done
-words 26 >"$tree/firmware/page.md"
+words 26 >"$tree/elsewhere/page.md"
 
 ! "$here/sentences.sh" "$tree" >"$tree/said" 2>&1 || { echo "accepted all" >&2; exit 1; }
 ! grep right "$tree/said" >&2 || { echo "refused what is right" >&2; exit 1; }

@@ -31,9 +31,13 @@ holds() {
   fail "$1: not $2$seen"
 }
 
-# says FILE REGEX [WHEN]: a line of FILE matches.
+# in_full: what fogcomp says, each sentence in one line.
+in_full() { sed -E ':a;N;$!ba;s/\n    ([^ ])/ \1/g'; }
+
+# says FILE REGEX [WHEN]: a line or sentence of FILE matches.
 says() {
-  grep -qE -- "$2" "$1" || fail "${3:+$3: }$1 does not say '$2' but: $(cat "$1")"
+  grep -qE -- "$2" "$1" || in_full <"$1" | grep -qE -- "$2" ||
+    fail "${3:+$3: }$1 does not say '$2' but: $(cat "$1")"
 }
 
 # share MIN COUNT CLAIM...: CLAIM SEED succeeds for at least MIN of the seeds 1 to COUNT. For what a test claims of

@@ -83,7 +83,7 @@ same spikes.csv --effects bias,bias_temperature
 [[ $(value compare.json '.runs[0].outliers') == 8 ]] || fail "$(value compare.json '.runs[0].outliers') of 8 spikes left out"
 close "$clean" "$(value compare.json '.runs[0].residual_rms_dph')" "spikes in the residual" 0.002
 close "$coefficient" "$(value fit.json '.effects[0].coefficients_dph[0]')" "spikes in the model" 0.001
-for command in "compare gyro.model" "diagnose gyro.model" info "fit -o gyro.model --effects bias"; do
+for command in "compare gyro.model" "diagnose --details gyro.model" info "fit -o gyro.model --effects bias"; do
   "$fogcomp" $command spikes.csv >text.txt
   grep -q '8 rows of 10 s left out' text.txt || fail "$command does not say what it leaves out: $(cat text.txt)"
 done
@@ -109,7 +109,7 @@ awk -v with="$with" -v without="$without" 'BEGIN { exit !(with > 2 * without) }'
 for file in compare.txt diagnose.txt; do
   figures=("$(LC_ALL=C printf %.4g "$with")" "$(LC_ALL=C printf %.4g "$without")")
   said="as the board computes it, the model leaves ${figures[0]} deg/h rms; without the board's delay .* ${figures[1]}"
-  grep -q "$said" $file || fail "$file does not give both figures: $(head -6 $file)"
+  says $file "$said" "both figures"
 done
 
 # Rows that alternate: the floor is no floor.

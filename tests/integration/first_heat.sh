@@ -13,7 +13,7 @@ for profile in reversed ramp_rates; do
     --effect warmest_so_far:scale=4 >/dev/null
 done
 "$fogcomp" fit reversed.csv -o gyro.model --effects bias,bias_temperature:order=2,temperature_rate >/dev/null
-"$fogcomp" diagnose gyro.model reversed.csv >said.txt
+"$fogcomp" diagnose gyro.model reversed.csv --details >said.txt
 cat said.txt
 says said.txt 'outside the catalogue it looks like highest\(T\)'
 says said.txt "which physics gives such a form: a coil's first heat"

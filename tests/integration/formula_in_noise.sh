@@ -16,7 +16,7 @@ diagnosed() {
     --noise white=0.0019,flicker=0.0008 "${parts[@]}" >/dev/null
   "$fogcomp" fit run.csv -o run.model --effects bias,bias_temperature:order=2,temperature_rate >/dev/null
   "$fogcomp" diagnose run.model run.csv --json >said.json
-  "$fogcomp" diagnose run.model run.csv >said.txt
+  "$fogcomp" diagnose run.model run.csv --details | in_full >said.txt
 }
 
 finds_the_form() { # SEED

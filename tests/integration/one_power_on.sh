@@ -24,7 +24,7 @@ done
 left() { "$fogcomp" compare "$1" minor_loops.csv --json >compare.json && value compare.json '.runs[0].residual_rms_dph'; }
 before=$(left gyro.model)
 
-"$fogcomp" diagnose gyro.model ramp_rates.csv --max-effects 4 -o loop.model >said.txt || true
+"$fogcomp" diagnose gyro.model ramp_rates.csv --max-effects 4 -o loop.model --details >said.txt || true
 cat said.txt
 says said.txt 'aging goes on while the power is off, and one run cannot tell what is left of it'
 after=$before
@@ -33,5 +33,5 @@ echo "another power-on: $before -> $after deg/h"
 awk -v before="$before" -v after="$after" 'BEGIN { exit !(after <= 1.02 * before) }' ||
   fail "the loop made another power-on worse: $before -> $after deg/h"
 
-"$fogcomp" diagnose gyro.model ramp_rates.csv --holdout minor_loops.csv --max-effects 4 -o judged.model >judged.txt || true
+"$fogcomp" diagnose gyro.model ramp_rates.csv --holdout minor_loops.csv --max-effects 4 -o judged.model --details >judged.txt || true
 if grep -q 'one run cannot tell' judged.txt; then fail "two power-ons are taken for one: $(cat judged.txt)"; fi

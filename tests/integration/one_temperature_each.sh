@@ -32,9 +32,9 @@ record unseen.csv 10 0
 # Equal biases: by the loop, and by the command that it prints.
 "$fogcomp" fit same?.csv -o bias.model --effects bias >said.txt
 says said.txt 'a drift that it lacks' "fit of the bias alone"
-"$fogcomp" diagnose bias.model same?.csv --max-effects 4 -o loop.model >said.txt || fail "ended: $(cat said.txt)"
+"$fogcomp" diagnose bias.model same?.csv --max-effects 4 -o loop.model --details >said.txt || fail "ended: $(cat said.txt)"
 says said.txt 'bias_temperature shows between the recordings' "the loop"
-"$fogcomp" diagnose bias.model same?.csv >said.txt || true
+"$fogcomp" diagnose bias.model same?.csv --details >said.txt || true
 next=$(sed -n 's/^  next: fogcomp //p' said.txt)
 [[ $next == 'add bias.model bias_temperature '* ]] || fail "next: $next"
 # shellcheck disable=SC2086
@@ -47,7 +47,7 @@ done
 # Biases of their own, each temperature once: a drift and these cannot be told apart.
 "$fogcomp" fit once?.csv -o once.model --effects bias,bias_temperature:order=2 >fitted.txt
 "$fogcomp" compare once.model once?.csv >compared.txt
-"$fogcomp" diagnose once.model once?.csv >diagnosed.txt || true
+"$fogcomp" diagnose once.model once?.csv --details >diagnosed.txt || true
 for said in fitted compared diagnosed; do
   says $said.txt 'each temperature in two of the recordings, or one recording over all of them, would tell'
   if grep -q 'turn-on bias: ' $said.txt; then fail "a drift is taken for a bias: $(cat $said.txt)"; fi

@@ -39,11 +39,11 @@ says said.txt 'restarts.csv: was switched on again at [0-9]* s; the board sees i
 # A gyro of another bias at every power-on: one bias for all refuses the warm-up, which has one of its own for each.
 awk -F, -v OFS=, 'NR > 1 { if ($4 + 0 < up) ++on; up = $4 + 0; $3 += 0.35 * sin(2.1 * on) } { print }' restarts.csv >turn_on.csv
 "$fogcomp" fit turn_on.csv -o turn_on.model --effects bias,temperature_rate >/dev/null
-"$fogcomp" diagnose turn_on.model turn_on.csv >said.txt || true
+"$fogcomp" diagnose turn_on.model turn_on.csv --details >said.txt || true
 says said.txt '^missing effect: warm_up '
 says said.txt --run-offsets
 eval "\"\$fogcomp\" $(sed -n 's/^  next: fogcomp //p' said.txt)" >added.txt || fail "refused: $(cat added.txt)"
-"$fogcomp" diagnose NEW.model turn_on.csv >said.txt
+"$fogcomp" diagnose NEW.model turn_on.csv --details >said.txt
 says said.txt '^nothing is missing'
 says said.txt 'the bias of turn_on.csv from [0-9]* s on is '
 echo "restarts are seen, and told"

@@ -45,7 +45,7 @@ struct Useless {
   void count(const Addition& addition) {
     ++tried;
     accepted += addition.accepted ? 1 : 0;
-    above_zero += addition.out_of_sample->chi2_drop > 0 ? 1 : 0;
+    above_zero += addition.out_of_sample->score.gain > 0 ? 1 : 0;
     if (addition.accepted) std::printf("%s\n", addition.reason.c_str());
     EXPECT_EQ(addition.model.history.back().forced, !addition.accepted);
   }

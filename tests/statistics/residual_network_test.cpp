@@ -1,7 +1,6 @@
 // A network on the residual of effects learns an effect that is left out, and not the slow noise.
 #include <gtest/gtest.h>
 
-#include "fit/decision_rules.hpp"
 #include "statistics/fitted_network.hpp"
 #include "support/typical_effects.hpp"
 
@@ -22,7 +21,7 @@ TEST(NetworkOnNoise, IsNotKept) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const FittedNetwork fitted = fit_network(truth(), kSlowNoise, seed, false);
     EXPECT_FALSE(fitted.model.network.present())
-        << "gain " << fitted.result.network_judged->chi2_drop;
+        << "gain " << fitted.result.network_judged->score.gain;
     EXPECT_EQ(fitted.model.residual_rms_dph, fitted.result.effects_rms_dph);
   }
 }
@@ -32,7 +31,7 @@ TEST(NetworkOnAnEffect, LearnsItAndIsTheSameAgainForcedOrNot) {
   gyro.terms.push_back(natural_term("polarization_ripple", {40, 0}, {0.03, 0.03}));
   const FittedNetwork fitted = fit_network(gyro, kQuietNoise, 1, false);
   ASSERT_TRUE(fitted.model.network.present());
-  EXPECT_GT(fitted.result.network_judged->chi2_drop, 5 * fogcomp::fit::rules::kMinChi2Drop);
+  EXPECT_TRUE(fitted.result.network_judged->score.improves());
   EXPECT_LT(mean_square(fitted.left_dph - fitted.network_dph), 0.1 * mean_square(fitted.left_dph));
   EXPECT_EQ(fit_network(gyro, kQuietNoise, 1, true).network_dph, fitted.network_dph);
 }

@@ -364,7 +364,7 @@ void run_case(std::uint64_t id, const Options& options, Tally& tally) {
     if (!addition.out_of_sample) return;
     numbers.see("out of sample",
                 {addition.out_of_sample->rms_before_dph, addition.out_of_sample->rms_after_dph,
-                 addition.out_of_sample->chi2_drop});
+                 addition.out_of_sample->score.gain});
   });
 }
 

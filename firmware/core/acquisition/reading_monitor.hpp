@@ -49,7 +49,7 @@ struct InputLimits {
 
 /// Finds readings that a sensor cannot have measured: missing, impossible, jumping, frozen. For a
 /// temperature it relies on the thermal mass of the coil. Any other quantity may change at any
-/// speed, but not for a single reading (SPEC.md, "Judging a sample"). DESIGN.md lists the faults
+/// speed, but not for a single reading (spec/samples.md). DESIGN.md lists the faults
 /// that this cannot find.
 template <class Limits>
 class ReadingMonitor : private Limits {

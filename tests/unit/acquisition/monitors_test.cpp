@@ -60,7 +60,7 @@ TEST(SequenceMonitor, ADemodulatorThatCountsAnewIsFollowedAfterEightSamples) {
   EXPECT_EQ(time, 109U);
 }
 
-// SPEC.md, "Judging a sample".
+// spec/samples.md.
 TEST(SequenceMonitor, AStepByHalfTheCircleIsLossAndByOneMoreIsLate) {
   fog::SequenceMonitor loss;
   loss.judge(0);

@@ -1,4 +1,5 @@
-// SPEC.md, "Drift model": how long a drift is held, when it is given up, and when it has settled.
+// spec/pipeline.md, "Course of the model": how long a drift is held, when it is given up, and when
+// it has settled.
 #include <gtest/gtest.h>
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// SPEC.md, "Program of the expressions": valid programs, and the result of each operation.
+// spec/effects.md, "Expressions": valid programs, and the result of each operation.
 #include "core/expression/expression_program.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// SPEC.md, "Drift model": drift = centre + round(amplitude * y), y the output's sum or its tanh.
+// spec/effects.md, "Network": drift = centre + round(amplitude * y), y the output's sum or its
+// tanh.
 #include <gtest/gtest.h>
 
 #include <cmath>

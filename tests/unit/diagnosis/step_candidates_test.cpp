@@ -56,7 +56,7 @@ Placed place(double jump_dph, double fraction, const std::string& missing, doubl
   place_steps(placed.shapes, data.series(), residualizer, smooth.all);
   EXPECT_EQ(placed.shapes.size(), grid.size());
   placed.sharp = placed.shapes;
-  remove_gradual_steps(placed.sharp, rows, residualizer);
+  remove_gradual_steps(placed.sharp, rows, fit);
   placed.jump_s = recording.time_s[at];
   placed.row_s = rows.row_s;
   return placed;

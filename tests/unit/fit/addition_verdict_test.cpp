@@ -7,46 +7,56 @@
 namespace fogcomp::fit {
 namespace {
 
-// An addition that takes a model from 0.024 to 0.018 deg/h, out of sample as well.
-Addition helpful(bool within_runs = true) {
+OutOfSample judged(double gain) {
+  return {0.026, 0.019, {gain, 2.2}, {}, true, "on stretches"};
+}
+
+Addition addition(const OutOfSample& out_of_sample) {
   Addition after;
   after.model = fog::test::truth();
   after.changed = {0};
-  after.fitted_before_dph = 0.024;
-  after.fitted_after_dph = 0.018;
-  after.out_of_sample = OutOfSample{0.026, 0.019, 70, within_runs, "on stretches"};
-  after.soak_sigma_before_dph = 0.013;
-  after.soak_sigma_after_dph = 0.015;
+  after.out_of_sample = out_of_sample;
   return after;
 }
 
 bool is_accepted(Addition after) {
-  decide(fog::test::truth(), false, after);
+  decide(after);
   EXPECT_FALSE(after.reason.empty());
   return after.accepted;
 }
 
-TEST(AdditionVerdict, RefusesTermsThatNearlyCancelOnTheseRuns) {
-  EXPECT_TRUE(is_accepted(helpful()));
-  Addition after = helpful();
-  after.soak_sigma_after_dph = 0.17;
-  EXPECT_FALSE(is_accepted(after));
-  // The model was as uncertain before.
-  after.soak_sigma_before_dph = 0.17;
+TEST(AdditionVerdict, GainThatChanceGivesOnceIn100Times_Accepted) {
+  EXPECT_TRUE(is_accepted(addition(judged(5))));
+  EXPECT_FALSE(is_accepted(addition(judged(4))));
+  EXPECT_FALSE(is_accepted(addition(judged(-5))));
+}
+
+TEST(AdditionVerdict, HarmFarFromTheRowsFitted_Refused) {
+  Addition after = addition(judged(5));
+  OutOfSample worse = judged(-4);
+  worse.rms_after_dph = 0.03;
+  worse.promise = {123, 100, 100};  // as uncertain as it is
+  after.far = {worse, judged(3)};
   EXPECT_TRUE(is_accepted(after));
-  // Another run has judged.
-  after = helpful(false);
-  after.soak_sigma_after_dph = 0.17;
+  after.far[0].promise.squares = 124;
+  EXPECT_FALSE(is_accepted(after));
+  after.far[0].rms_after_dph = 0.02;  // and better than before all the same
   EXPECT_TRUE(is_accepted(after));
 }
 
-TEST(AdditionVerdict, RefusesWhatTheRunsDoNotDetermineInASoak) {
-  Addition after = helpful();
-  after.model.uncertain = model::Model::Uncertain{0.9, 0.5, false};
-  EXPECT_FALSE(is_accepted(after));
-  // A recording that began late: it holds in these rows, and export refuses it.
-  after.model.uncertain->at_power_on = true;
+TEST(AdditionVerdict, PartThatBringsNothing_Refused) {
+  Addition after = addition(judged(5));
+  after.parts = {{"aging", judged(5), judged(5)}, {"shupe", judged(5), {}}};
   EXPECT_TRUE(is_accepted(after));
+  after.parts[1].beside = judged(4);
+  EXPECT_FALSE(is_accepted(after));
+}
+
+TEST(AdditionVerdict, WholeModelWorseOnTheHoldouts_Refused) {
+  Addition after = addition(judged(5));
+  after.whole = judged(-5);
+  after.whole->rms_after_dph = 0.027;
+  EXPECT_FALSE(is_accepted(after));
 }
 
 }  // namespace
