@@ -237,8 +237,6 @@ void decide(Addition& after) {
       after.whole->score.harms()) {
     after.reason =
         "makes the whole model worse on the holdouts: " + out_of_sample_words(*after.whole);
-  } else if (after.fitted_after_dph >= after.fitted_before_dph) {
-    after.reason = "does not lower the error of these runs";
   } else if (harm != nullptr) {
     after.reason = "it raises the error far from the rows fitted: " + out_of_sample_words(*harm);
   } else if (needless != after.parts.end()) {
