@@ -15,8 +15,7 @@ struct EffectsCommand : Command {
   Flag markdown{this, "markdown", "the document host_tools/EFFECTS.md"};
 
   EffectsCommand()
-      : Command("effects", {"[NAME]", 0, 1},
-                "the catalogue: equation, units, parameters, signature, source",
+      : Command("effects", {"[NAME]", 0, 1}, "the catalogue in a line each, or one effect in full",
                 "fogcomp effects temperature_rate") {
     words = model::effect_names();
   }

@@ -1,5 +1,7 @@
 #include "cli/effects_text.hpp"
 
+#include <algorithm>
+
 #include "diagnosis/form_meaning.hpp"
 #include "support/text.hpp"
 
@@ -33,6 +35,13 @@ std::string range(const model::CatalogueEntry& entry, const fog::ParameterDescri
       "%g to %g%s; not given: %s%s", parameter.min_milli / 1000.0, parameter.max_milli / 1000.0,
       model::unit_behind_number(parameter).c_str(), without_value(entry, parameter).c_str(),
       lag ? "; `fit` prints the gyro's own; the board's is behind the lags of its dT/dt" : "");
+}
+
+// A title without what it adds behind its first words, if it is long.
+std::string in_short(const std::string& title) {
+  constexpr std::size_t kLong = 60;
+  return title.size() > kLong ? title.substr(0, std::min(title.find(" ("), title.find(", ")))
+                              : title;
 }
 
 std::string entry_text(const model::CatalogueEntry& entry) {
@@ -120,11 +129,14 @@ std::vector<std::string> needed_columns(const model::CatalogueEntry& entry) {
 }
 
 std::string effects_text(const std::vector<const model::CatalogueEntry*>& entries) {
+  if (entries.size() == 1) return entry_text(*entries.front());
   std::string text;
   for (const model::CatalogueEntry* entry : entries) {
-    text += (text.empty() ? "" : "\n") + entry_text(*entry);
+    const std::vector<std::string> needs = needed_columns(*entry);
+    text += format("%s - %s", entry->description.name, in_short(entry->description.title).c_str()) +
+            (needs.empty() ? "" : " (needs " + join(needs, ", ") + ")") + "\n";
   }
-  return text;
+  return text + "  next: fogcomp effects NAME\n";
 }
 
 std::string effects_markdown(const std::vector<const model::CatalogueEntry*>& entries) {

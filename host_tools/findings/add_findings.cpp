@@ -52,13 +52,21 @@ void add_errors(Document& document, const fit::Addition& addition) {
 
 // For several effects: each alone, and beside the others.
 void add_parts(Document& document, const fit::Addition& addition) {
-  const auto judged = [](const std::optional<fit::OutOfSample>& one) {
-    return one ? words(fit::out_of_sample_words(*one)) : Text("not determined");
+  const auto add_judged = [](const std::optional<fit::OutOfSample>& one, Table::Row& row) {
+    row.cells.emplace_back(one ? number(one->rms_before_dph) + " -> " + number(one->rms_after_dph)
+                               : Text("not determined"));
+    row.cells.emplace_back(
+        one ? words(format("%.1f +- %.1f", one->score.gain, one->score.standard_error)) : Text());
   };
   Table table;
-  table.columns = {"effect", "alone", "beside the others"};
+  table.caption = "out of sample, deg/h rms, " + words(addition.out_of_sample->how) +
+                  words(format("; gain needed %.1f", judge::kGain));
+  table.columns = {"effect", "alone", "gain", "beside the others", "gain"};
   for (const fit::Addition::Part& part : addition.parts) {
-    table.rows.push_back({verbatim(part.effect), judged(part.alone), judged(part.beside)});
+    Table::Row row{verbatim(part.effect)};
+    add_judged(part.alone, row);
+    add_judged(part.beside, row);
+    table.rows.push_back(std::move(row));
   }
   document.table(std::move(table));
 }
