@@ -62,6 +62,7 @@ VectorXd solve_semidefinite(const MatrixXd& a, const VectorXd& b) {
 }
 
 SymmetricEigen symmetric_eigen(const MatrixXd& a) {
+  if (a.size() == 0) return {};  // of which Eigen reads a first value
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(a);
   return {solver.eigenvalues(), solver.eigenvectors()};
 }

@@ -80,6 +80,15 @@ TEST_F(ExplanationsTest, AnEffect_IsNamedWithItsShape) {
   EXPECT_LT(explanations.effects[0].probability, 0.2);
 }
 
+// As in a recording at one temperature.
+TEST_F(ExplanationsTest, WithoutSmoothFunctions_AnEffectIsNamedAllTheSame) {
+  smooth_.resize(kSamples, 0);
+  rows_.drift_dph += 0.01 * sine(3.1);
+  const Explanations explanations = found();
+  ASSERT_EQ(explanations.all.front().parts.size(), 1U);
+  EXPECT_EQ(explanations.all.front().parts[0].effect, 0U);
+}
+
 TEST_F(ExplanationsTest, TwoEffects_AreASetWithTheLargerFirst) {
   rows_.drift_dph += 0.05 * sine(3.1) + 0.02 * sine(5.7);
   const Explanations explanations = found();
