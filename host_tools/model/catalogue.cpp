@@ -162,7 +162,10 @@ std::unique_ptr<RealEffect> make_effect(const EffectTerm& term, double block_s) 
 EffectTerm for_present_block(EffectTerm term, double block_s) {
   const TermInfo info = info_of(term);
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-    if (info.parameters[i].time == fog::Time::delay) term.parameters[i].value += block_s;
+    const bool is_place_in_time = is_event(term);  // the present block is later by one
+    if (is_place_in_time || info.parameters[i].time == fog::Time::delay) {
+      term.parameters[i].value += block_s;
+    }
   }
   return term;
 }

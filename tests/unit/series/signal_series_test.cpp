@@ -23,24 +23,32 @@ recording::Recording begun_on_a_ramp() {
   return recording;
 }
 
-Eigen::VectorXd lag_of(Phase phase) {
+Eigen::VectorXd in_ramp(const std::string& effect, Phase phase) {
   model::Model model;
   model.average_s = 10;
   model.derivative_tau_s = 10;
   SignalSeries series(model, phase);
   series.add(make_blocks(begun_on_a_ramp()));
-  return series.regressors(model::parse_effects("thermal_lag:tau=1000")[0]).col(0);
+  return series.regressors(model::parse_effects(effect)[0]).col(0);
 }
 
 // The board's lag begins at 0. Had the ramp been there for ever, it would begin at tau times 0.1
 // degC/s, 100 degC, and differ for 1,000 s.
 TEST(SignalSeries, BeginsALagAtRestWithAndWithoutTheBoardsDelay) {
-  const Eigen::VectorXd board = lag_of(Phase::board);
-  const Eigen::VectorXd zero = lag_of(Phase::zero);
+  const Eigen::VectorXd board = in_ramp("thermal_lag:tau=1000", Phase::board);
+  const Eigen::VectorXd zero = in_ramp("thermal_lag:tau=1000", Phase::zero);
   ASSERT_EQ(board.size(), zero.size());
   const double max = board.cwiseAbs().maxCoeff();
   EXPECT_GT(max, 0);
   EXPECT_LT((board - zero).cwiseAbs().maxCoeff(), 0.06 * max);
+}
+
+// A jump is where it is, whether the block before or the present one is read.
+TEST(SignalSeries, HasABiasStepInTheSameRowWithAndWithoutTheBoardsDelay) {
+  const Eigen::VectorXd board = in_ramp("bias_step:at=1000", Phase::board);
+  EXPECT_EQ(board, in_ramp("bias_step:at=1000", Phase::zero));
+  EXPECT_EQ(board.minCoeff(), 0);
+  EXPECT_EQ(board.maxCoeff(), 1);
 }
 
 // On for an hour, off for ten minutes, on again; the recorder's clock goes on.
