@@ -325,8 +325,8 @@ TEST(Ladder, MasksAStepAndGoesOn) {
   }
   const auto ladder = ladder_of(recording);
   EXPECT_EQ(sorted(ladder.added()), (std::vector<std::string>{"bias_step", "temperature_rate"}));
-  EXPECT_EQ(ladder.last.verdict, Verdict::none) << ladder.last.effect << ": "
-                                                << ladder.last_next.refused.size() << " refused";
+  EXPECT_EQ(ladder.last.verdict, Verdict::none)
+      << ladder.last.effect << ": " << ladder.last_next.refused.size() << " refused";
 }
 
 }  // namespace
