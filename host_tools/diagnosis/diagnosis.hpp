@@ -27,7 +27,7 @@ const char* name_of(Verdict verdict);
 enum class Refuted {
   no,
   out_of_sample,  ///< it fails there: a description gains clearly more, it raises
-                  ///< the error and nothing lowers it, or it harms on thirds of the runs
+                  ///< the error and nothing lowers it, or it harms far from the rows
   by_formula      ///< it needs or is an event, or needs two parts; a formula that needs none is as
                   ///< certain as names
 };

@@ -209,7 +209,8 @@ class PageWriter {
   }
   void write(const Document& document) {
     for (const findings::Lead& lead : document.leads()) {
-      body_ += element("p", escaped(lead.text.sentence()));
+      body_ += element("p", "<strong>" + escaped(findings::words(lead.question).sentence()) +
+                                "</strong> " + escaped(lead.text.sentence()));
     }
     const Document::Next& next = document.what_next();
     if (!next.sentence.empty()) {
