@@ -221,10 +221,13 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
   }
   // What the verdict names first, reservations last.
   const bool is_named = !is_none && diagnosis.verdict != diagnosis::Verdict::unknown;
-  std::vector<std::string> certainties{words.certainty, probability_words(diagnosis)};
-  if (!is_named && next.together.empty()) std::swap(certainties[0], certainties[1]);
-  words.certainty = certainties[0] +
-                    (certainties[0].empty() || certainties[1].empty() ? "" : "; ") + certainties[1];
+  const bool is_first = is_named || !next.together.empty();
+  const std::string others = probability_words(diagnosis);
+  if (words.certainty.empty()) {
+    words.certainty = others;
+  } else {
+    words.certainty = is_first ? words.certainty + "; " + others : others + "; " + words.certainty;
+  }
   words.size = size_words(diagnosis, next);
   if (is_none && next.addition) {
     words.verdict = "no effect is missing, but " +

@@ -16,7 +16,7 @@ struct Sentence {
   Text text;
 };
 
-/// One of the few lines between result and proposal: "how sure: probability 0.97".
+/// One of the few lines between result and proposal: "how sure: thermal_lag 0.97; ...".
 struct Lead {
   std::string question;
   Text text;
