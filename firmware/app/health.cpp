@@ -70,7 +70,7 @@ KvhSettings kvh_settings() {
 
 // A user who is cut off in the configuration mode must not leave the board silent.
 constexpr std::uint32_t kConfigurationMs = 10'000;
-std::uint32_t last_command_ms = 0;
+[[maybe_unused]] std::uint32_t last_command_ms = 0;
 
 void end_configuration() {
   if constexpr (kKvhCommands) {

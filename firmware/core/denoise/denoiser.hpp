@@ -39,7 +39,7 @@ class Denoiser {
   /// after a refused model, no sample may be passed as valid.
   explicit Denoiser(const DenoiseParameters& parameters)
       : filling_(denoise_line_length(kTaps, parameters.levels())),
-        bank_(parameters, memory_.line.data(), memory_.coarser.data()) {
+        bank_(parameters, line_in(memory_), coarser_in(memory_)) {
     bank_.start(parameters, memory_.waiting.data());
     bank_.gate().watch(filling_ - 1);  // all but the first
   }
@@ -70,6 +70,10 @@ class Denoiser {
     std::array<std::int32_t, SampleLine::memory(kLine, kTaps)> line;
     std::array<std::int16_t, denoise_waiting(kTaps, kLevels)> waiting;
   };
+
+  // Places that the bank looks into from its start() on, when the memory is zero.
+  static std::int32_t* line_in(Memory& memory) { return memory.line.data(); }
+  static CoarserLevel<kTaps>* coarser_in(Memory& memory) { return memory.coarser.data(); }
 
   // At start-up and around samples that are invalid or withheld. Whether a sample was an outlier
   // shows with the next one: so validities are stored one sample late.
