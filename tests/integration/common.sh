@@ -36,7 +36,7 @@ in_full() { sed -E ':a;N;$!ba;s/\n    ([^ ])/ \1/g'; }
 
 # says FILE REGEX [WHEN]: a line or sentence of FILE matches.
 says() {
-  grep -qE -- "$2" "$1" || in_full <"$1" | grep -qE -- "$2" ||
+  grep -qE -- "$2" "$1" || grep -qE -- "$2" <(in_full <"$1") ||
     fail "${3:+$3: }$1 does not say '$2' but: $(cat "$1")"
 }
 
