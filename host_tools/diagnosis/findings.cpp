@@ -35,6 +35,7 @@ bool is_mainly_fast(const Diagnosis& diagnosis) {
 void shown_by_formulas(Diagnosis& diagnosis, double nothing) {
   diagnosis.verdict = Verdict::unknown;
   diagnosis.only_by_formula = true;
+  diagnosis.faint = false;
   diagnosis.nothing = nothing;
   diagnosis.blind_spot.clear();
 }
