@@ -30,6 +30,7 @@ class CrossValidation {
  private:
   const series::Rows& rows_;
   Eigen::VectorXd weights_;
+  bool run_offsets_ = false;
   Foretelling before_;
   Foretelling after_;
 };
