@@ -22,6 +22,7 @@ CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
   finding.lead = effect.largest;
   finding.evidence = effect.log_odds;
   finding.explained_fraction = effect.explained;
+  finding.visible_from_dph = effect.visible_from_dph;
   const double best = *std::max_element(effect.log_likelihood.begin(), effect.log_likelihood.end());
   for (std::size_t s = 0; s < own.shapes.size(); ++s) {
     if (effect.log_likelihood[s] < best - rules::kPossible / 2 && s != effect.shape) continue;

@@ -18,6 +18,7 @@ struct CandidateFinding {
   double evidence = 0;                      ///< ln of the odds against "nothing is missing"
   double probability = 0;                   ///< that this effect is among those that are missing
   double lead = 0;                          ///< that it is the largest of them
+  double visible_from_dph = 0;              ///< rms over the rows: these would have shown it
 
   const model::EffectTerm& term() const { return completed.back(); }
   bool is_expression() const { return term().expression.has_value(); }

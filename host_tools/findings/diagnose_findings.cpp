@@ -98,6 +98,21 @@ void add_candidates(Document& document, const diagnosis::Diagnosis& diagnosis) {
   document.table(std::move(table), Shown::on_request);
 }
 
+// What could have been seen, of what is not named.
+void add_visible(Document& document, const diagnosis::Diagnosis& diagnosis) {
+  std::vector<std::string> sizes;
+  for (const diagnosis::CandidateFinding& finding : diagnosis.candidates) {
+    if (is_named(diagnosis, finding.effect)) continue;
+    sizes.push_back(finding.effect + format(" %.2g", finding.visible_from_dph));
+  }
+  if (sizes.empty()) return;
+  document.sentence(
+      words("would have been seen, as likely as not, from this size on (deg/h rms over the "
+            "recordings): " +
+            join(sizes, ", ")),
+      Shown::on_request);
+}
+
 void add_untestable(Document& document, const diagnosis::Diagnosis& diagnosis) {
   // grouped by their needs
   std::vector<std::pair<std::string, std::vector<std::string>>> by_need;
@@ -336,6 +351,7 @@ Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
   }
   add_explanations(document, diagnosis);
   add_candidates(document, diagnosis);
+  add_visible(document, diagnosis);
   add_untestable(document, diagnosis);
   if (loop_wanted) add_ladder(document, ladder, data, files, names);
   add_where(document, diagnosis, data, files.runs);

@@ -72,6 +72,7 @@ Json candidates_json(const std::vector<diagnosis::CandidateFinding>& candidates)
         .set("evidence", finding.evidence)
         .set("probability", finding.probability)
         .set("lead", finding.lead)
+        .set("visible_from_dph", finding.visible_from_dph)
         .set("parameters", term_json(finding.term()));
   });
 }

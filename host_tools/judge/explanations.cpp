@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "judge/visibility.hpp"
 #include "support/decompositions.hpp"
 #include "support/units.hpp"
 
@@ -34,9 +35,12 @@ class Shares {
     return square / white - columns;
   }
 
-  // The likelihood of a set of any sizes.
+  // What a set of any sizes leaves, and its likelihood.
+  double left(const Columns& set, bool with_something_else) const {
+    return noise_.left - square_of(set, with_something_else).square;
+  }
   double log_likelihood(const Columns& set) const {
-    return likelihood_(noise_.log_density, noise_.left - square_of(set, false).square);
+    return likelihood_(noise_.log_density, left(set, false));
   }
 
  private:
@@ -179,6 +183,19 @@ void add_effects(const Rivals& rivals, const SetSearch& search, const Shares& sh
   }
 }
 
+// What each effect would have needed to be seen, in what the most probable explanation leaves.
+void add_visibility(const Rivals& rivals, const SetSearch& search, const Columns& best,
+                    Explanations& found) {
+  const Explanation& likeliest = found.all.front();
+  const bool something_else = 2 * likeliest.something_else > likeliest.probability;
+  std::vector<double> left;
+  for (const AtNoise& noise : search.noises()) {
+    left.push_back(Shares(rivals, search.likelihood(), noise).left(best, something_else));
+  }
+  const std::vector<double> sizes = visible_from_dph(rivals, search, left);
+  for (std::size_t e = 0; e < sizes.size(); ++e) found.effects[e].visible_from_dph = sizes[e];
+}
+
 NoiseLevels noise_if_nothing(const Rivals& rivals, const SetSearch& search) {
   const std::vector<double>& likely = search.of_nothing();
   const double max = *std::max_element(likely.begin(), likely.end());
@@ -225,6 +242,7 @@ Explanations explain(const Rows& rows, const Eigen::MatrixXd& something_else,
     }
   }
   add_effects(rivals, search, shares, found);
+  add_visibility(rivals, search, best, found);
   found.noise_if_nothing = noise_if_nothing(rivals, search);
   return found;
 }

@@ -43,6 +43,7 @@ struct Explanations {
     std::vector<double> log_likelihood;  ///< of each shape, alone
     std::size_t shape = 0;               ///< the most probable in the likeliest set with it
     double explained = 0;                ///< share of what is above the noise, alone
+    double visible_from_dph = 0;         ///< rms over the rows: these would have shown it
   };
   std::vector<Effect> effects;
 };

@@ -83,18 +83,31 @@ double Likelihood::left_for(double log_density, double log_likelihood) const {
   return std::exp(2 * (log_density - log_likelihood) / freedom_);
 }
 
+// All sizes are equally probable.
+double Likelihood::of_size(double size, double log_density, double left, const Eigen::MatrixXd& own,
+                           const Eigen::VectorXd& with_drift) const {
+  const Added more = added(own, with_drift, size * size / static_cast<double>(own.cols()));
+  return (*this)(log_density - more.log_determinant / 2, left - more.square) -
+         std::log(static_cast<double>(sizes_.size()));
+}
+
 Beside Likelihood::averaged(const Setting& setting, double log_density, double left, double largest,
                             const Eigen::MatrixXd& own, const Eigen::VectorXd& with_drift) const {
   Beside sum = kNoLikelihood;
-  const auto columns = static_cast<double>(own.cols());
-  const double log_each = -std::log(static_cast<double>(sizes_.size()));
   for (const double size : sizes_) {
     const Beside prior = log_prior(setting.smooth_number, std::max(size, largest));
     if (std::max(prior[0], prior[1]) == -HUGE_VAL) continue;
-    const Added more = added(own, with_drift, size * size / columns);
-    const double likely =
-        (*this)(log_density + log_each - more.log_determinant / 2, left - more.square);
+    const double likely = of_size(size, log_density, left, own, with_drift);
     add({prior[0] + likely, prior[1] + likely}, sum);
+  }
+  return sum;
+}
+
+double Likelihood::averaged(double log_density, double left, const Eigen::MatrixXd& own,
+                            const Eigen::VectorXd& with_drift) const {
+  double sum = -HUGE_VAL;
+  for (const double size : sizes_) {
+    sum = log_add(sum, of_size(size, log_density, left, own, with_drift));
   }
   return sum;
 }

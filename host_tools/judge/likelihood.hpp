@@ -53,8 +53,14 @@ class Likelihood {
   /// setting leaves. `largest`: size of effects that are there already.
   Beside averaged(const Setting& setting, double log_density, double left, double largest,
                   const Eigen::MatrixXd& own, const Eigen::VectorXd& with_drift) const;
+  /// Of columns more where smooth functions are no matter.
+  double averaged(double log_density, double left, const Eigen::MatrixXd& own,
+                  const Eigen::VectorXd& with_drift) const;
 
  private:
+  double of_size(double size, double log_density, double left, const Eigen::MatrixXd& own,
+                 const Eigen::VectorXd& with_drift) const;
+
   double freedom_;
   std::vector<double> sizes_;
   std::vector<double> smooth_sizes_;

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 
 #include "model/effect_list.hpp"
 #include "statistics/hidden_drift.hpp"
@@ -95,6 +97,44 @@ TEST(Diagnosis, NamesTheEffectThatIsMissing) {
       EXPECT_LT(diagnosis.nothing, 1e-6);
     }
   }
+}
+
+double rms_dph(const Model& model, const fogcomp::model::EffectTerm& term) {
+  const fogcomp::series::SignalSeries series = fogcomp::runs::series_of(
+      model, {fogcomp::runs::run_of(recording_with({}, 1), {model.average_s})});
+  const Eigen::VectorXd drift = series.drift_dph({term});
+  return std::sqrt((drift.array() - drift.mean()).square().mean());
+}
+
+// Effects of half, once and twice the size that a recording without them says it would show.
+TEST(Diagnosis, FindsHalfOfWhatIsAsLargeAsItSays) {
+  const fogcomp::model::EffectTerm kHidden[] = {
+      fog::test::natural_term("polarization_ripple", {13, 0}, {0.012, 0.006}),
+      fog::test::natural_term("thermal_hysteresis", {6, 0}, {0.024}),
+      fog::test::natural_term("temperature_rate_product", {}, {9e-4}),
+      fog::test::natural_term("glass_transition", {30, 6}, {0.5}),
+  };
+  constexpr int kSeeds = 5;
+  const Model model = model_of(fogcomp::model::parse_effects(kBasic));
+  std::array<int, 3> found{};
+  for (const fogcomp::model::EffectTerm& hidden : kHidden) {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+      const Diagnosis clean = diagnosed(model, recording_with({}, seed));
+      ASSERT_NE(clean.find(hidden.name), nullptr) << hidden.name;
+      const double visible = clean.find(hidden.name)->visible_from_dph / rms_dph(model, hidden);
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        fogcomp::model::EffectTerm sized = hidden;
+        for (fogcomp::model::Estimate& coefficient : sized.coefficients_dph) {
+          coefficient.value *= std::ldexp(visible, static_cast<int>(i) - 1);
+        }
+        found[i] += diagnosed(model, recording_with({sized}, seed)).verdict != Verdict::none;
+      }
+    }
+  }
+  constexpr double kAll = kSeeds * std::size(kHidden);
+  EXPECT_LE(found[0], 0.2 * kAll);
+  EXPECT_NEAR(found[1], 0.55 * kAll, 0.2 * kAll);
+  EXPECT_GE(found[2], 0.95 * kAll);
 }
 
 // With a rate term in the model, a lagged rate and a transient gradient span the same two columns.

@@ -144,6 +144,30 @@ TEST_F(ExplanationsTest, BiasesOfPowerOns_AreNoEffect) {
   EXPECT_GT(found().nothing, 0.5);
 }
 
+// Hides an effect of a multiple of the size that the rows say they would show.
+TEST(Explanations, VisibleFrom_IsTheSizeOfWhichHalfIsFound) {
+  struct Drawn : ExplanationsTest {
+    Drawn(std::uint64_t seed, double times) : ExplanationsTest(seed) {
+      constexpr double kRmsOfSine = 0.7071;
+      const double size_dph = found().effects[1].visible_from_dph;
+      rows_.drift_dph += times * size_dph / kRmsOfSine * sine(5.7);
+    }
+    void TestBody() override {}
+    bool is_found() const { return found().nothing < kMissingBefore[0]; }
+  };
+  constexpr int kDraws = 40;
+  const auto share = [](double times) {
+    double found = 0;
+    for (std::uint64_t seed = 1; seed <= kDraws; ++seed) {
+      found += Drawn(seed, times).is_found() ? 1.0 / kDraws : 0;
+    }
+    return found;
+  };
+  EXPECT_LE(share(0.5), 0.2);
+  EXPECT_NEAR(share(1), 0.55, 0.15);
+  EXPECT_GE(share(2), 0.95);
+}
+
 // How often an effect is missing that is said to be with a probability.
 TEST(Explanations, StatedProbabilities_AreTrueAsOftenAsTheySay) {
   struct Drawn : ExplanationsTest {
