@@ -113,7 +113,7 @@ std::vector<AtNoise> at_noises(const Rivals& rivals, const std::vector<NoiseRati
     const Eigen::MatrixXd sums = rivals.products_with_effects(weights);
     for (std::size_t i = 0; i < parts[part].size(); ++i) {
       parts[part][i].add_effects(
-          rivals, Eigen::Map<const Eigen::MatrixXd>(&sums(0, static_cast<Eigen::Index>(i)),
+          rivals, Eigen::Map<const Eigen::MatrixXd>(sums.col(static_cast<Eigen::Index>(i)).data(),
                                                     rivals.model() + 1 + rivals.smooth(),
                                                     rivals.columns()));
     }

@@ -57,7 +57,7 @@ Eigen::MatrixXd ModeBands::products(const Eigen::MatrixXd& left,
   for (Eigen::Index band = 0; band < size(); ++band) {
     const Eigen::Index first = first_[static_cast<std::size_t>(band)];
     const Eigen::Index count = first_[static_cast<std::size_t>(band) + 1] - first;
-    Eigen::Map<Eigen::MatrixXd> here(&all(0, band), left.cols(), right.cols());
+    Eigen::Map<Eigen::MatrixXd> here(all.col(band).data(), left.cols(), right.cols());
     here.noalias() = left.middleRows(first, count).transpose() * right.middleRows(first, count);
   }
   return all;

@@ -146,7 +146,7 @@ std::vector<EffectSet> SetSearch::with_one_more(const EffectSet& set) const {
   const std::size_t count = likelihood_.smooth_sizes().size();
   Evidence evidence(alone_.size(), kNoLikelihood);
   for (std::size_t i = 0; i < likely_.size(); ++i) {
-    const Eigen::Map<const Eigen::MatrixXd> here(&products(0, static_cast<Eigen::Index>(i)),
+    const Eigen::Map<const Eigen::MatrixXd> here(products.col(static_cast<Eigen::Index>(i)).data(),
                                                  products.rows() / rivals_.columns(),
                                                  rivals_.columns());
     for (std::size_t beside = 0; beside < count; ++beside) {
