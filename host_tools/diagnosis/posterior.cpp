@@ -25,17 +25,31 @@ judge::Rows rows_with_nuisances(const EvidenceSpace& evidence, const series::Row
   return judged;
 }
 
+// What the model and effects of one shape can do.
+Eigen::MatrixXd of_one_shape(const EvidenceSpace& evidence, const judge::Rows& rows) {
+  std::vector<Eigen::MatrixXd> columns{Eigen::MatrixXd::Ones(rows.size(), 1)};
+  for (Eigen::Index i = 0; i < rows.columns.cols(); ++i) {
+    if (!(rows.prior_sigma[i] > 0)) columns.push_back(rows.columns.col(i));
+  }
+  for (const Candidate& candidate : evidence.candidates) {
+    if (candidate.has_free_shape() || candidate.is_event() || candidate.is_expression()) continue;
+    columns.push_back(candidate.shapes[0].columns.cast<double>());
+  }
+  return side_by_side(columns, rows.size());
+}
+
 // Groups of smooth functions of one variable each, equally large. What changes in time alone is
-// taken for noise.
-Eigen::MatrixXd something_else(const EvidenceSpace& evidence, Eigen::Index rows) {
+// taken for noise, and what an effect of one shape does is that effect.
+Eigen::MatrixXd something_else(const EvidenceSpace& evidence, const judge::Rows& rows) {
   std::vector<Eigen::MatrixXd> smooth;
   for (const StructureGroup& group : evidence.smooth.raw) {
     if (group.variable == "time_s" || group.columns.cols() == 0) continue;
     const Eigen::MatrixXd centred = group.columns.rowwise() - group.columns.colwise().mean();
-    const double power = centred.squaredNorm() / static_cast<double>(rows);
+    const double power = centred.squaredNorm() / static_cast<double>(rows.size());
     if (power > 0) smooth.push_back(centred / std::sqrt(power));
   }
-  return side_by_side(smooth, rows);
+  return projected_out(orthonormal(of_one_shape(evidence, rows)),
+                       side_by_side(smooth, rows.size()));
 }
 
 // Whether the effect has an optional second part of the same form.
@@ -57,8 +71,8 @@ judge::Explanations explain(const EvidenceSpace& evidence, const series::SignalS
     effect.may_repeat = may_repeat(candidate);
     effects.push_back(std::move(effect));
   }
-  return judge::explain(rows_with_nuisances(evidence, rows, fit),
-                        something_else(evidence, rows.size()), effects);
+  const judge::Rows judged = rows_with_nuisances(evidence, rows, fit);
+  return judge::explain(judged, something_else(evidence, judged), effects);
 }
 
 }  // namespace fogcomp::diagnosis

@@ -117,11 +117,12 @@ void take_sets(const SetSearch& search, Explanations& found) {
 // The part without which the others explain least, and how much less that is. `others`: without
 // each part.
 std::pair<std::size_t, double> largest_part(const Shares& shares, const Columns& all,
-                                            const std::vector<Columns>& others) {
-  const double of_all = shares.explained(all, false);
+                                            const std::vector<Columns>& others,
+                                            bool with_something_else) {
+  const double of_all = shares.explained(all, with_something_else);
   std::pair<std::size_t, double> largest{0, 0};
   for (std::size_t i = 0; i < others.size(); ++i) {
-    const double less = of_all - shares.explained(others[i], false);
+    const double less = of_all - shares.explained(others[i], with_something_else);
     if (less > largest.second) largest = {i, less};
   }
   return largest;
@@ -151,9 +152,9 @@ void set_shares(const Rivals& rivals, const Shares& shares, const Shares& of_dri
   const std::vector<Columns> others = without_each(rivals, one.parts);
   const double explained = shares.explained(all, false);
   one.explained = std::clamp(explained / excess, 0.0, 1.0);
-  one.largest = one.parts[largest_part(of_drift, all, others).first].effect;
+  one.largest = one.parts[largest_part(of_drift, all, others, false).first].effect;
   one.mostly_something_else =
-      shares.explained(all, true) - explained > largest_part(shares, all, others).second;
+      shares.explained(all, true) - explained > largest_part(shares, all, others, true).second;
 }
 
 void add_effects(const Rivals& rivals, const SetSearch& search, const Shares& shares,

@@ -7,14 +7,16 @@ fogcomp=$(realpath "${1:?usage: diagnose.sh FOGCOMP}")
 enter_scratch
 
 # The reference paper explains the drift by temperature and the Shupe effect, which is zero in a
-# steady ramp; its own table shows an offset there.
+# steady ramp; its own table shows an offset there. Four further effects are missing, so that rivals of the rate term
+# are fair; it has to be in the answer.
 names_the_papers_effect() { # SEED
   "$fogcomp" simulate -o paper.csv --profile paper --seed "$1" >/dev/null
   "$fogcomp" fit paper.csv -o shupe.model --effects bias,bias_temperature:order=2,shupe:tau=900 >/dev/null
   "$fogcomp" diagnose shupe.model paper.csv --json >said.json
-  jq -e '.verdict == "missing_effect" and .effects == ["temperature_rate"] and .confusable == []' said.json >claim.txt
+  jq -e '[.effects[], .confusable[]] | index("temperature_rate") != null' said.json >claim.txt
 }
 share 6 8 names_the_papers_effect
+names_the_papers_effect 1
 for key in experiment candidates untestable where residual_rms_dph noise_floor_dph unexplained_fraction; do
   holds said.json "has(\"$key\")"
 done
@@ -23,12 +25,8 @@ done
 says said.txt '^(missing effect: |something is missing)'
 
 # Following the proposals brings the error near the floor, and then it stops.
-"$fogcomp" diagnose shupe.model paper.csv --max-effects 6 >ladder.txt
-sed -n '/^error ladder/,$p' ladder.txt
-added=$(grep -c '^  + ' ladder.txt)
-last=$(grep '^  + ' ladder.txt | tail -n 1 | awk '{print $NF}')
-awk -v last="$last" -v added="$added" 'BEGIN { exit !(last < 0.0275 && added >= 2 && added <= 5) }' ||
-  fail "the ladder ends at $last after $added effects"
+"$fogcomp" diagnose shupe.model paper.csv --max-effects 6 --json >ladder.json
+holds ladder.json '.last.residual_rms_dph < 0.0275 and (.commands | length) >= 2 and (.commands | length) <= 5'
 "$fogcomp" add shupe.model temperature_rate paper.csv -o better.model >/dev/null
 "$fogcomp" history better.model >said.txt
 says said.txt 'add temperature_rate'
@@ -49,7 +47,7 @@ names_no_ageing_after_a_day() { # SEED
   "$fogcomp" simulate -o day.csv "${ageing[@]}" --seed "$1" >/dev/null
   "$fogcomp" fit day.csv -o day.model --effects bias,bias_temperature,temperature_rate >/dev/null
   "$fogcomp" diagnose day.model day.csv --json >said.json
-  jq -e '.effect == null and (.verdict == "none" or .random_walk.coefficient != null)' said.json >claim.txt
+  jq -e '.effect == null and .random_walk_dph_per_rth > 0' said.json >claim.txt
 }
 names_it_after_a_soak() { # SEED
   "$fogcomp" simulate -o day.csv "${ageing[@]}" --seed "$1" >/dev/null
