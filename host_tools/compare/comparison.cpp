@@ -142,21 +142,12 @@ std::vector<double> Comparison::measured_dph() const {
 }
 
 std::vector<double> Comparison::residuals_about_bias_dph() const {
-  std::vector<double> residuals = residuals_dph();
-  for (const recording::RowRange& power_on : rows.power_ons()) {
-    double sum = 0;
-    double weight = 0;
-    for (std::size_t row = power_on.first; row < power_on.end; ++row) {
-      if (outlier[row]) continue;
-      const double of_row = rows.weights[static_cast<Eigen::Index>(row)];
-      sum += of_row * residuals[row];
-      weight += of_row;
-    }
-    if (weight == 0) continue;
-    for (std::size_t row = power_on.first; row < power_on.end; ++row)
-      residuals[row] -= sum / weight;
+  Eigen::VectorXd weights = rows.weights;
+  for (std::size_t row = 0; row < size(); ++row) {
+    if (outlier[row]) weights[static_cast<Eigen::Index>(row)] = 0;
   }
-  return residuals;
+  const Eigen::VectorXd residual = rows.about_biases(rows.drift_dph - modelled_dph, weights);
+  return {residual.begin(), residual.end()};
 }
 
 std::vector<double> Comparison::bridged(std::vector<double> values) const {

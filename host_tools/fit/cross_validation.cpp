@@ -5,21 +5,6 @@
 #include "support/least_squares.hpp"
 
 namespace fogcomp::fit {
-namespace {
-
-// The bias of a power-on that was left out is no error of a model that gives each its own.
-Eigen::VectorXd about_biases(const series::Rows& rows, Eigen::VectorXd residual,
-                             const Eigen::VectorXd& counted) {
-  for (const recording::RowRange& power_on : rows.power_ons()) {
-    const Eigen::VectorXd weights = series::of_rows(counted, power_on);
-    if (!(weights.sum() > 0)) continue;
-    auto here = series::of_rows(residual, power_on);
-    here.array() -= here.dot(weights) / weights.sum();
-  }
-  return residual;
-}
-
-}  // namespace
 
 CrossValidation::CrossValidation(const KnownRegressors& known,
                                  const std::vector<model::EffectTerm>& before,
@@ -46,8 +31,9 @@ OutOfSample CrossValidation::on(const Folds& folds) const {
   result.score.gain -= after_.log_choices() - before_.log_choices();
   const Eigen::VectorXd counted =
       noise::counted_weights(rows_, (before.rows.variance.array() > 0).select(weights_, 0));
+  // The bias of a power-on that was left out is no error of a model that gives each its own.
   const auto rms = [&](const Eigen::VectorXd& residual) {
-    return weighted_rms(run_offsets_ ? about_biases(rows_, residual, counted) : residual, counted);
+    return weighted_rms(run_offsets_ ? rows_.about_biases(residual, counted) : residual, counted);
   };
   result.rms_before_dph = rms(before.residual_dph);
   result.rms_after_dph = rms(after.residual_dph);

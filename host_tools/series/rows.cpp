@@ -57,6 +57,17 @@ std::vector<recording::RowRange> Rows::power_ons() const {
   return ranges_from(starts, static_cast<std::size_t>(size()));
 }
 
+Eigen::VectorXd Rows::about_biases(Eigen::VectorXd values, const Eigen::VectorXd& counted) const {
+  for (const recording::RowRange& power_on : power_ons()) {
+    const auto weights_here = of_rows(counted, power_on);
+    const double total = weights_here.sum();
+    if (!(total > 0)) continue;
+    auto here = of_rows(values, power_on);
+    here.array() -= here.dot(weights_here) / total;
+  }
+  return values;
+}
+
 std::size_t Rows::run_at(std::size_t row) const {
   const auto after = std::upper_bound(run_starts.begin(), run_starts.end(), row);
   return static_cast<std::size_t>(after - run_starts.begin()) - 1;

@@ -39,6 +39,8 @@ struct Rows {
   std::vector<recording::RowRange> runs() const;
   /// The rows that have one bias, by `bias_of`.
   std::vector<recording::RowRange> power_ons() const;
+  /// One value per row, less the mean of each of these; `counted`: weights, 0 for excluded rows.
+  Eigen::VectorXd about_biases(Eigen::VectorXd values, const Eigen::VectorXd& counted) const;
   /// Recording of a row, and whether the row is its first.
   std::size_t run_at(std::size_t row) const;
   bool starts_run(std::size_t row) const;
