@@ -25,7 +25,8 @@ workflow::AddRequest AddCommand::request() const {
     return std::find(words.begin(), words.end(), word.substr(0, word.find(':'))) != words.end();
   };
   auto first_run = arguments.begin() + 1;
-  if (!expression.given()) {
+  request.only_cuts = recording.cuts.given() && !expression.given() && !is_effect(*first_run);
+  if (!expression.given() && !request.only_cuts) {
     ++first_run;  // a word for an effect, even if a file has that name
     first_run = std::find_if_not(first_run, arguments.end(), is_effect);
     request.effects = {arguments.begin() + 1, first_run};

@@ -127,7 +127,9 @@ bool is_word(const Command& command, const std::string& word) {
 }
 
 bool has_replacement(const Command& command) {
-  return command.stands_for_positional != nullptr && command.stands_for_positional->given();
+  const auto& replacing = command.stand_for_positional;
+  return std::any_of(replacing.begin(), replacing.end(),
+                     [](const Option* option) { return option->given(); });
 }
 
 // "MODEL [EFFECT] RUN...": if the order is wrong, the message has the corrected line.
@@ -196,7 +198,8 @@ std::vector<Fault> absent_inputs(const Command& command) {
   std::vector<Fault> absent;
   for (std::size_t i = 0; i < command.arguments.size(); ++i) {
     const std::string& word = command.arguments[i];
-    const bool effect = !command.words.empty() && i == 1 && !has_replacement(command);
+    const bool effect =
+        !command.words.empty() && i == 1 && (!has_replacement(command) || is_word(command, word));
     std::error_code error;
     if (!reads_positionals(command) || effect || is_word(command, word) || is_standard_input(word))
       continue;

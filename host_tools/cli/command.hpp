@@ -24,10 +24,10 @@ class Command : public OptionGroup {
   const std::string& name() const { return command(); }
 
   Positionals positionals;
-  std::string purpose;                            ///< one line
-  std::string example;                            ///< a working command line
-  const Option* stands_for_positional = nullptr;  ///< an option that replaces one
-  const Option* further_models = nullptr;         ///< option for further models
+  std::string purpose;                                ///< one line
+  std::string example;                                ///< a working command line
+  std::vector<const Option*> stand_for_positional{};  ///< options each of which replaces one
+  const Option* further_models = nullptr;             ///< option for further models
   /// A required option; all missing ones are reported together.
   struct Need {
     const Option* option;

@@ -7,6 +7,7 @@
 #include "cli/watch.hpp"
 #include "findings/diagnose_findings.hpp"
 #include "findings/json.hpp"
+#include "findings/next_step_words.hpp"
 #include "model/model_file.hpp"
 #include "report/terminal.hpp"
 #include "support/input_error.hpp"
@@ -56,7 +57,9 @@ int DiagnoseCommand::run() const {
                                        options_of_noise()};
   findings::Document document =
       findings::diagnose_findings(found.ladder, loop_wanted, found.data, files);
-  document.read_with(recording.given_words());
+  std::vector<std::string> reading = recording.given_words();
+  for (const std::string& word : findings::cut_words(found.ladder.cuts())) reading.push_back(word);
+  document.read_with(reading);
   BenchInput bench{found.runs, holdouts.value(), {{arguments[0], arguments[0], {}, "", true}}};
   if (written) {
     const std::string text = model::model_text(found.ladder.model);

@@ -5,6 +5,7 @@
 #include "cli/command.hpp"
 #include "cli/effects_text.hpp"
 #include "model/catalogue.hpp"
+#include "model/effect_list.hpp"
 #include "support/json.hpp"
 
 namespace fogcomp::cli {
@@ -26,9 +27,14 @@ struct EffectsCommand : Command {
 };
 
 std::vector<const model::CatalogueEntry*> EffectsCommand::chosen_entries() const {
-  if (!arguments.empty()) return {&model::find_effect(arguments[0])};
+  if (!arguments.empty()) {
+    model::refuse_events(model::parse_effects(arguments[0]));
+    return {&model::find_effect(arguments[0])};
+  }
   std::vector<const model::CatalogueEntry*> entries;
-  for (const model::CatalogueEntry& entry : model::catalogue()) entries.push_back(&entry);
+  for (const model::CatalogueEntry& entry : model::catalogue()) {
+    if (!entry.description.event) entries.push_back(&entry);
+  }
   return entries;
 }
 

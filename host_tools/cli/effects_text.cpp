@@ -8,9 +8,7 @@
 namespace fogcomp::cli {
 namespace {
 
-std::string without_value(const model::CatalogueEntry& entry,
-                          const fog::ParameterDescription& parameter) {
-  if (entry.description.event) return "searched for";
+std::string without_value(const fog::ParameterDescription& parameter) {
   const std::string start = format("%g", parameter.default_milli / 1000.0);
   if (parameter.scale == fog::Scale::whole) return start;
   if (parameter.not_given == fog::NotGiven::identified) {
@@ -29,11 +27,11 @@ std::string without_value(const model::CatalogueEntry& entry,
   return stays + "; " + parameter.name + "=? identifies it";
 }
 
-std::string range(const model::CatalogueEntry& entry, const fog::ParameterDescription& parameter) {
+std::string range(const fog::ParameterDescription& parameter) {
   const bool lag = parameter.time == fog::Time::constant_of_rate;
   return format(
       "%g to %g%s; not given: %s%s", parameter.min_milli / 1000.0, parameter.max_milli / 1000.0,
-      model::unit_behind_number(parameter).c_str(), without_value(entry, parameter).c_str(),
+      model::unit_behind_number(parameter).c_str(), without_value(parameter).c_str(),
       lag ? "; `fit` prints the gyro's own; the board's is behind the lags of its dT/dt" : "");
 }
 
@@ -61,7 +59,7 @@ std::string entry_text(const model::CatalogueEntry& entry) {
         "time\n";
   }
   for (const auto& parameter : entry.parameters) {
-    text += format("  parameter  %s: %s\n", parameter.name, range(entry, parameter).c_str());
+    text += format("  parameter  %s: %s\n", parameter.name, range(parameter).c_str());
   }
   for (const auto& coefficient : entry.coefficients) {
     text += format("  identified %s, %s\n", coefficient.symbol, coefficient.unit);
@@ -95,7 +93,7 @@ std::string entry_markdown(const model::CatalogueEntry& entry) {
   row("example", format("`%s`", effect.example));
   row("signature", effect.signature);
   for (const auto& parameter : entry.parameters) {
-    row(format("parameter `%s`", parameter.name), range(entry, parameter));
+    row(format("parameter `%s`", parameter.name), range(parameter));
   }
   std::vector<std::string> identified;
   for (const auto& coefficient : entry.coefficients) {
@@ -187,7 +185,6 @@ Json effect_json(const model::CatalogueEntry& entry) {
       .set("source", entry.description.source)
       .set("needs", std::move(needs))
       .set("on_board", entry.description.host_only == nullptr)
-      .set("event", entry.description.event)
       .set("parameters", std::move(parameters))
       .set("coefficients", std::move(coefficients));
 }

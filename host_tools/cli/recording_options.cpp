@@ -50,6 +50,8 @@ recording::ReadOptions MaskedRecordingOptions::value(const std::vector<std::stri
     options.masks.push_back(recording::parse_mask(mask));
   }
   recording::require_masked_runs(options.masks, runs);
+  for (const std::string& cut : cuts.value()) options.cuts.push_back(recording::parse_cut(cut));
+  recording::require_cut_runs(options.cuts, runs);
   return options;
 }
 

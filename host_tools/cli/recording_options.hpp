@@ -45,13 +45,17 @@ struct RecordingOptions : OptionGroup {
 /// Additional options of the commands that fit and judge.
 struct MaskedRecordingOptions : RecordingOptions {
   using RecordingOptions::RecordingOptions;
-  /// Also throws InputError for a mask whose file is not among `runs`.
+  /// Also throws InputError for a mask or a cut whose file is not among `runs`.
   recording::ReadOptions value(const std::vector<std::string>& runs) const;
 
   Texts masks{this,
               {"mask", "FROM..TO",
                "s since power-on: what is measured there does not count; RUN:FROM..TO in one run",
                "", kRare}};
+  Texts cuts{this,
+             {"cut", "T",
+              "s since power-on: the bias begins anew there, as after a jump; RUN:T in one run", "",
+              kRare}};
 };
 
 }  // namespace fogcomp::cli

@@ -99,6 +99,17 @@ Comparison::SegmentError error_in(const Comparison& comparison, const recording:
   return error;
 }
 
+// Each part of a cut run has a bias of its own, which is no error of the model.
+void take_own_biases(const Eigen::VectorXd& counts, Comparison& comparison) {
+  series::Rows& rows = comparison.rows;
+  const Eigen::VectorXd weights = rows.weights.cwiseProduct(counts);
+  comparison.modelled_dph =
+      rows.drift_dph - rows.about_biases(rows.drift_dph - comparison.modelled_dph, weights);
+  for (Eigen::Index row = 0; row < rows.size(); ++row) {
+    if (rows.weights[row] == 0) comparison.outlier[static_cast<std::size_t>(row)] = true;
+  }
+}
+
 OutsideTraining outside_training(const model::Model& model, const series::Rows& rows) {
   TrainedRange range(model, rows.row_s);
   const std::vector<double> rates = rows.temperature_rates_degc_per_min();
@@ -174,6 +185,7 @@ Comparison compare_with(const model::Model& model, const runs::Run& run, double 
   comparison.modelled_dph = std::move(modelled.drift_dph);
   const Eigen::VectorXd counts = noise::counted_rows(comparison.rows);
   for (const double count : counts) comparison.outlier.push_back(count == 0);
+  if (!comparison.rows.cut_rows.empty()) take_own_biases(counts, comparison);
   comparison.outliers = static_cast<std::size_t>((counts.array() == 0).count());
   const recording::RowRange all{0, comparison.size()};
   for (const recording::Segment& segment :

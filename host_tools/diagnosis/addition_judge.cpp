@@ -16,6 +16,7 @@ namespace fogcomp::diagnosis {
 namespace {
 
 fit::EffectChange change_of(const AdditionRequest& request, const model::Model& model) {
+  if (!request.cuts.empty()) return fit::change_cuts(model.terms, request.cuts);
   return request.expression.empty() ? fit::change_effects(model.terms, request.effects)
                                     : fit::change_expression(model.terms, request.expression);
 }
@@ -40,6 +41,7 @@ std::vector<std::string> AdditionRequest::names() const {
   std::vector<std::string> names;
   for (const std::string& effect : effects) names.push_back(effect.substr(0, effect.find(':')));
   if (!expression.empty()) names.push_back(expression.substr(0, expression.find(' ')));
+  if (!cuts.empty()) names.emplace_back(kBiasStep);
   return names;
 }
 
@@ -53,12 +55,20 @@ fit::Addition try_to_add(const model::Model& model, const AdditionRequest& reque
 }
 
 AdditionJudge::AdditionJudge(const model::Model& model, const runs::Runs& runs, bool run_offsets)
-    : runs_(runs), bias_of_(run_offsets ? series::BiasOf::power_on : series::BiasOf::recording) {
+    : runs_(&runs), bias_of_(run_offsets ? series::BiasOf::power_on : series::BiasOf::recording) {
   go_on_from(model);
 }
 
 void AdditionJudge::share_bias(series::BiasOf of) {
   bias_of_ = of;
+  refitted_.reset();
+  failure_.clear();
+}
+
+void AdditionJudge::go_on_with(runs::Runs runs) {
+  cut_runs_ = std::move(runs);
+  runs_ = &*cut_runs_;
+  series_.reset();
   refitted_.reset();
   failure_.clear();
 }
@@ -75,7 +85,7 @@ void AdditionJudge::prepare() {
   try {
     fit::AddSettings settings;
     settings.run_offsets = has_own_biases();
-    refitted_ = fit::refitted(model_, runs_, settings, series_);
+    refitted_ = fit::refitted(model_, *runs_, settings, series_);
     series_ = refitted_->series;
   } catch (const InputError& error) {
     failure_ = error.what();
@@ -84,8 +94,11 @@ void AdditionJudge::prepare() {
 
 TriedAddition AdditionJudge::operator()(AdditionRequest request) {
   std::optional<fit::Addition> addition;
-  TriedAddition trial = tried(std::move(request), addition);
-  take_model(addition, trial);
+  std::optional<runs::Runs> cut;
+  if (!request.cuts.empty()) cut = runs_->with(request.cuts);
+  const runs::Runs& runs = cut ? *cut : *runs_;
+  TriedAddition trial = tried(std::move(request), runs, addition);
+  take_model(runs, addition, trial);
   return trial;
 }
 
@@ -99,7 +112,7 @@ bool AdditionJudge::may_help(const AdditionRequest& request) {
   return gain >= fit::rules::kVisible * fit::rules::kVisible;
 }
 
-TriedAddition AdditionJudge::tried(AdditionRequest request,
+TriedAddition AdditionJudge::tried(AdditionRequest request, const runs::Runs& runs,
                                    std::optional<fit::Addition>& addition) {
   prepare();
   TriedAddition trial;
@@ -108,7 +121,7 @@ TriedAddition AdditionJudge::tried(AdditionRequest request,
   trial.reason = failure_;
   if (!refitted_) return trial;
   try {
-    addition = judged(model_, trial.request, runs_, &*refitted_);
+    addition = judged(model_, trial.request, runs, &*refitted_);
     trial.accepted = addition->accepted;
     trial.reason = addition->reason;
     trial.fails_far = std::any_of(addition->far.begin(), addition->far.end(),
@@ -154,10 +167,11 @@ std::string AdditionJudge::objection_of_biases(const fit::Addition& addition) co
 }
 
 // The model's own rows may not show what those of the verdict do.
-void AdditionJudge::take_model(std::optional<fit::Addition>& addition, TriedAddition& trial) const {
+void AdditionJudge::take_model(const runs::Runs& runs, std::optional<fit::Addition>& addition,
+                               TriedAddition& trial) const {
   if (!trial.accepted) return;
   try {
-    fit::take_own_rows(model_, change_of(trial.request, model_), runs_, settings_of(trial.request),
+    fit::take_own_rows(model_, change_of(trial.request, model_), runs, settings_of(trial.request),
                        *addition);
     trial.model = std::move(addition->model);
   } catch (const InputError& error) {

@@ -10,16 +10,20 @@
 
 namespace fogcomp::diagnosis {
 
-/// Argument of `add`: effects, or an expression.
+/// Argument of `add`: effects, an expression, or cuts of the runs.
 struct AdditionRequest {
   std::vector<std::string> effects;  ///< as fit::change_effects() takes them; or else
-  std::string expression;            ///< `NAME = EXPRESSION`
+  std::string expression;            ///< `NAME = EXPRESSION`; or else cuts
   bool run_offsets = false;          ///< with a bias of its own for each power-on
   bool refines = false;  ///< frees what the formulas of the model's own effects leave out
+  std::vector<recording::Cut> cuts{};  ///< for bias steps
 
   std::vector<std::string> names() const;  ///< without their parameters
   bool is_network() const;
 };
+
+/// Name of what a cut makes up for.
+constexpr const char* kBiasStep = "bias_step";
 
 /// A tested addition, judged as `add` judges it.
 struct TriedAddition {
@@ -54,12 +58,14 @@ class AdditionJudge {
   /// `runs` must outlive the judge. `run_offsets`: with a bias of its own for each power-on.
   AdditionJudge(const model::Model& model, const runs::Runs& runs, bool run_offsets);
 
-  const runs::Runs& runs() const { return runs_; }
+  const runs::Runs& runs() const { return *runs_; }
   series::BiasOf bias_of() const { return bias_of_; }
   /// What has one bias in the next trials: each power-on, or all recordings. With `all`, other
   /// recordings than those fitted must judge: rows left out of one say nothing of the others.
   void share_bias(series::BiasOf of);
 
+  /// The next trials are on these runs, of the same rows.
+  void go_on_with(runs::Runs runs);
   /// The next trials start from this model, which has the same rows and derivative.
   void go_on_from(const model::Model& model);
 
@@ -76,14 +82,17 @@ class AdditionJudge {
  private:
   bool has_own_biases() const { return bias_of_ == series::BiasOf::power_on; }
   // The verdict, without a model. `addition`: nothing if it could not be fitted.
-  TriedAddition tried(AdditionRequest request, std::optional<fit::Addition>& addition);
-  void take_model(std::optional<fit::Addition>& addition, TriedAddition& trial) const;
+  TriedAddition tried(AdditionRequest request, const runs::Runs& runs,
+                      std::optional<fit::Addition>& addition);
+  void take_model(const runs::Runs& runs, std::optional<fit::Addition>& addition,
+                  TriedAddition& trial) const;
   std::string objection_of_biases(const fit::Addition& addition) const;
 
   model::Model model_;
-  const runs::Runs& runs_;
+  std::optional<runs::Runs> cut_runs_;
+  const runs::Runs* runs_;
   series::BiasOf bias_of_;
-  std::shared_ptr<const fit::KnownRegressors> series_;  // of runs_, once it is needed
+  std::shared_ptr<const fit::KnownRegressors> series_;  // of the runs, once it is needed
   std::optional<fit::RefittedModel> refitted_;
   std::string failure_;  // why there is none
 };

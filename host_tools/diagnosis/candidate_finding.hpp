@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnosis/evidence_space.hpp"
+#include "recording/cut.hpp"
 
 namespace fogcomp::diagnosis {
 
@@ -19,6 +21,7 @@ struct CandidateFinding {
   double probability = 0;                   ///< that this effect is among those that are missing
   double lead = 0;                          ///< that it is the largest of them
   double visible_from_dph = 0;              ///< rms over the rows: these would have shown it
+  std::optional<recording::Cut> cut{};      ///< of a bias step: where the bias would begin anew
 
   const model::EffectTerm& term() const { return completed.back(); }
   bool is_expression() const { return term().expression.has_value(); }

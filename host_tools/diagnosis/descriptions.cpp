@@ -27,7 +27,6 @@ std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
   const auto own = std::find_if(diagnosis.terms.begin(), diagnosis.terms.end(),
                                 [&](const model::EffectTerm& term) { return term.name == effect; });
   if (own == diagnosis.terms.end() || finding == nullptr) return effect;
-  if (model::is_event(*own)) return effect;  // one more event
   const model::CatalogueEntry& entry = model::find_effect(effect);
   for (std::size_t i = 0; i < entry.parameters.size(); ++i) {
     const double found = finding->term().parameters[i].value;
@@ -117,6 +116,11 @@ std::optional<AdditionRequest> request_of(const Diagnosis& diagnosis,
   AdditionRequest request;
   for (const std::string& effect : effects) {
     const CandidateFinding* const finding = diagnosis.find(effect);
+    if (finding != nullptr && finding->cut) {
+      if (effects.size() > 1) return std::nullopt;
+      request.cuts = {*finding->cut};
+      continue;
+    }
     if (finding == nullptr || !finding->is_expression()) {
       request.effects.push_back(to_add(diagnosis, effect));
       continue;

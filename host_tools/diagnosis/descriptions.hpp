@@ -43,8 +43,8 @@ std::vector<std::string> first_events(const Diagnosis& diagnosis,
 /// that needs none may be the truth.
 bool needs_event(const Diagnosis& diagnosis);
 
-/// The request for `add`; nothing for an expression together with others: `add` takes effects, or
-/// one expression.
+/// The request for `add`; nothing for an expression or a bias step together with others: `add`
+/// takes effects, one expression, or cuts.
 std::optional<AdditionRequest> request_of(const Diagnosis& diagnosis,
                                           const std::vector<std::string>& effects);
 
@@ -54,7 +54,7 @@ std::vector<Description> certain_ones(const Diagnosis& diagnosis,
 
 /// Sets of effects, most probable first, but for `named`, which was refused. A walk is no reason to
 /// leave out sets with it: beside more of what is missing there may be nothing left for a walk to
-/// explain. Events are added one at a time and found anew by each fit: a set with one is given
+/// explain. Events are added one at a time, as cuts: a set with one is given
 /// without it if two effects are left (single ones are tried where they help clearly), and not
 /// beside an effect that is a certain part, which comes first.
 std::vector<Description> sets_of_effects(const Diagnosis& diagnosis,

@@ -160,6 +160,9 @@ void look_for_causes(const model::Model& model, const DiagnosisData& data,
   diagnosis.variables = std::move(place.variables);
   diagnosis.segments = std::move(place.segments);
   judge(evidence, series, fit, diagnosis);
+  for (CandidateFinding& finding : diagnosis.candidates) {
+    if (model::is_event(finding.term())) finding.cut = data.cut_at(finding.term());
+  }
   if (model.network.present()) {
     diagnosis.network =
         ask_network(model.network, series, evidence.candidates,

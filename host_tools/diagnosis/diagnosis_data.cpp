@@ -13,7 +13,7 @@ namespace fogcomp::diagnosis {
 
 DiagnosisData::DiagnosisData(const model::Model& model, const std::vector<runs::Run>& runs,
                              std::vector<model::EffectTerm> offered)
-    : series_(model, series::Phase::zero), offered_(std::move(offered)) {
+    : model_(model), series_(model, series::Phase::zero), offered_(std::move(offered)) {
   series_.share_bias(series::BiasOf::recording);
   const series::Rows& rows = series_.rows();
   double square = 0;
@@ -41,6 +41,20 @@ DiagnosisData DiagnosisData::with_offered(const std::vector<model::EffectTerm>& 
   DiagnosisData data = *this;
   data.offered_.insert(data.offered_.end(), more.begin(), more.end());
   return data;
+}
+
+DiagnosisData DiagnosisData::with_runs(const std::vector<runs::Run>& runs) const {
+  DiagnosisData data(model_, runs, offered_);
+  data.series_.share_bias(series_.rows().bias_of);
+  return data;
+}
+
+// A step begins with a row.
+recording::Cut DiagnosisData::cut_at(const model::EffectTerm& step) const {
+  const series::Rows& rows = series_.rows();
+  const bool is_only_run = rows.run_starts.size() == 1;
+  return {is_only_run || !step.recording ? "" : known_.file_with(*step.recording),
+          std::round(step.parameters[0].value - rows.row_s / 2)};
 }
 
 DiagnosisData DiagnosisData::with_bias_of(series::BiasOf of) const {

@@ -7,6 +7,7 @@
 
 #include "model/model.hpp"
 #include "noise/noise_model.hpp"
+#include "recording/cut.hpp"
 #include "recording/data_hash.hpp"
 #include "recording/recording.hpp"
 #include "runs/run.hpp"
@@ -26,6 +27,10 @@ class DiagnosisData {
 
   /// The same runs with further expressions, whose inputs they must have.
   DiagnosisData with_offered(const std::vector<model::EffectTerm>& more) const;
+  /// These runs instead, with more cuts.
+  DiagnosisData with_runs(const std::vector<runs::Run>& runs) const;
+  /// Where the bias would begin anew for a bias step of the candidates.
+  recording::Cut cut_at(const model::EffectTerm& step) const;
   /// The same runs with another part of them having one bias.
   DiagnosisData with_bias_of(series::BiasOf of) const;
 
@@ -38,6 +43,7 @@ class DiagnosisData {
   std::optional<double> noise_floor_dph() const { return noise_floor_dph_; }
 
  private:
+  model::Model model_;
   series::SignalSeries series_;
   std::vector<model::EffectTerm> offered_;
   std::vector<recording::Segment> segments_;

@@ -16,8 +16,11 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 
 Ladder::Step step_of(const NextStep& next, const Diagnosis& before) {
   Ladder::Step step{*next.addition, next.describes, {}};
-  if (before.verdict != Verdict::ambiguous) return step;
   const std::vector<std::string> names = step.addition.request.names();
+  const bool is_rival = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return holds(before.confusable, name);
+  });
+  if (before.verdict != Verdict::ambiguous || !is_rival) return step;
   for (const std::string& rival : before.confusable) {
     if (!holds(names, rival)) step.alternatives.push_back(rival);
   }
@@ -135,6 +138,15 @@ std::vector<std::string> Ladder::names(bool described) const {
   return all;
 }
 
+std::vector<recording::Cut> Ladder::cuts() const {
+  std::vector<recording::Cut> all;
+  for (const Step& step : steps) {
+    const std::vector<recording::Cut>& own = step.addition.request.cuts;
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
 Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
                           const runs::Runs& runs, int max_steps,
                           const DiagnosisSettings& settings) {
@@ -148,7 +160,8 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
   Ladder ladder;
   ladder.model = model;
   AdditionJudge judge(model, runs, settings.run_offsets);
-  Look look = look_at(model, data, judge, each, Wanted::next_step);
+  DiagnosisData seen = data;
+  Look look = look_at(model, seen, judge, each, Wanted::next_step);
   ladder.first = std::move(look.diagnosis);
   ladder.next = std::move(look.next);
   ladder.last = ladder.first;
@@ -158,9 +171,13 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
     const TriedAddition& addition = ladder.steps.back().addition;
     const bool is_network = addition.request.is_network();
     if (!addition.request.refines) ++added;
-    ladder.model = with_network(ladder.model, addition, runs);
+    if (!addition.request.cuts.empty()) {
+      judge.go_on_with(judge.runs().with(addition.request.cuts));
+      seen = seen.with_runs(judge.runs().training);
+    }
+    ladder.model = with_network(ladder.model, addition, judge.runs());
     ladder.is_cut_off = !is_network && added == max_steps;
-    look = look_at(ladder.model, data, judge, each,
+    look = look_at(ladder.model, seen, judge, each,
                    is_network          ? Wanted::diagnosis
                    : ladder.is_cut_off ? Wanted::refinement
                                        : Wanted::next_step);

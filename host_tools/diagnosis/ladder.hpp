@@ -27,6 +27,8 @@ struct Ladder {
   bool is_cut_off = false;  ///< no more may be added: last_next was not looked for
   model::Model model;       ///< at the end, as the commands `add` of the steps make it
 
+  /// Cuts that were added.
+  std::vector<recording::Cut> cuts() const;
   /// Names of the additions in their order, each once: added() were named as missing, described()
   /// only describe the residual.
   std::vector<std::string> added() const { return names(false); }

@@ -15,7 +15,7 @@ judge::Rows rows_with_nuisances(const EvidenceSpace& evidence, const series::Row
   const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, rows.row_s);
   const Eigen::Index terms = columns.empty() ? 0 : columns.back().first + columns.back().count;
   judge::Rows judged = fit::judged_rows(rows, fit, {terms, fit.linear() - terms});
-  const std::vector<recording::RowRange> power_ons = rows.power_ons();
+  const std::vector<recording::RowRange> power_ons = rows.bias_ranges();
   if (power_ons.size() > 1) judged.power_ons = power_ons;
   const Eigen::MatrixXd& inexact = evidence.residualizer.inexact();
   judged.columns = side_by_side({judged.columns, inexact}, rows.size());

@@ -9,7 +9,7 @@
 #include "diagnosis/decision_rules.hpp"
 #include "fit/decision_rules.hpp"
 #include "fit/predict.hpp"
-#include "noise/change_points.hpp"
+#include "noise/gradual_change.hpp"
 #include "support/least_squares.hpp"
 #include "support/parallel.hpp"
 

@@ -1,7 +1,7 @@
 #include "findings/add_findings.hpp"
 
-#include "findings/bias_step_words.hpp"
 #include "findings/figures.hpp"
+#include "findings/fit_findings.hpp"
 #include "findings/network_words.hpp"
 #include "findings/run_plots.hpp"
 #include "findings/run_section.hpp"
@@ -98,14 +98,6 @@ void add_run(Document& document, const fit::Addition::RunError& run, const std::
 
 }  // namespace
 
-std::vector<std::string> step_files(const fit::Addition& addition) {
-  std::vector<std::string> files;
-  for (const fit::FoundStep& step : addition.fit.identified.steps) {
-    files.push_back(addition.runs.at(step.run).file);
-  }
-  return files;
-}
-
 Document add_findings(const fit::Addition& addition, const std::string& model,
                       const std::string& written) {
   model::Model changed;
@@ -117,7 +109,8 @@ Document add_findings(const fit::Addition& addition, const std::string& model,
     if (!run.holdout) runs.insert(runs.end(), run.before.files.begin(), run.before.files.end());
   }
   Document document(
-      "fogcomp add " + model + " " + join(addition.names(), " ") + " " + join(runs, " "),
+      "fogcomp add " + model + " " +
+          (addition.cuts.empty() ? join(addition.names(), " ") + " " : "") + join(runs, " "),
       words(std::string(addition.accepted ? "accepted: " : "refused: ") + addition.reason, names));
   if (written.empty()) {
     document.next("nothing was written; ask what else it could be", diagnose_command(model, runs));
@@ -133,9 +126,7 @@ Document add_findings(const fit::Addition& addition, const std::string& model,
   for (const std::string& warning : addition.fit.identified.warnings) {
     document.sentence("note: " + words(warning, names));
   }
-  for (Text& step : bias_steps_words(addition.model, step_files(addition))) {
-    document.sentence(std::move(step));
-  }
+  for (Text& bias : own_bias_words(addition.fit.identified)) document.sentence(std::move(bias));
   if (addition.fit.network_judged) document.sentence(words(network_verdict(addition.fit)));
   if (!addition.parts.empty()) add_parts(document, addition);
   if (!changed.terms.empty()) document.listing(model::describe(changed));

@@ -13,7 +13,4 @@ namespace fogcomp::findings {
 Document add_findings(const fit::Addition& addition, const std::string& model,
                       const std::string& written);
 
-/// The recording of each bias step that the fit of an addition found, in their order.
-std::vector<std::string> step_files(const fit::Addition& addition);
-
 }  // namespace fogcomp::findings

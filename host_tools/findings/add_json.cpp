@@ -1,5 +1,4 @@
 #include "findings/add_findings.hpp"
-#include "findings/bias_step_words.hpp"
 #include "findings/json.hpp"
 #include "findings/network_words.hpp"
 
@@ -60,10 +59,14 @@ Json runs_json(const std::vector<fit::Addition::RunError>& runs) {
 
 }  // namespace
 
+Json cuts_json(const std::vector<recording::Cut>& cuts) {
+  return json_array(cuts, [](const recording::Cut& cut) { return Json(cut_text(cut)); });
+}
+
 Json add_json(const fit::Addition& addition, const std::string& written) {
-  const bool is_network = addition.changed.empty();
+  const bool is_effect = !addition.changed.empty();
   const model::EffectTerm term =
-      is_network ? model::EffectTerm() : addition.model.terms[addition.changed.front()];
+      is_effect ? addition.model.terms[addition.changed.front()] : model::EffectTerm();
   const std::optional<fit::OutOfSample>& judged = addition.out_of_sample;
   Json notes = addition.fit.identified.warnings;
   if (addition.fit.training && !addition.model.network.present()) {
@@ -85,9 +88,9 @@ Json add_json(const fit::Addition& addition, const std::string& written) {
                                return judged_json(one).set("how", one.how);
                              }))
       .set("runs", runs_json(addition.runs))
-      .set("steps", bias_steps_json(addition.model, step_files(addition)))
-      .set("parameters", is_network ? Json::object() : parameters_json(term))
-      .set("coefficients", is_network ? Json::object() : coefficients_json(term))
+      .set("cuts", cuts_json(addition.cuts))
+      .set("parameters", is_effect ? parameters_json(term) : Json::object())
+      .set("coefficients", is_effect ? coefficients_json(term) : Json::object())
       .set("notes", std::move(notes))
       .set("model", written.empty() ? Json() : Json(written));
   return result;

@@ -353,7 +353,7 @@ Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
   add_candidates(document, diagnosis);
   add_visible(document, diagnosis);
   add_untestable(document, diagnosis);
-  if (loop_wanted) add_ladder(document, ladder, data, files, names);
+  if (loop_wanted) add_ladder(document, ladder, files, names);
   add_where(document, diagnosis, data, files.runs);
   const std::vector<recording::RowRange> ranges = data.series().rows().runs();
   for (std::size_t i = 0; i < ranges.size(); ++i) {

@@ -1,4 +1,3 @@
-#include "findings/bias_step_words.hpp"
 #include "findings/diagnosis_words.hpp"
 #include "findings/json.hpp"
 #include "support/text.hpp"
@@ -194,6 +193,7 @@ Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files) {
     return Json::object()
         .set("effects", tried.request.effects)
         .set("expression", expression_json(tried.request))
+        .set("cuts", cuts_json(tried.request.cuts))
         .set("describes", step.describes)
         .set("alternatives", step.alternatives)
         .set("rms_before_dph", tried.fitted_before_dph)
@@ -208,7 +208,6 @@ Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files) {
   Json result = diagnosis_json(ladder.first, ladder.next, files);
   result.set("added", ladder.added()).set("described", ladder.described());
   result.set("ladder", std::move(steps));
-  result.set("bias_steps", bias_steps_json(ladder.model));
   result.set("commands", ladder_commands(ladder, files));
   result.set("model", files.output.empty() ? Json() : Json(files.output));
   diagnosis::NextStep nothing_holds;

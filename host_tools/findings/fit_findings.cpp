@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "findings/bias_step_words.hpp"
 #include "findings/compare_words.hpp"
 #include "findings/figures.hpp"
 #include "findings/history_findings.hpp"
@@ -20,7 +19,7 @@ using workflow::FitOutcome;
 Text found(const FitOutcome& fit) {
   const bool has_own_biases = !fit.result.identified.run_offsets_dph.empty();
   Text text = "the model leaves " + number(fit.model.residual_rms_dph) + " deg/h rms" +
-              (has_own_biases ? " beside a bias for each power-on" : "") + ", a constant alone " +
+              (has_own_biases ? " beside biases of their own" : "") + ", a constant alone " +
               number(fit.result.raw_std_dph);
   if (const auto floor = fit.model.history.back().noise_floor_dph) {
     text += "; noise alone would leave " + number(*floor);
@@ -57,14 +56,10 @@ void add_rows(Document& document, const FitOutcome& fit) {
                     : "")));
 }
 
-void add_steps(Document& document, const FitOutcome& fit) {
-  const fit::Identification& identified = fit.result.identified;
-  for (Text& step : bias_steps_words(fit.model, fit.step_places))
-    document.sentence(std::move(step));
-  if (identified.masked > 0) {
-    document.sentence(words(counted(identified.masked, "row") + " left out, in which a step lies"));
-  }
-  if (const std::string none = no_step_words(fit); !none.empty()) document.sentence(words(none));
+void add_cuts(Document& document, const FitOutcome& fit) {
+  const std::size_t masked = fit.result.identified.masked;
+  if (masked == 0) return;
+  document.sentence(words(counted(masked, "row") + " left out, next to a cut"));
 }
 
 // Change from one power-on to the next, which a model of a board cannot predict.
@@ -79,8 +74,9 @@ void add_turn_on(Document& document, const FitOutcome& fit) {
     return;
   }
   document.sentence(
-      words(format("each power-on has a bias of its own here (one sigma %.2g deg/h), so that the "
-                   "effects do not make up for it; a board has their mean",
+      words(format("each power-on, and each part of a cut run, has a bias of its own here (one "
+                   "sigma %.2g deg/h), so that the effects do not make up for it; a board has the "
+                   "mean of those with which the power-ons end",
                    fit.result.identified.turn_on_repeatability_dph)));
 }
 
@@ -99,10 +95,7 @@ void add_model(Document& document, const FitOutcome& fit) {
         verbatim(fit.model.terms[i].name) +
         words(format(" would show from a peak of %.2g deg/h on", identified.visible_dph[i])));
   }
-  for (std::size_t i = 0; i < identified.run_offsets_dph.size(); ++i) {
-    document.sentence(words(format("power-on %zu lies %s deg/h from the first", i + 2,
-                                   signed_rounded(identified.run_offsets_dph[i]).c_str())));
-  }
+  for (Text& bias : own_bias_words(identified)) document.sentence(std::move(bias));
   for (const std::string& warning : identified.warnings) {
     document.sentence(words("note: " + warning));
   }
@@ -123,10 +116,13 @@ void add_ladder(Document& document, const FitOutcome& fit) {
 
 }  // namespace
 
-std::string no_step_words(const FitOutcome& fit) {
-  if (!fit.searched_steps || !fit.result.identified.steps.empty()) return "";
-  return format("no bias step stands out of the noise (chi^2 above %.0f)",
-                fit::rules::kMinStepChiSquare);
+std::vector<Text> own_bias_words(const fit::Identification& identified) {
+  std::vector<Text> sentences;
+  for (std::size_t i = 0; i < identified.run_offsets_dph.size(); ++i) {
+    sentences.push_back(words(format("bias %zu lies %s deg/h from the first", i + 2,
+                                     signed_rounded(identified.run_offsets_dph[i]).c_str())));
+  }
+  return sentences;
 }
 
 Document fit_findings(const FitOutcome& fit, const compare::ModelOnRuns& model) {
@@ -139,7 +135,7 @@ Document fit_findings(const FitOutcome& fit, const compare::ModelOnRuns& model) 
         "fitted to");
   }
   add_rows(document, fit);
-  add_steps(document, fit);
+  add_cuts(document, fit);
   add_turn_on(document, fit);
   add_model(document, fit);
   add_ladder(document, fit);

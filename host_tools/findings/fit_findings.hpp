@@ -9,7 +9,7 @@ namespace fogcomp::findings {
 /// Findings of `fogcomp fit`. `model`: its FitOutcome::on_its_runs().
 Document fit_findings(const workflow::FitOutcome& fit, const compare::ModelOnRuns& model);
 
-/// What a fit that looked for bias steps and found none says of them, else "".
-std::string no_step_words(const workflow::FitOutcome& fit);
+/// One sentence for each bias but the first, where power-ons and parts of cut runs have their own.
+std::vector<Text> own_bias_words(const fit::Identification& identified);
 
 }  // namespace fogcomp::findings

@@ -1,4 +1,3 @@
-#include "findings/bias_step_words.hpp"
 #include "findings/json.hpp"
 #include "findings/network_words.hpp"
 
@@ -53,8 +52,7 @@ Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
       better
           ? Json::object().set("tau_s", better->tau_s).set("delay_rms_dph", better->delay_rms_dph)
           : Json());
-  result.set("steps", bias_steps_json(fit.model, fit.step_places))
-      .set("masked_rows", identified.masked);
+  result.set("masked_rows", identified.masked);
   result.set("effects", terms_json(fit.model));
   result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));
   const std::optional<double> determined = fit.determined_weights();

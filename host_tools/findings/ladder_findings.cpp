@@ -1,6 +1,5 @@
 #include "findings/ladder_findings.hpp"
 
-#include "findings/bias_step_words.hpp"
 #include "findings/diagnosis_words.hpp"
 #include "findings/figures.hpp"
 #include "findings/next_export.hpp"
@@ -9,16 +8,6 @@
 
 namespace fogcomp::findings {
 namespace {
-
-// File of the recording in which a step was found; "" where there is only one.
-std::string file_of(const model::EffectTerm& step, const diagnosis::DiagnosisData& data,
-                    const std::vector<std::string>& runs) {
-  const std::vector<recording::RowRange> ranges = data.series().rows().runs();
-  for (std::size_t i = 0; i < ranges.size() && ranges.size() > 1; ++i) {
-    if (data.series().recording_of(ranges[i].first) == step.recording) return runs[i];
-  }
-  return "";
-}
 
 // The same diagnosis of the selection's model, with the expressions that are not yet in it.
 std::vector<std::string> go_on_command(const diagnosis::Ladder& ladder,
@@ -39,8 +28,7 @@ std::vector<std::string> go_on_command(const diagnosis::Ladder& ladder,
 
 }  // namespace
 
-void add_ladder(Document& document, const diagnosis::Ladder& ladder,
-                const diagnosis::DiagnosisData& data, const DiagnosedFiles& files,
+void add_ladder(Document& document, const diagnosis::Ladder& ladder, const DiagnosedFiles& files,
                 const std::vector<std::string>& names) {
   document.heading("Error ladder");
   Table table;
@@ -62,9 +50,6 @@ void add_ladder(Document& document, const diagnosis::Ladder& ladder,
   document.table(std::move(table));
   document.sentence(words(end_words(ladder), names));
   if (ladder.steps.empty()) return;
-  for (const model::EffectTerm& step : found_steps(ladder.model)) {
-    document.sentence(bias_step_words(step, file_of(step, data, files.runs)));
-  }
   if (const auto& uncertain = ladder.model.uncertain) {
     document.sentence(words(uncertain->words()));
   }

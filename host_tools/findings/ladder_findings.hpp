@@ -12,8 +12,7 @@ namespace fogcomp::findings {
 
 /// The stepwise selection: what each step left, why it ended, and the commands that make its model.
 /// `names`: from outside, within our own words.
-void add_ladder(Document& document, const diagnosis::Ladder& ladder,
-                const diagnosis::DiagnosisData& data, const DiagnosedFiles& files,
+void add_ladder(Document& document, const diagnosis::Ladder& ladder, const DiagnosedFiles& files,
                 const std::vector<std::string>& names);
 
 /// Proposes what to do with the model that a selection wrote to files.output, whatever its steps

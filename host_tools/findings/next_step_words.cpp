@@ -9,10 +9,21 @@ namespace fogcomp::findings {
 namespace {
 
 std::string what_is_tried(const diagnosis::AdditionRequest& request) {
-  return request.expression.empty() ? join_list(request.effects, "and") : request.expression;
+  if (request.cuts.empty()) {
+    return request.expression.empty() ? join_list(request.effects, "and") : request.expression;
+  }
+  const recording::Cut& cut = request.cuts.front();
+  return format("a jump of the bias at %.6g s", cut.at_s) +
+         (cut.run.empty() ? "" : " of " + cut.run);
 }
 
 }  // namespace
+
+std::vector<std::string> cut_words(const std::vector<recording::Cut>& cuts) {
+  std::vector<std::string> words;
+  for (const recording::Cut& cut : cuts) words.insert(words.end(), {"--cut", cut_text(cut)});
+  return words;
+}
 
 std::string add_command_line(const diagnosis::AdditionRequest& request, const std::string& model,
                              const DiagnosedFiles& files) {
@@ -26,6 +37,7 @@ std::string add_command_line(const diagnosis::AdditionRequest& request, const st
     line.insert(line.end(), {"--holdout", holdout});
   }
   line.insert(line.end(), files.reading.begin(), files.reading.end());
+  for (const std::string& word : cut_words(request.cuts)) line.push_back(word);
   if (request.run_offsets) line.emplace_back("--run-offsets");
   line.insert(line.end(), {"-o", files.output.empty() ? "NEW.model" : files.output});
   return shell_words(line);
@@ -112,9 +124,12 @@ std::vector<std::string> ladder_commands(const diagnosis::Ladder& ladder,
                                          const DiagnosedFiles& files) {
   std::vector<std::string> lines;
   std::string model = files.model;
+  DiagnosedFiles read = files;
   for (const diagnosis::Ladder::Step& step : ladder.steps) {
-    lines.push_back(add_command_line(step.addition.request, model, files));
+    lines.push_back(add_command_line(step.addition.request, model, read));
     model = files.output.empty() ? "NEW.model" : files.output;
+    for (const std::string& word : cut_words(step.addition.request.cuts))
+      read.reading.push_back(word);
   }
   return lines;
 }

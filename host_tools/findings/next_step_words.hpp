@@ -19,6 +19,9 @@ struct DiagnosedFiles {
   std::vector<std::string> options{};  ///< of the diagnosis itself, for another one like it
 };
 
+/// The options that make these cuts.
+std::vector<std::string> cut_words(const std::vector<recording::Cut>& cuts);
+
 /// The command line for the requested addition to `model`.
 std::string add_command_line(const diagnosis::AdditionRequest& request, const std::string& model,
                              const DiagnosedFiles& files);

@@ -14,32 +14,36 @@ namespace {
 
 // A model without and with a change, fitted in rows of its average_s.
 struct Refits {
+  std::shared_ptr<const KnownRegressors> series_before;
   std::shared_ptr<const KnownRegressors> series;
   model::Model before;
   Addition after;
 };
 
-// That of the refitted model, if `model` can be fitted to it.
-std::shared_ptr<const KnownRegressors> series_for(const model::Model& model,
-                                                  const std::vector<runs::Run>& training,
-                                                  const RefittedModel* before) {
-  if (before == nullptr) return std::make_shared<KnownRegressors>(model, training);
-  for (const runs::Run& run : training) series::require_inputs(model, run.blocks);
-  return before->series;
+// Of the refitted model, if there is one.
+std::shared_ptr<const KnownRegressors> series_before(const model::Model& model,
+                                                     const EffectChange& change,
+                                                     const runs::Runs& runs,
+                                                     const RefittedModel* before) {
+  if (before != nullptr) return before->series;
+  if (change.cuts.empty()) return std::make_shared<KnownRegressors>(model, runs.training);
+  std::vector<runs::Run> uncut;
+  for (const runs::Run& run : runs.training) uncut.push_back(runs::without_cuts(run, change.cuts));
+  return std::make_shared<KnownRegressors>(model, uncut);
 }
 
-// Bias steps that are known before a fit.
-struct KnownSteps {
-  std::vector<FoundStep> before;
-  std::vector<FoundStep> after;
-};
+// The same, if the change needs no other rows and the runs have its inputs.
+std::shared_ptr<const KnownRegressors> series_after(
+    const model::Model& model, const EffectChange& change, const runs::Runs& runs,
+    const std::shared_ptr<const KnownRegressors>& before) {
+  for (const runs::Run& run : runs.training) series::require_inputs(model, run.blocks);
+  if (change.cuts.empty()) return before;
+  return std::make_shared<KnownRegressors>(model, runs.training);
+}
 
-// Refitting the model without the change is half of the work. `steps`: nullptr if they are to be
-// searched for.
-void fit_both(int network_hidden, const AddSettings& settings, const KnownSteps* steps,
-              Refits& refits) {
+// Refitting the model without the change is half of the work.
+void fit_both(int network_hidden, const AddSettings& settings, Refits& refits) {
   FitSettings fitting = fit_settings(refits.before, settings);
-  if (steps != nullptr) fitting.identify.steps = steps->before;
   double half = 0;
   fitting.network.training.go_on = [&](double done) {
     if (settings.progress) settings.progress((half + done) / 2);
@@ -48,65 +52,47 @@ void fit_both(int network_hidden, const AddSettings& settings, const KnownSteps*
   if (settings.before != nullptr) {
     refits.before = settings.before->model;
   } else {
-    fit_model(refits.before, *refits.series, fitting);
+    fit_model(refits.before, *refits.series_before, fitting);
   }
   half = 1;
-  if (steps != nullptr) fitting.identify.steps = steps->after;
   if (network_hidden > 0) fitting.network.hidden = network_hidden;
   refits.after.fit = fit_model(refits.after.model, *refits.series, fitting);
 }
 
 // Errors on all runs, the holdouts last, in the models' rows.
-void compare_on_runs(const runs::Runs& runs, const AddSettings& settings, Refits& refits) {
-  const auto compare = [&](const runs::Run& run, bool holdout) {
-    const double row_s = refits.before.average_s;
-    compare::Comparison without = compare::compare_with(refits.before, run, row_s);
+void compare_on_runs(const EffectChange& change, const runs::Runs& runs,
+                     const AddSettings& settings, Refits& refits) {
+  const double row_s = refits.before.average_s;
+  const auto compare = [&](const runs::Run& before, const runs::Run& run, bool holdout) {
+    compare::Comparison without = compare::compare_with(refits.before, before, row_s);
     compare::Comparison with = compare::compare_with(refits.after.model, run, row_s);
     refits.after.runs.push_back({run.file, holdout, without.whole.rms_dph, with.whole.rms_dph,
                                  without.noise_floor_dph, with.outside.temperature,
                                  std::move(without), std::move(with)});
   };
-  if (!settings.verdict_only) {
-    for (const runs::Run& run : runs.training) compare(run, false);
+  for (const runs::Run& run : runs.training) {
+    if (settings.verdict_only) break;
+    change.cuts.empty() ? compare(run, run, false)
+                        : compare(runs::without_cuts(run, change.cuts), run, false);
   }
-  for (const runs::Run& run : runs.holdouts) compare(run, true);
+  for (const runs::Run& run : runs.holdouts) compare(run, run, true);
   if (runs.holdouts.empty()) return;
   refits.after.whole = judge_on_holdouts(refits.before, refits.after.model, runs.holdouts,
                                          refits.after.fit.identified.noise, settings.run_offsets);
 }
 
-// Every fit searches for steps anew and moves them behind all other terms. Returns their places;
-// there must be one more than `before` has.
-std::vector<std::size_t> places_of_steps(const std::string& name, const model::Model& before,
-                                         const Addition& after) {
-  const std::vector<FoundStep>& steps = after.fit.identified.steps;
-  const auto has_name = [&](const model::EffectTerm& term) { return term.name == name; };
-  const auto known = std::count_if(before.terms.begin(), before.terms.end(), has_name);
-  if (steps.size() <= static_cast<std::size_t>(known)) {
-    throw InputError(name,
-                     "is not found: no jump of these recordings stands out of their noise and of "
-                     "changes over minutes and hours; a smaller one cannot be masked");
-  }
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < steps.size(); ++i) {
-    places.push_back(after.model.terms.size() - steps.size() + i);
-  }
-  return places;
-}
-
 // Both models, fitted to the runs.
 Refits refit(model::Model model, const EffectChange& change, const runs::Runs& runs,
-             const AddSettings& settings, const KnownSteps* steps = nullptr) {
+             const AddSettings& settings) {
   model.noise_dph_rthz = runs.noise_dph_rthz;
-  Refits refits{nullptr, model, {}};
+  Refits refits{nullptr, nullptr, model, {}};
   refits.after.model = std::move(model);
   refits.after.model.terms = change.terms;
-  refits.series = series_for(refits.after.model, runs.training, settings.before);
-  fit_both(change.network_hidden, settings, steps, refits);
-  refits.after.changed =
-      is_event(change)
-          ? places_of_steps(change.terms[change.changed.front()].name, refits.before, refits.after)
-          : places_of(change, change.changed, refits.after.model);
+  refits.series_before = series_before(refits.after.model, change, runs, settings.before);
+  refits.series = series_after(refits.after.model, change, runs, refits.series_before);
+  fit_both(change.network_hidden, settings, refits);
+  refits.after.changed = change.changed;
+  refits.after.cuts = change.cuts;
   return refits;
 }
 
@@ -121,20 +107,6 @@ void record(const EffectChange& change, const runs::Runs& runs, Refits& refits) 
   after.model.history.push_back(std::move(step));
 }
 
-// The steps of a model in these runs.
-std::vector<FoundStep> steps_of(const model::Model& model, const std::vector<runs::Run>& training) {
-  std::vector<FoundStep> steps;
-  for (const model::EffectTerm& term : model.terms) {
-    if (!searches_steps({term})) continue;
-    for (std::size_t run = 0; run < training.size(); ++run) {
-      if (training[run].blocks.recordings.front() != term.recording) continue;
-      const model::Parameter& time_s = term.parameters[0];
-      steps.push_back({run, time_s.value, time_s.sigma, 0, 0, term.others_part});
-    }
-  }
-  return steps;
-}
-
 model::Model in_rows(const model::Model& model, double row_s) {
   model::Model result = model;
   result.average_s = row_s;
@@ -144,6 +116,7 @@ model::Model in_rows(const model::Model& model, double row_s) {
 }  // namespace
 
 std::vector<std::string> Addition::names() const {
+  if (!cuts.empty()) return {kCutName};
   if (changed.empty()) return {kNetworkName};
   std::vector<std::string> names;
   for (const std::size_t i : changed) names.push_back(model.terms[i].name);
@@ -167,12 +140,14 @@ Addition judge_addition(const model::Model& model, const EffectChange& change,
                         const runs::Runs& runs, const AddSettings& settings) {
   const double row_s = runs::row_length(runs.training, model.average_s).row_s;
   Refits refits = refit(in_rows(model, row_s), change, runs, settings);
-  compare_on_runs(runs, settings, refits);
+  compare_on_runs(change, runs, settings, refits);
   Addition& after = refits.after;
   after.row_s = row_s;
   after.fitted_before_dph = refits.before.residual_rms_dph;
   after.fitted_after_dph = after.model.residual_rms_dph;
-  const FittedPair pair{model.terms, change, *refits.series, refits.before, runs, settings};
+  const FittedPair pair{
+      model.terms,   change, *refits.series, refits.series_before->series().rows(),
+      refits.before, runs,   settings};
   change.network_hidden > 0 ? judge_network(pair, after) : judge_effects(pair, after);
   decide(after);
   record(change, runs, refits);
@@ -184,10 +159,9 @@ void take_own_rows(const model::Model& model, const EffectChange& change, const 
   if (addition.row_s == model.average_s) return;
   AddSettings anew = settings;
   anew.before = nullptr;
-  const KnownSteps steps{steps_of(model, runs.training), addition.fit.identified.steps};
-  Refits refits = refit(model, change, runs, anew, &steps);
+  Refits refits = refit(model, change, runs, anew);
   static_cast<AdditionVerdict&>(refits.after) = addition;
-  compare_on_runs(runs, settings, refits);
+  compare_on_runs(change, runs, settings, refits);
   record(change, runs, refits);
   refits.after.whole = std::move(addition.whole);
   addition = std::move(refits.after);

@@ -27,13 +27,13 @@ RefittedModel refitted(const model::Model& model, const runs::Runs& runs,
 /// random walk of the bias is unlikely (rules::kMaxChanceOfWalk). The data determine the new parts:
 /// no shape at a bound or anywhere in its range, coefficients larger than their uncertainty, a
 /// drift in the soaks that is not less certain than it is large (Model::uncertain). In a set, each
-/// effect helps beside the others. An event belongs to one run: stretches of the training runs
-/// judge it, holdouts or not. A network replaces the model's own; it is compared with the effects
-/// alone.
+/// effect helps beside the others. A cut belongs to one run: stretches of the training runs judge
+/// it, holdouts or not; `runs` are cut already. A network replaces the model's own; it is compared
+/// with the effects alone.
 ///
 /// The verdict is on fits in rows of runs::row_length(), so that it does not depend on those of the
 /// model; the model that is returned is fitted in its own. Throws InputError for a run without an
-/// input of the effect, for data that cannot determine it, and for an event that is not found.
+/// input of the effect, and for data that cannot determine it.
 Addition add_effect(const model::Model& model, const EffectChange& change, const runs::Runs& runs,
                     const AddSettings& settings);
 

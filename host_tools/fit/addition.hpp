@@ -11,6 +11,7 @@
 #include "fit/fit_model.hpp"
 #include "fit/known_regressors.hpp"
 #include "fit/out_of_sample.hpp"
+#include "recording/cut.hpp"
 
 namespace fogcomp::fit {
 
@@ -73,12 +74,14 @@ struct Addition : AdditionVerdict {
     compare::Comparison before;  ///< row by row
     compare::Comparison after;
   };
-  model::Model model;                ///< as refitted, with its history
-  std::vector<std::size_t> changed;  ///< terms added or changed; empty for a network
-  FitResult fit;                     ///< of the new model
-  std::vector<RunError> runs;        ///< training runs, then holdouts
+  model::Model model;                  ///< as refitted, with its history
+  std::vector<std::size_t> changed;    ///< terms added or changed; empty for a network or cuts
+  std::vector<recording::Cut> cuts{};  ///< that were added instead
+  FitResult fit;                       ///< of the new model
+  std::vector<RunError> runs;          ///< training runs, then holdouts
 
   std::vector<std::string> names() const;  ///< of the additions and changes
+  bool is_network() const { return changed.empty() && cuts.empty(); }
 };
 
 }  // namespace fogcomp::fit

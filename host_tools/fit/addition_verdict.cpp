@@ -29,7 +29,7 @@ class Judge {
       : pair(judged),
         with_{after.fit.identified.noise, after.fit.identified.row_weights,
               judged.settings.run_offsets} {
-    if (pair.runs.holdouts.empty()) return;
+    if (pair.runs.holdouts.empty() || !pair.change.cuts.empty()) return;
     all_ = std::make_unique<KnownRegressors>(after.model, pair.runs.all());
     const series::Rows& rows = all_->series().rows();
     weights_ = rows.weights.cwiseProduct(noise::counted_rows(rows));
@@ -40,14 +40,18 @@ class Judge {
     if (!all_) return on_training_runs(before, after).on_runs_or_stretches();
     OutOfSample judged = judge_on_holdouts(without_network(before), without_network(after),
                                            pair.runs.holdouts, with_.noise, with_.run_offsets);
-    const CrossValidation validation(*all_, before.terms, after.terms,
+    const series::Rows& rows = all_->series().rows();
+    const CrossValidation validation(*all_, {before.terms, rows}, {after.terms, rows},
                                      {with_.noise, weights_, with_.run_offsets});
     judged.score =
         validation.on_rows_from(static_cast<std::size_t>(with_.row_weights.size())).score;
     return judged;
   }
   CrossValidation on_training_runs(const model::Model& before, const model::Model& after) const {
-    return {pair.known, before.terms, after.terms, with_};
+    return {pair.known,
+            {before.terms, pair.biases_before},
+            {after.terms, pair.known.series().rows()},
+            with_};
   }
 
   const FittedPair& pair;
@@ -166,38 +170,19 @@ const OutOfSample* harmed(const AdditionVerdict& verdict) {
 
 }  // namespace
 
-bool is_event(const EffectChange& change) {
-  return !change.changed.empty() && searches_steps({change.terms[change.changed.front()]});
-}
-
 FitSettings fit_settings(const model::Model& model, const AddSettings& settings) {
   FitSettings fit;
   if (model.network.present()) fit.network_inputs = model.network.inputs;
   fit.identify.run_offsets = settings.run_offsets;
-  fit.identify.max_new_steps = 1;  // one at a time: without it further steps may look larger
   fit.network.hidden = static_cast<int>(model.network.hidden.biases.size());
   fit.network.training.seed = settings.seed;
   return fit;
 }
 
-std::vector<std::size_t> places_of(const EffectChange& change,
-                                   const std::vector<std::size_t>& chosen,
-                                   const model::Model& model) {
-  std::vector<std::size_t> places;
-  for (const std::size_t i : chosen) {
-    const auto has_its_name = [&](const model::EffectTerm& term) {
-      return term.name == change.terms[i].name;
-    };
-    const auto found = std::find_if(model.terms.begin(), model.terms.end(), has_its_name);
-    places.push_back(static_cast<std::size_t>(found - model.terms.begin()));
-  }
-  return places;
-}
-
 void judge_effects(const FittedPair& pair, Addition& after) {
   const Judge judge(pair, after);
   const bool verdict_only = pair.settings.verdict_only;
-  if (!pair.runs.holdouts.empty() && !is_event(pair.change)) {
+  if (!pair.runs.holdouts.empty() && pair.change.cuts.empty()) {
     after.out_of_sample = judge(pair.before, after.model);
   } else {
     const CrossValidation validation = judge.on_training_runs(pair.before, after.model);
@@ -226,9 +211,9 @@ void decide(Addition& after) {
   after.reason = "its training was interrupted";
   if (!after.out_of_sample) return;
   const OutOfSample& judged = *after.out_of_sample;
-  const bool is_better = after.changed.empty() ? helps(judged) : judged.score.improves();
+  const bool is_better = after.is_network() ? helps(judged) : judged.score.improves();
   after.reason = format("%s out of sample: %s %s", is_better ? "helps" : "does not help",
-                        after.changed.empty() ? "it takes the residual" : "the effects alone leave",
+                        after.is_network() ? "it takes the residual" : "the effects alone leave",
                         out_of_sample_words(judged).c_str());
   if (!is_better) return;
   const auto needless = std::find_if(after.parts.begin(), after.parts.end(), is_needless);

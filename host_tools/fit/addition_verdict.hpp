@@ -8,29 +8,21 @@
 
 namespace fogcomp::fit {
 
-/// Whether the change is an event of one run, which the fit searches for.
-bool is_event(const EffectChange& change);
-
 /// Settings of every fit of an addition to `model`.
 FitSettings fit_settings(const model::Model& model, const AddSettings& settings);
-
-/// Positions in a fitted model of effects of a change, given by their positions in it. A fit moves
-/// steps behind all other terms.
-std::vector<std::size_t> places_of(const EffectChange& change,
-                                   const std::vector<std::size_t>& chosen,
-                                   const model::Model& model);
 
 /// What a verdict is based on: a model without and with a change, fitted to the same rows.
 struct FittedPair {
   const std::vector<model::EffectTerm>& given;  ///< for which the change was made
   const EffectChange& change;
-  const KnownRegressors& known;  ///< of these rows
+  const KnownRegressors& known;       ///< of these rows
+  const series::Rows& biases_before;  ///< the same rows without the cuts that are added
   const model::Model& before;
   const runs::Runs& runs;
   const AddSettings& settings;
 };
 
-/// Judges the effects alone, on data that were not fitted; an event on stretches of its run.
+/// Judges the effects alone, on data that were not fitted; cuts on stretches of their runs.
 void judge_effects(const FittedPair& pair, Addition& after);
 /// Compares with the same effects without the network: on the holdouts or, without any, by
 /// cross-validation. A network that does not help is not kept.

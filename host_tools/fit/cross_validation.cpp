@@ -1,16 +1,17 @@
 #include "fit/cross_validation.hpp"
 
 #include "fit/decision_rules.hpp"
+#include "fit/noise_weighted_fit.hpp"
 #include "noise/outlier_rows.hpp"
 #include "support/least_squares.hpp"
 
 namespace fogcomp::fit {
 
-CrossValidation::CrossValidation(const KnownRegressors& known,
-                                 const std::vector<model::EffectTerm>& before,
-                                 const std::vector<model::EffectTerm>& after,
-                                 const JudgedWith& with)
+CrossValidation::CrossValidation(const KnownRegressors& known, const JudgedEffects& before,
+                                 const JudgedEffects& after, const JudgedWith& with)
     : rows_(known.series().rows()),
+      biases_before_(before.biases),
+      biases_after_(after.biases),
       weights_(with.row_weights),
       run_offsets_(with.run_offsets),
       before_(known, before, with),
@@ -31,12 +32,13 @@ OutOfSample CrossValidation::on(const Folds& folds) const {
   result.score.gain -= after_.log_choices() - before_.log_choices();
   const Eigen::VectorXd counted =
       noise::counted_weights(rows_, (before.rows.variance.array() > 0).select(weights_, 0));
-  // The bias of a power-on that was left out is no error of a model that gives each its own.
-  const auto rms = [&](const Eigen::VectorXd& residual) {
-    return weighted_rms(run_offsets_ ? rows_.about_biases(residual, counted) : residual, counted);
+  // A bias that was left out is no error of a model that gives each range its own.
+  const auto rms = [&](const Eigen::VectorXd& residual, const series::Rows& biases) {
+    const bool own = has_own_biases(biases, run_offsets_);
+    return weighted_rms(own ? biases.about_biases(residual, counted) : residual, counted);
   };
-  result.rms_before_dph = rms(before.residual_dph);
-  result.rms_after_dph = rms(after.residual_dph);
+  result.rms_before_dph = rms(before.residual_dph, biases_before_);
+  result.rms_after_dph = rms(after.residual_dph, biases_after_);
   return result;
 }
 

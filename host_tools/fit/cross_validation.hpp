@@ -15,8 +15,8 @@ namespace fogcomp::fit {
 class CrossValidation {
  public:
   /// `known` must outlive this.
-  CrossValidation(const KnownRegressors& known, const std::vector<model::EffectTerm>& before,
-                  const std::vector<model::EffectTerm>& after, const JudgedWith& with);
+  CrossValidation(const KnownRegressors& known, const JudgedEffects& before,
+                  const JudgedEffects& after, const JudgedWith& with);
 
   OutOfSample on(const Folds& folds) const;
   OutOfSample on(const FarPart& far) const;
@@ -29,6 +29,8 @@ class CrossValidation {
 
  private:
   const series::Rows& rows_;
+  const series::Rows& biases_before_;
+  const series::Rows& biases_after_;
   Eigen::VectorXd weights_;
   bool run_offsets_ = false;
   Foretelling before_;

@@ -35,18 +35,9 @@ constexpr double kStillDegc = 1;
 constexpr double kMinSpanOfPlaceDegc = 16;
 
 // ---- Steps of the bias ------------------------------------------------------------------------
-/// Smallest accepted chi^2 of a step. In flicker noise alone the best step has 10 to 30; 0 of 100
-/// clean runs exceeded this, and 20 of 20 steps of 5 sigma of a row did. step_search_test,
-/// tests/statistics/bias_steps_test.
-constexpr double kMinStepChiSquare = 60;
-/// The same before the noise is estimated from a fit with the step. step_search_test.
-constexpr double kWorthALook = 8;
-/// Smallest chi^2 by which the other recordings tell that their bias is not the one that a step is
-/// expected to leave, as one coefficient of noise has. bias_steps_test.
-constexpr double kMinLevelGain = 1;
 /// Largest chi^2 by which a change over minutes may explain more than a step: three standard
 /// deviations. More is slow noise, or an effect that the model lacks: a bias jumps within a row.
-/// step_search_test.
+/// step_candidates_test.
 constexpr double kMaxGradualGain = 9;
 
 // ---- Does it help out of sample? --------------------------------------------------------------

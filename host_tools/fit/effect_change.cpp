@@ -20,6 +20,7 @@ model::EffectTerm parse_one(const std::string& effect) {
   if (terms.size() != 1) {
     throw InputError("effect '" + effect + "'", "is more than one; add them one after the other");
   }
+  model::refuse_events(terms);
   return terms[0];
 }
 
@@ -77,7 +78,7 @@ EffectChange change_effect(const std::vector<model::EffectTerm>& terms, const st
   const auto old = std::find_if(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
     return term.name == added.name;
   });
-  if (old == terms.end() || model::is_event(added)) {  // several events are allowed
+  if (old == terms.end()) {
     change.changed = {terms.size()};
     change.terms.push_back(added);
     return change;
@@ -117,11 +118,6 @@ EffectChange change_effects(const std::vector<model::EffectTerm>& terms,
     }
     const EffectChange one = change_effect(all.terms, effect);
     const std::size_t place = one.changed.front();
-    if (effects.size() > 1 && model::is_event(one.terms[place])) {
-      throw InputError("effect '" + effect + "'",
-                       "is an event of one recording, which no other recording can confirm; add it "
-                       "by itself, then the others");
-    }
     if (std::find(all.changed.begin(), all.changed.end(), place) != all.changed.end()) {
       throw InputError("effect '" + effect + "'", "is named twice; name it once");
     }
@@ -130,6 +126,13 @@ EffectChange change_effects(const std::vector<model::EffectTerm>& terms,
     all.what += (all.what.empty() ? "" : ", ") + effect;
   }
   return all;
+}
+
+EffectChange change_cuts(const std::vector<model::EffectTerm>& terms,
+                         const std::vector<recording::Cut>& cuts) {
+  std::vector<std::string> words;
+  for (const recording::Cut& cut : cuts) words.push_back("--cut " + cut_text(cut));
+  return {terms, {}, join(words, " "), 0, cuts};
 }
 
 EffectChange change_expression(const std::vector<model::EffectTerm>& terms,

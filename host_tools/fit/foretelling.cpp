@@ -46,14 +46,14 @@ double rms(const Eigen::VectorXd& values) {
 
 }  // namespace
 
-Foretelling::Foretelling(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
+Foretelling::Foretelling(const KnownRegressors& known, const JudgedEffects& effects,
                          const JudgedWith& with)
     : drift_dph_(known.series().rows().drift_dph),
       weights_(settled(known.series(), with.row_weights)) {
   const series::Rows& rows = known.series().rows();
-  const Eigen::VectorXd coefficients = take_columns(known, terms, with);
+  const Eigen::VectorXd coefficients = take_columns(known, effects, with);
   const Eigen::Index linear = coefficients.size();
-  const auto shapes = static_cast<Eigen::Index>(model::shape_parameters(terms).size());
+  const auto shapes = static_cast<Eigen::Index>(model::shape_parameters(effects.terms).size());
   fitted_ = linear + shapes;
   residual_dph_ = drift_dph_ - columns_.leftCols(linear) * coefficients;
   Eigen::VectorXd sigma = Eigen::VectorXd::Ones(columns_.cols());  // beforehand
@@ -80,10 +80,10 @@ Foretelling::Foretelling(const KnownRegressors& known, const std::vector<model::
 
 // Returns the coefficients of effects and offsets that fit all rows.
 Eigen::VectorXd Foretelling::take_columns(const KnownRegressors& known,
-                                          const std::vector<model::EffectTerm>& terms,
-                                          const JudgedWith& with) {
+                                          const JudgedEffects& effects, const JudgedWith& with) {
   const series::Rows& rows = known.series().rows();
-  const Eigen::MatrixXd offsets = run_offset_columns(rows, with.run_offsets);
+  const std::vector<model::EffectTerm>& terms = effects.terms;
+  const Eigen::MatrixXd offsets = run_offset_columns(effects.biases, with.run_offsets);
   const noise::Whitening whitening(with.noise, rows, weights_);
   const WhitenedProblem problem(known, whitening, terms, offsets);
   const Eigen::VectorXd coefficients = problem.solve().coefficients;

@@ -20,6 +20,12 @@ struct JudgedWith {
   bool run_offsets = false;
 };
 
+/// Effects with fitted shapes, and the biases beside them.
+struct JudgedEffects {
+  const std::vector<model::EffectTerm>& terms;
+  const series::Rows& biases;  ///< rows as those that are judged, cut perhaps elsewhere
+};
+
 /// A set of effects on the rows of its fit, ready to foretell some of them from the others.
 ///
 /// Coefficients are solved for anew without the rows that are left out; shapes follow to first
@@ -30,10 +36,8 @@ struct JudgedWith {
 /// leave, competes with what another set of effects explains.
 class Foretelling {
  public:
-  /// `terms`: with fitted shapes; those that they mark as sought are uncertain. `known` must
-  /// outlive this.
-  Foretelling(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
-              const JudgedWith& with);
+  /// Shapes that the terms mark as sought are uncertain. `known` must outlive this.
+  Foretelling(const KnownRegressors& known, const JudgedEffects& effects, const JudgedWith& with);
 
   /// Of the rows of `part`, which are in order; of no others.
   struct OfPart {
@@ -54,8 +58,8 @@ class Foretelling {
     Eigen::VectorXd change;  // of coefficients, offsets and shapes, from those of all rows
     Eigen::MatrixXd covariance;
   };
-  Eigen::VectorXd take_columns(const KnownRegressors& known,
-                               const std::vector<model::EffectTerm>& terms, const JudgedWith& with);
+  Eigen::VectorXd take_columns(const KnownRegressors& known, const JudgedEffects& effects,
+                               const JudgedWith& with);
   judge::Promise promise_of(const Part& part, const Eigen::MatrixXd& of_unknowns) const;
   void foretell(const recording::RowRange& range, Unknowns& unknowns, judge::Foretold& rows) const;
 

@@ -82,47 +82,14 @@ void set_ranges(model::Model& model, const series::Rows& rows) {
       range_of(count, [&](std::size_t i) { return rows.inputs[i].input_rate; });
 }
 
-struct SoughtSteps {
-  std::optional<model::EffectTerm> step;  // as requested
-  std::size_t max = 0;
-};
-
-// Removes the steps from the list: without a time a step has no regressor.
-SoughtSteps take_out_steps(std::vector<model::EffectTerm>& terms, std::size_t max_new) {
-  SoughtSteps sought;
-  for (const model::EffectTerm& term : terms) {
-    if (!model::is_found_event(term)) continue;
-    const bool was_found = !term.coefficients_dph.empty();
-    sought.max += was_found ? 1 : max_new;
-    sought.step = term;
-  }
-  terms.erase(std::remove_if(terms.begin(), terms.end(), model::is_found_event), terms.end());
-  if (terms.empty() && sought.step) {
-    throw InputError("--effects", "names no effect beside " + sought.step->name + "; add bias");
-  }
-  return sought;
-}
-
-FitWithSteps fit_all(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
-                     std::size_t max_steps, const Eigen::MatrixXd& offsets,
-                     const IdentifySettings& settings) {
-  if (settings.steps)
-    return fit_at_steps(known, terms, offsets, *settings.steps, settings.progress);
-  if (max_steps > 0) return fit_with_steps(known, terms, offsets, max_steps, settings.progress);
-  FitWithSteps found;
-  found.fit =
-      fit_determined(known, terms, offsets, Eigen::VectorXd::Ones(known.series().rows().size()),
-                     settings.progress);
-  return found;
-}
-
-void set_noise_and_residual(const FitWithSteps& found, Identification& result) {
-  result.residual_dph = found.fit.residual_dph;
-  result.noise = found.fit.noise;
-  result.birge_ratio = found.fit.birge_ratio();
-  result.masked = found.masked;
-  result.row_weights = found.fit.row_weights;
-  result.outliers = found.fit.outliers;
+void set_noise_and_residual(const series::Rows& rows, const NoiseWeightedFit& fit,
+                            Identification& result) {
+  result.residual_dph = fit.residual_dph;
+  result.noise = fit.noise;
+  result.birge_ratio = fit.birge_ratio();
+  result.masked = static_cast<std::size_t>((rows.weights.array() <= 0).count());
+  result.row_weights = fit.row_weights;
+  result.outliers = fit.outliers;
 }
 
 // Column of the model's bias; nothing if it has none.
@@ -135,7 +102,8 @@ std::optional<Eigen::Index> bias_column(const std::vector<model::EffectTerm>& te
 }
 
 // A fit whose power-ons each have a bias of their own, and its covariance, for biases that spread
-// as these do. The model has their mean: the bias of a power-on is any of them by chance.
+// as these do. The model has the mean of those that the gyro went on with: the bias of a power-on
+// is any of them by chance.
 void set_offsets(const BiasColumns& columns, NoiseWeightedFit& fit, Eigen::MatrixXd& covariance,
                  Identification& result) {
   const auto [first, count] = columns.offsets;
@@ -144,8 +112,7 @@ void set_offsets(const BiasColumns& columns, NoiseWeightedFit& fit, Eigen::Matri
   expect_repeatability(result.turn_on_repeatability_dph, columns, fit, covariance);
   const auto offsets = fit.coefficients.segment(first, count);
   result.run_offsets_dph.assign(offsets.begin(), offsets.end());
-  if (columns.bias)
-    fit.coefficients[*columns.bias] += offsets.sum() / static_cast<double>(count + 1);
+  if (columns.bias) fit.coefficients[*columns.bias] += offsets.dot(columns.shares.tail(count));
 }
 
 // Copies a term's coefficients and their uncertainties from a fit. Returns the peak, deg/h, that
@@ -184,30 +151,6 @@ void set_gyro(model::Model& model, const std::optional<GyroFit>& gyro) {
   if (!gyro) return;
   model.uncertainty = gyro->uncertainty;
   for (std::size_t i = 0; i < model.terms.size(); ++i) model.terms[i].gyro = gyro->terms[i];
-}
-
-// Stores a step as a term of the model and as an event of its recording.
-void add_step(model::Model& model, Identification& result, const series::SignalSeries& series,
-              const LocatedStep& located, model::EffectTerm step, double size_dph,
-              double sigma_dph) {
-  const series::Rows& rows = series.rows();
-  const noise::ChangePoint& change = located.change;
-  const auto row = static_cast<std::size_t>(change.row);
-  result.steps.push_back({rows.run_at(row), change.time_s, change.time_sigma_s, size_dph, sigma_dph,
-                          located.others_part});
-  step.recording = series.recording_of(row);
-  step.others_part = located.others_part;
-  step.coefficients_dph = {{size_dph, sigma_dph}};
-  step.parameters[0].value = change.time_s;
-  step.parameters[0].sigma = change.time_sigma_s;
-  model.terms.push_back(std::move(step));
-  result.visible_dph.push_back(rules::kVisible * sigma_dph);
-  const auto& signals = rows.signals[row];
-  if (std::abs(signals.temperature_rate) < rules::kRampDegcPerMin) return;
-  result.warnings.push_back(
-      format("the bias step at %.6g s lies in a ramp: an effect that this "
-             "model lacks can look like it",
-             change.time_s));
 }
 
 // If the worst uncertainty of the drift in a soak or at power-on exceeds the drift, warns that no
@@ -257,34 +200,42 @@ void judge_model(model::Model& model, const NoiseWeightedFit& fit,
   model.residual_rms_dph = std::sqrt(result.residual_dph.cwiseAbs2().dot(counted) / counted.sum());
 }
 
-}  // namespace
-
-bool searches_steps(const std::vector<model::EffectTerm>& terms) {
-  return std::any_of(terms.begin(), terms.end(), model::is_found_event);
+// How much of each bias is in the model's: all of it that a power-on ends with, in equal shares.
+Eigen::VectorXd shares_of_biases(const series::Rows& rows) {
+  const std::vector<recording::RowRange> biases = rows.bias_ranges();
+  Eigen::VectorXd shares(static_cast<Eigen::Index>(biases.size()));
+  for (std::size_t i = 0; i < biases.size(); ++i) {
+    const bool goes_on =
+        std::binary_search(rows.cut_rows.begin(), rows.cut_rows.end(), biases[i].end);
+    shares[static_cast<Eigen::Index>(i)] = goes_on ? 0 : 1;
+  }
+  return shares / shares.sum();
 }
+
+}  // namespace
 
 Identification identify(model::Model& model, const KnownRegressors& known,
                         const IdentifySettings& settings) {
   const series::SignalSeries& series = known.series();
   const series::Rows& rows = series.rows();
-  const SoughtSteps sought = take_out_steps(model.terms, settings.max_new_steps);
   require_varying_input_rate(model.terms, rows);
   set_references(model.terms, series);
   set_expression_ranges(model.terms, series);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
-  FitWithSteps found = fit_all(known, model.terms, sought.max, offsets, settings);
-  NoiseWeightedFit& fit = found.fit;
+  NoiseWeightedFit fit = fit_determined(known, model.terms, offsets,
+                                        Eigen::VectorXd::Ones(rows.size()), settings.progress);
   model.terms = fit.terms;
 
-  // order: coefficients, offsets of all power-ons but the first, steps
+  // order: coefficients, offsets of all biases but the first
   const std::vector<series::ColumnRange> columns = series::columns_of(model.terms, rows.row_s);
   const Eigen::Index behind = columns.back().first + columns.back().count;
   Identification result;
   const series::ColumnRange offset_columns{behind, offsets.cols()};
   const std::optional<GyroFit> gyro = fit_gyro(series, fit, offset_columns);
   Eigen::MatrixXd covariance = predict(rows, fit).covariance();
-  set_offsets({bias_column(model.terms, columns), offset_columns}, fit, covariance, result);
-  set_noise_and_residual(found, result);
+  set_offsets({bias_column(model.terms, columns), offset_columns, shares_of_biases(rows)}, fit,
+              covariance, result);
+  set_noise_and_residual(rows, fit, result);
   const Eigen::VectorXd sigma = covariance.diagonal().cwiseSqrt();
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
     result.visible_dph.push_back(set_coefficients(model.terms[i], columns[i], fit, covariance));
@@ -292,12 +243,6 @@ Identification identify(model::Model& model, const KnownRegressors& known,
   set_shape_sigmas(model.terms, fit, sigma);
   set_gyro(model, gyro);
   result.warnings = confusions(model.terms, columns, fit.covariance);
-
-  for (std::size_t i = 0; i < found.steps.size(); ++i) {
-    const Eigen::Index column = behind + offsets.cols() + static_cast<Eigen::Index>(i);
-    add_step(model, result, series, found.steps[i], *sought.step, fit.coefficients[column],
-             sigma[column]);
-  }
   set_ranges(model, rows);
   judge_model(model, fit, series, result);
   return result;

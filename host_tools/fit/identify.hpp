@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "fit/known_regressors.hpp"
-#include "fit/step_search.hpp"
 #include "model/model.hpp"
 #include "noise/noise_model.hpp"
 #include "series/signal_series.hpp"
@@ -21,8 +20,7 @@ struct Identification {
   double birge_ratio = 0;        ///< rms of the whitened residual: 1 if only that noise is left
   std::size_t outliers = 0;      ///< rows left out (outlier_rows.hpp)
   Eigen::VectorXd row_weights;   ///< Rows::weights, 0 for outliers and masked rows
-  std::size_t masked = 0;        ///< rows left out because a bias step lies in them
-  std::vector<FoundStep> steps;  ///< each is also one of the model's last terms
+  std::size_t masked = 0;        ///< rows left out because a cut lies in them
   /// Per effect, deg/h: smallest peak that these recordings show at 5 sigma.
   std::vector<double> visible_dph;
   std::vector<std::string> warnings;  ///< whole sentences
@@ -32,18 +30,11 @@ struct Identification {
   double turn_on_repeatability_dph = 0;  ///< std of the power-ons' biases, if each has its own
 };
 
-/// Whether identify() searches for bias steps: if an event without a time is among the terms.
-bool searches_steps(const std::vector<model::EffectTerm>& terms);
-
 struct IdentifySettings {
   /// Every power-on has its own bias (turn-on repeatability), whose spread is found with it
-  /// (turn_on_repeatability.hpp); the model keeps the mean.
+  /// (turn_on_repeatability.hpp). So it is if a run is cut, whatever this says, and each part of
+  /// that run has its own. The model keeps the mean of those with which the power-ons end.
   bool run_offsets = false;
-  /// Largest number of new steps. Steps found by earlier fits are searched for again, in their
-  /// number.
-  std::size_t max_new_steps = 8;
-  /// Steps that are known, as from a fit in other rows: they are taken, and none is searched for.
-  std::optional<std::vector<FoundStep>> steps{};
   /// Called with the fraction of the shape search done, 0..1; may be empty.
   std::function<void(double)> progress{};
 };
@@ -56,9 +47,8 @@ struct IdentifySettings {
 /// Outliers have weight 0. These values compensate best on a board, whose derivative has noise,
 /// steps and a delay; the gyro's own, and all uncertainties, are those of fit_gyro().
 ///
-/// Replaces an event without a time by any number of found steps (step_search.hpp), each fitted to
-/// its own recording. Throws InputError for too few rows, and for effects that the recordings do
-/// not determine.
+/// The terms have no events. Throws InputError for too few rows, and for effects that the
+/// recordings do not determine.
 Identification identify(model::Model& model, const KnownRegressors& known,
                         const IdentifySettings& settings = {});
 

@@ -163,16 +163,16 @@ Eigen::VectorXd step_column(const series::Rows& rows, std::size_t row) {
   return ones_in(rows, {row, rows.runs()[rows.run_at(row)].end});
 }
 
-Eigen::VectorXd run_column(const series::Rows& rows, std::size_t run) {
-  return step_column(rows, rows.run_starts[run]);
+bool has_own_biases(const series::Rows& rows, bool wanted) {
+  return wanted || !rows.cut_rows.empty();
 }
 
 Eigen::MatrixXd run_offset_columns(const series::Rows& rows, bool wanted) {
-  const std::vector<recording::RowRange> power_ons = rows.power_ons();
-  const std::size_t count = wanted ? power_ons.size() : 1;
+  const std::vector<recording::RowRange> biases = rows.bias_ranges();
+  const std::size_t count = has_own_biases(rows, wanted) ? biases.size() : 1;
   Eigen::MatrixXd columns(rows.size(), static_cast<Eigen::Index>(count) - 1);
   for (std::size_t i = 1; i < count; ++i) {
-    columns.col(static_cast<Eigen::Index>(i) - 1) = ones_in(rows, power_ons[i]);
+    columns.col(static_cast<Eigen::Index>(i) - 1) = ones_in(rows, biases[i]);
   }
   return columns;
 }

@@ -66,11 +66,11 @@ Eigen::VectorXd ones_in(const series::Rows& rows, const recording::RowRange& ran
 /// 1 from a row to the end of its recording, else 0.
 Eigen::VectorXd step_column(const series::Rows& rows, std::size_t row);
 
-/// 1 in a recording, from 0, else 0.
-Eigen::VectorXd run_column(const series::Rows& rows, std::size_t run);
+/// Whether each of Rows::bias_ranges() has a bias of its own: if that is wanted, or a run is cut.
+bool has_own_biases(const series::Rows& rows, bool wanted);
 
-/// Rows x (power-ons - 1): ones in the second, third... of Rows::power_ons() each. No columns if
-/// `wanted` is false.
+/// Rows x (biases - 1): ones in the second, third... of Rows::bias_ranges() each. No columns if
+/// they have one bias.
 Eigen::MatrixXd run_offset_columns(const series::Rows& rows, bool wanted = true);
 
 }  // namespace fogcomp::fit

@@ -71,7 +71,7 @@ judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit,
                           const judge::TemperatureError& temperature) {
   judge::Rows judged = judged_rows(rows, fit, offsets);
   judged.temperature = temperature;
-  const std::vector<recording::RowRange> power_ons = rows.power_ons();
+  const std::vector<recording::RowRange> power_ons = rows.bias_ranges();
   if (power_ons.size() > 1) judged.power_ons = power_ons;
   return judge::Prediction(judged);
 }

@@ -31,7 +31,7 @@ series::BlockSeries without_network(const model::Model& model, series::BlockSeri
 double drift_square(const series::Rows& rows, const NoiseWeightedFit& fit) {
   const Eigen::VectorXd described = fit.columns * fit.coefficients;
   double square = 0;
-  for (const recording::RowRange& power_on : rows.power_ons()) {
+  for (const recording::RowRange& power_on : rows.bias_ranges()) {
     const auto part = series::of_rows(described, power_on);
     square += (part.array() - part.mean()).square().sum();
   }
@@ -110,10 +110,10 @@ Eigen::MatrixXd smooth_drift(const series::Rows& rows, const Eigen::MatrixXd& ef
 
 compare::TurnOn turn_on_biases(const model::Model& model, const std::vector<runs::Run>& runs) {
   compare::TurnOn found;
-  if (!runs::have_several_power_ons(runs)) return found;
+  if (!runs::have_several_biases(runs)) return found;
   const series::SignalSeries series = rows_of_effects(model, runs);
   const series::Rows& rows = series.rows();
-  const std::vector<recording::RowRange> power_ons = rows.power_ons();
+  const std::vector<recording::RowRange> power_ons = rows.bias_ranges();
   if (power_ons.size() < 2) return found;
   const std::vector<model::EffectTerm> terms = model::with_fixed_shapes(series.acting(model.terms));
   const Eigen::MatrixXd columns = run_offset_columns(rows);

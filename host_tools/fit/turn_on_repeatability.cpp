@@ -83,21 +83,17 @@ Eigen::MatrixXd gain(double repeatability_dph, const series::ColumnRange& offset
   return divided(with_offsets.transpose(), expected).transpose();
 }
 
-double power_ons_of(const series::ColumnRange& offsets) {
-  return static_cast<double>(offsets.count + 1);
-}
-
-// For any gain: Joseph's form. The bias becomes the mean of these power-ons.
+// For any gain: Joseph's form. The bias becomes the model's.
 Eigen::MatrixXd covariance_after(const Eigen::MatrixXd& before, const Eigen::MatrixXd& gain,
                                  double spread_square, const BiasColumns& columns) {
-  const auto& [bias, offsets] = columns;
+  const auto& [bias, offsets, shares] = columns;
   Eigen::MatrixXd change = Eigen::MatrixXd::Identity(before.rows(), before.cols());
   change.block(0, offsets.first, gain.rows(), offsets.count) -= gain;
   Eigen::MatrixXd of_spread = Eigen::MatrixXd::Zero(before.rows(), offsets.count);
   of_spread.topRows(gain.rows()) = gain;
   Eigen::MatrixXd mean = Eigen::MatrixXd::Identity(before.rows(), before.cols());
   if (bias) {
-    mean.row(*bias).segment(offsets.first, offsets.count).setConstant(1.0 / power_ons_of(offsets));
+    mean.row(*bias).segment(offsets.first, offsets.count) = shares.tail(offsets.count).transpose();
   }
   return mean *
          (change * before * change.transpose() + spread_square * of_spread *
@@ -178,7 +174,7 @@ void expect_repeatability(double repeatability_dph, const BiasColumns& columns,
   const double spread_square = repeatability_dph * repeatability_dph;
   covariance = covariance_after(covariance, gains, spread_square, columns);
   if (columns.bias) {
-    covariance(*columns.bias, *columns.bias) += spread_square / power_ons_of(offsets);
+    covariance(*columns.bias, *columns.bias) += spread_square * columns.shares.squaredNorm();
   }
   // This one is for noise as expected: what differs from it is in the misfit.
   const double unit = std::pow(std::max(1.0, fit.birge_ratio()), 2);

@@ -13,7 +13,8 @@ namespace fogcomp::fit {
 /// Where a fit has its biases of power-ons.
 struct BiasColumns {
   std::optional<Eigen::Index> bias;  ///< coefficient of the model's bias
-  series::ColumnRange offsets;       ///< of the second, third... power-on against the first
+  series::ColumnRange offsets;       ///< of the second, third... bias against the first
+  Eigen::VectorXd shares;            ///< of each bias in the model's; their sum is 1
 };
 
 /// How far a gyro's bias spreads from one power-on to the next.
@@ -47,7 +48,7 @@ Eigen::MatrixXd covariance_of_offsets(Eigen::Index offsets);
 /// biases that vary allow: recordings at one temperature each tell a drift with temperature. Shapes
 /// are those found. Changes coefficients, residuals and covariance of the fit, and `covariance`,
 /// which is that of predict(). In the fit's covariance the bias is the mean of these
-/// power-ons, in the other that of all to come; the coefficient stays the first power-on's.
+/// power-ons, by their shares, in the other that of all to come; the coefficient stays the first's.
 void expect_repeatability(double repeatability_dph, const BiasColumns& columns,
                           NoiseWeightedFit& fit, Eigen::MatrixXd& covariance);
 

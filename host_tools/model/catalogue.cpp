@@ -220,6 +220,29 @@ bool is_event(const EffectTerm& term) {
   return !term.expression && find_effect(term.name).description.event;
 }
 
+void refuse_events(const std::vector<EffectTerm>& terms) {
+  for (const EffectTerm& term : terms) {
+    if (!is_event(term)) continue;
+    throw InputError(
+        "effect '" + term.name + "'",
+        "is no effect but an event of one run: --cut [RUN:]T lets the bias begin anew, "
+        "and fogcomp diagnose finds T");
+  }
+}
+
+std::vector<std::string> leave_out_events(std::vector<EffectTerm>& terms) {
+  std::vector<std::string> left_out;
+  for (const EffectTerm& term : terms) {
+    if (!is_event(term)) continue;
+    const double at_s = term.parameters[0].value;
+    left_out.push_back(
+        format("the model's %s at %.6g s is left out: --cut [RUN:]%.6g does the same",
+               term.name.c_str(), at_s, at_s));
+  }
+  terms.erase(std::remove_if(terms.begin(), terms.end(), is_event), terms.end());
+  return left_out;
+}
+
 std::vector<std::string> effect_names() {
   std::vector<std::string> names;
   for (const CatalogueEntry& candidate : catalogue()) names.push_back(candidate.description.name);

@@ -87,13 +87,20 @@ inline bool is_reference(const fog::ParameterDescription& parameter) {
 /// Search bounds of parameter `index`; for an optional part those of the parameter before it.
 ShapeBounds catalogue_bounds(const CatalogueEntry& entry, std::size_t index);
 
-/// Whether a term is an event of a recording rather than a property of the gyro.
+/// Whether a term is an event of a recording rather than a property of the gyro. Models of older
+/// files have such terms, and a diagnosis names one; it is added as a cut of the recording.
 bool is_event(const EffectTerm& term);
+
+/// Throws InputError for an event among effects to be fitted.
+void refuse_events(const std::vector<EffectTerm>& terms);
+
+/// Removes the events of an older file, for a fit; returns a sentence on each.
+std::vector<std::string> leave_out_events(std::vector<EffectTerm>& terms);
 
 /// Whether an input other than temperature and time drives it.
 bool has_own_input(const EffectTerm& term);
 
-/// Names of all effects.
+/// Names of all effects, and of the event.
 std::vector<std::string> effect_names();
 
 }  // namespace fogcomp::model

@@ -37,15 +37,10 @@ void identify_parameter(EffectTerm& term, const CatalogueEntry& entry, std::size
   }
   Parameter& parameter = term.parameters[index];
   parameter.identified = true;
-  const char* without_bounds =
-      is_event(term) ? "is searched for in the whole recording; leave the bounds out, or give its "
-                       "time"
-      : is_reference(description) ? "takes its reference from the rows; leave the bounds out, or "
-                                    "give its value"
-                                  : nullptr;
-  if (without_bounds != nullptr) {
+  if (is_reference(description)) {
     if (range.empty()) return;
-    throw InputError(where, without_bounds);
+    throw InputError(where,
+                     "takes its reference from the rows; leave the bounds out, or give its value");
   }
   ShapeBounds bounds = catalogue_bounds(entry, index);
   if (!range.empty()) {

@@ -124,16 +124,6 @@ constexpr Eigen::Index kMinPartRows = 32;
 /// Positions without common rows, for a standard deviation to 18 %. jumps_test.
 constexpr std::size_t kMinPlaces = 16;
 
-// ---- Steps of the bias ------------------------------------------------------------------------
-/// Rows on each side of a step, for its size to a third of a row's noise.
-/// tests/unit/fit/step_search_test.
-constexpr Eigen::Index kMinRowsBeside = 10;
-/// A step may be at any row with a chi^2 within this of the best: three standard deviations.
-/// tests/unit/fit/step_search_test.
-constexpr double kStepWithin = 9;
-/// Fraction of a step that the model's columns must leave: less is rounding.
-constexpr double kUndeterminedStep = 1e-6;
-
 // ---- Values that go together ------------------------------------------------------------------
 /// Correlation lengths over which correlations are summed: e^-5 is negligible, and further ones
 /// would add scatter. autocorrelation_test.

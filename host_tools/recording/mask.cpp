@@ -7,13 +7,17 @@
 #include "support/text.hpp"
 
 namespace fogcomp::recording {
-namespace {
 
-bool is_of(const Mask& mask, const std::string& path) {
-  return mask.run.empty() || mask.run == path || mask.run == path.substr(path.rfind('/') + 1);
+bool names_file(const std::string& run, const std::string& path) {
+  return run.empty() || run == path || run == path.substr(path.rfind('/') + 1);
 }
 
-}  // namespace
+void require_file_of(const char* option, const std::string& run,
+                     const std::vector<std::string>& files) {
+  const bool known = std::any_of(files.begin(), files.end(),
+                                 [&](const std::string& file) { return names_file(run, file); });
+  if (!known) throw InputError(option, "names " + run + ", which is none of the runs");
+}
 
 Mask parse_mask(const std::string& text) {
   const auto fail = [&](const std::string& what) {
@@ -37,7 +41,7 @@ Mask parse_mask(const std::string& text) {
 std::vector<Mask> masks_of(const std::vector<Mask>& masks, const std::string& path) {
   std::vector<Mask> own;
   std::copy_if(masks.begin(), masks.end(), std::back_inserter(own),
-               [&](const Mask& mask) { return is_of(mask, path); });
+               [&](const Mask& mask) { return names_file(mask.run, path); });
   return own;
 }
 
@@ -59,11 +63,7 @@ double length_s(const std::vector<Mask>& masks) {
 }
 
 void require_masked_runs(const std::vector<Mask>& masks, const std::vector<std::string>& runs) {
-  for (const Mask& mask : masks) {
-    const bool known = std::any_of(runs.begin(), runs.end(),
-                                   [&](const std::string& run) { return is_of(mask, run); });
-    if (!known) throw InputError("--mask", "names " + mask.run + ", which is none of the runs");
-  }
+  for (const Mask& mask : masks) require_file_of("--mask", mask.run, runs);
 }
 
 }  // namespace fogcomp::recording

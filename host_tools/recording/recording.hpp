@@ -10,6 +10,7 @@
 
 #include "core/signal/inputs.hpp"
 #include "recording/board_limits.hpp"
+#include "recording/cut.hpp"
 #include "recording/mask.hpp"
 
 namespace fogcomp::recording {
@@ -111,6 +112,7 @@ struct ReadOptions {
   /// "": all, and several sensors are refused.
   std::string where{};
   std::vector<Mask> masks{};
+  std::vector<Cut> cuts{};  ///< made by runs::read_runs()
   bool skip_bad_rows = false;
   /// Keeps the samples that the board would refuse: for the board's own code, which judges them
   /// itself.

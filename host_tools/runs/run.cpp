@@ -19,6 +19,13 @@ double rounded_down(double value) {
   return step * std::floor(value / step);
 }
 
+template <class Property>
+bool any_block(const std::vector<Run>& runs, const Property& has) {
+  return std::any_of(runs.begin(), runs.end(), [&](const Run& run) {
+    return std::any_of(run.blocks.blocks.begin(), run.blocks.blocks.end(), has);
+  });
+}
+
 }  // namespace
 
 std::optional<double> Run::noise_floor_dph(double row_s) const {
@@ -77,11 +84,24 @@ std::vector<std::string> notes_on_rows(const Run& run, double row_s) {
 }
 
 bool have_several_power_ons(const std::vector<Run>& runs) {
-  if (runs.size() > 1) return true;
-  return std::any_of(runs.begin(), runs.end(), [](const Run& run) {
-    return std::any_of(run.blocks.blocks.begin(), run.blocks.blocks.end(),
-                       [](const series::BlockSeries::Block& block) { return block.restarts; });
+  return runs.size() > 1 || any_block(runs, [](const auto& block) { return block.restarts; });
+}
+
+bool have_several_biases(const std::vector<Run>& runs) {
+  return have_several_power_ons(runs) ||
+         any_block(runs, [](const auto& block) { return block.cut; });
+}
+
+bool set_cut(Run& run, const recording::Cut& cut, bool made) {
+  const bool is_own = std::any_of(run.files.begin(), run.files.end(), [&](const std::string& file) {
+    return recording::names_file(cut.run, file);
   });
+  return is_own && series::set_cut(run.blocks, cut.at_s, made);
+}
+
+Run without_cuts(Run run, const std::vector<recording::Cut>& cuts) {
+  for (const recording::Cut& cut : cuts) set_cut(run, cut, false);
+  return run;
 }
 
 series::SignalSeries series_of(const model::Model& model, const std::vector<Run>& runs,

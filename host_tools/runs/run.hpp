@@ -40,6 +40,12 @@ std::vector<std::string> notes_on_rows(const Run& run, double row_s);
 
 /// Whether there are several runs, or the power was off within one.
 bool have_several_power_ons(const std::vector<Run>& runs);
+/// Whether there are several biases: of power-ons, or parts of a cut run.
+bool have_several_biases(const std::vector<Run>& runs);
+
+/// Makes a cut, or removes it. Returns false if the run has no such time, or it is another's.
+bool set_cut(Run& run, const recording::Cut& cut, bool made);
+Run without_cuts(Run run, const std::vector<recording::Cut>& cuts);
 
 /// The rows of runs, of the model's length, one after the other. Throws InputError if a run lacks
 /// an input of the model.

@@ -40,6 +40,16 @@ struct Read {
   std::vector<std::string> notes;
 };
 
+// A cut of all runs need not lie in each, but in one.
+void make_cuts(const std::vector<recording::Cut>& cuts, Runs& runs) {
+  for (const recording::Cut& cut : cuts) {
+    bool is_made = false;
+    for (Run& run : runs.training) is_made |= set_cut(run, cut, true);
+    for (Run& run : runs.holdouts) is_made |= set_cut(run, cut, true);
+    if (!is_made) throw InputError("--cut " + cut_text(cut), "lies in none of the runs");
+  }
+}
+
 // `see` is called with each recording that counts.
 Read read_each(const std::vector<std::string>& files, const recording::ReadOptions& options,
                const std::vector<double>& row_lengths_s, const recording::KnownRows& fitted,
@@ -94,6 +104,12 @@ std::vector<Run> Runs::all() const {
   return all;
 }
 
+Runs Runs::with(const std::vector<recording::Cut>& cuts) const {
+  Runs cut = *this;
+  make_cuts(cuts, cut);
+  return cut;
+}
+
 Runs Runs::without(std::size_t run) const {
   Runs others = *this;
   const auto left_out = others.training.begin() + static_cast<std::ptrdiff_t>(run);
@@ -117,8 +133,9 @@ Runs read_runs(const std::vector<std::string>& training, const std::vector<std::
   });
   runs.noise_dph_rthz = std::sqrt(noise_square / static_cast<double>(count));
   runs.training = std::move(read.runs);
-  Runs judging = read_holdouts(holdouts, options, row_lengths_s, runs.training);
-  runs.holdouts = std::move(judging.holdouts);
+  Read judging = read_each(holdouts, options, row_lengths_s, rows_of(runs.training), nullptr);
+  runs.holdouts = std::move(judging.runs);
+  make_cuts(options.cuts, runs);
   runs.notes = std::move(read.notes);
   append(runs.notes, judging.notes);
   return runs;
@@ -129,6 +146,7 @@ Runs read_holdouts(const std::vector<std::string>& files, const recording::ReadO
   Read read = read_each(files, options, row_lengths_s, rows_of(training), nullptr);
   Runs runs;
   runs.holdouts = std::move(read.runs);
+  make_cuts(options.cuts, runs);
   runs.notes = std::move(read.notes);
   return runs;
 }

@@ -26,6 +26,8 @@ struct Runs {
   bool have_several_power_ons() const;
   /// Training runs, then holdouts.
   std::vector<Run> all() const;
+  /// With further cuts. Throws InputError for one that lies in no run.
+  Runs with(const std::vector<recording::Cut>& cuts) const;
   /// With one of the training runs as the only holdout.
   Runs without(std::size_t run) const;
 };
@@ -33,8 +35,8 @@ struct Runs {
 /// Reads files one after another; only the blocks stay in memory. A file with the rows of an
 /// earlier one is left out; one that continues another is joined to its run (joined_runs.hpp).
 /// `row_lengths_s`: as run_of() takes them; notes are about the first. Throws InputError like
-/// read_recording() and run_of(), and for a holdout with the rows of a training run, which cannot
-/// judge.
+/// read_recording() and run_of(), for a cut that lies in no run, and for a holdout with the rows of
+/// a training run, which cannot judge.
 Runs read_runs(const std::vector<std::string>& training, const std::vector<std::string>& holdouts,
                const recording::ReadOptions& options, const std::vector<double>& row_lengths_s);
 

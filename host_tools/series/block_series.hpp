@@ -27,6 +27,7 @@ struct BlockSeries {
     double time_s = 0;      ///< mean of its samples
     double rate_dph = 0;    ///< measured
     bool restarts = false;  ///< the power was off before one of its samples
+    bool cut = false;       ///< within it the bias begins anew (recording/cut.hpp)
     bool masked = false;    ///< its rate is not used, its means are (recording/mask.hpp)
     fog::BlockMeans<model::RealNumbers> means;
   };
@@ -43,6 +44,10 @@ struct BlockSeries {
   /// Once it has been measured (measured_temperature.hpp); nothing: it has not.
   std::shared_ptr<const MeasuredTemperature> temperature;
 };
+
+/// Sets Block::cut of the block that holds this time, in a gap of the next one. Returns false if
+/// the time lies outside.
+bool set_cut(BlockSeries& series, double at_s, bool cut);
 
 /// Number of a sample in a stream without gaps, from its time.
 std::int64_t sample_number(const recording::Recording& recording, std::size_t row);

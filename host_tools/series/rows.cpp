@@ -42,6 +42,13 @@ std::vector<recording::RowRange> ranges_from(const std::vector<std::size_t>& sta
   return ranges;
 }
 
+std::vector<std::size_t> united(const std::vector<std::size_t>& a,
+                                const std::vector<std::size_t>& b) {
+  std::vector<std::size_t> all;
+  std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+  return all;
+}
+
 }  // namespace
 
 std::vector<recording::RowRange> Rows::runs() const {
@@ -49,16 +56,18 @@ std::vector<recording::RowRange> Rows::runs() const {
 }
 
 std::vector<recording::RowRange> Rows::power_ons() const {
-  if (bias_of == BiasOf::recording) return runs();
-  if (bias_of == BiasOf::all) return {{0, static_cast<std::size_t>(size())}};
-  std::vector<std::size_t> starts;
-  std::merge(run_starts.begin(), run_starts.end(), restart_rows.begin(), restart_rows.end(),
-             std::back_inserter(starts));
-  return ranges_from(starts, static_cast<std::size_t>(size()));
+  return ranges_from(united(run_starts, restart_rows), static_cast<std::size_t>(size()));
+}
+
+std::vector<recording::RowRange> Rows::bias_ranges() const {
+  if (bias_of == BiasOf::all && cut_rows.empty()) return {{0, static_cast<std::size_t>(size())}};
+  const std::vector<std::size_t> starts = united(run_starts, cut_rows);
+  return ranges_from(bias_of == BiasOf::power_on ? united(starts, restart_rows) : starts,
+                     static_cast<std::size_t>(size()));
 }
 
 Eigen::VectorXd Rows::about_biases(Eigen::VectorXd values, const Eigen::VectorXd& counted) const {
-  for (const recording::RowRange& power_on : power_ons()) {
+  for (const recording::RowRange& power_on : bias_ranges()) {
     const auto weights_here = of_rows(counted, power_on);
     const double total = weights_here.sum();
     if (!(total > 0)) continue;
@@ -125,6 +134,7 @@ RowAverager::RowAverager(const BlockSeries& blocks, double average_s, Rows& rows
 
 std::int32_t RowAverager::take(const BlockSeries::Block& block, const Signals& signals,
                                const double* further) {
+  if (block.cut) cut(block.number);
   if (block.masked) return kNoRow;
   const std::int64_t number = block.number / blocks_per_row_;
   if (sums_.empty() || sums_.back().number != number) {
@@ -133,6 +143,10 @@ std::int32_t RowAverager::take(const BlockSeries::Block& block, const Signals& s
     if (!sums_.empty() && power_on_s != power_on_s_)
       rows_.restart_rows.push_back(first_row_ + sums_.size());
     power_on_s_ = power_on_s;
+    if (cut_in_ && !sums_.empty() && number > *cut_in_) {
+      rows_.cut_rows.push_back(first_row_ + sums_.size());
+      cut_in_.reset();
+    }
     sums_.emplace_back();
     sums_.back().number = number;
     sums_.back().further = Eigen::RowVectorXd::Zero(further_values_);
@@ -148,6 +162,14 @@ std::int32_t RowAverager::take(const BlockSeries::Block& block, const Signals& s
   return static_cast<std::int32_t>(first_row_ + sums_.size() - 1);
 }
 
+// The row in which a cut lies belongs to the time before.
+void RowAverager::cut(std::int64_t block) {
+  const std::int64_t row = block / blocks_per_row_;
+  const bool is_late = 2 * (block - row * blocks_per_row_) >= blocks_per_row_;
+  cut_in_ = row;
+  uncounted_.insert(uncounted_.end(), {row, is_late ? row + 1 : row - 1});
+}
+
 void RowAverager::finish() {
   const auto count = static_cast<Eigen::Index>(sums_.size());
   const Eigen::Index first = rows_.size();
@@ -159,6 +181,8 @@ void RowAverager::finish() {
     const Sum& sum = sums_[static_cast<std::size_t>(i)];
     rows_.drift_dph[first + i] = sum.drift / sum.samples;
     rows_.seconds[first + i] = sum.samples * sample_s_;
+    if (std::find(uncounted_.begin(), uncounted_.end(), sum.number) != uncounted_.end())
+      rows_.seconds[first + i] = 0;
     rows_.time_s.push_back(sum.time / sum.samples);
     add_weighted(1 / sum.samples, sum.signals, rows_.signals.emplace_back());
     add_weighted(1 / sum.samples, sum.inputs, rows_.inputs.emplace_back());

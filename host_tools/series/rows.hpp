@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/thermal/signals.hpp"
@@ -13,14 +14,14 @@
 namespace fogcomp::series {
 
 /// What has one bias: the rows of a power-on, of a recording although the power was off in it, or
-/// of all recordings.
+/// of all recordings. Where a recording is cut, each recording, and each part of a cut one.
 enum class BiasOf { power_on, recording, all };
 
 /// The rows that are fitted, compared and diagnosed: means over `average_s` of the blocks of one or
 /// more recordings, or single blocks if these are longer.
 struct Rows {
   Eigen::VectorXd drift_dph;  ///< measured rate - input rate
-  Eigen::VectorXd seconds;    ///< duration of each row
+  Eigen::VectorXd seconds;    ///< that count, of each row
   Eigen::VectorXd weights;    ///< the same in full rows
   double row_s = 0;           ///< of a full row; the longest of all recordings
   double rounding_dph = 0;    ///< standard deviation of the rate's rounding in a full row
@@ -31,14 +32,19 @@ struct Rows {
   std::vector<std::size_t> run_starts;  ///< first row of each recording
   /// First row after each further power-on within a recording, in order.
   std::vector<std::size_t> restart_rows;
+  /// First row after each cut, in order. The row in which a cut lies, and the nearer one of its
+  /// neighbours, have a weight of 0: a time may be off by half a row.
+  std::vector<std::size_t> cut_rows;
   BiasOf bias_of = BiasOf::power_on;
   model::InputRanges input_ranges{};  ///< of all recordings together
 
   Eigen::Index size() const { return drift_dph.size(); }
   /// The rows of each recording.
   std::vector<recording::RowRange> runs() const;
-  /// The rows that have one bias, by `bias_of`.
+  /// The rows of each power-on.
   std::vector<recording::RowRange> power_ons() const;
+  /// The rows that have one bias, by `bias_of`.
+  std::vector<recording::RowRange> bias_ranges() const;
   /// One value per row, less the mean of each of these; `counted`: weights, 0 for excluded rows.
   Eigen::VectorXd about_biases(Eigen::VectorXd values, const Eigen::VectorXd& counted) const;
   /// Recording of a row, and whether the row is its first.
@@ -90,12 +96,16 @@ class RowAverager {
     Eigen::RowVectorXd further;
   };
 
+  void cut(std::int64_t block);
+
   Rows& rows_;
   std::int64_t blocks_per_row_;
   double sample_s_;
   std::size_t first_row_;
   std::vector<Sum> sums_;
-  double power_on_s_ = 0;  // before the last row
+  double power_on_s_ = 0;                // before the last row
+  std::vector<std::int64_t> uncounted_;  // numbers of rows next to a cut
+  std::optional<std::int64_t> cut_in_;   // row of a cut behind which no row has begun yet
   Eigen::Index further_values_;
   Eigen::MatrixXd further_;
 };

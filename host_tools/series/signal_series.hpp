@@ -47,7 +47,7 @@ class SignalSeries {
   const Rows& rows() const { return rows_; }
   /// Time constant of the board's derivative, which begins at rest.
   double derivative_tau_s() const { return model_.derivative_tau_s; }
-  /// What has one bias in Rows::power_ons(); at first each power-on.
+  /// What has one bias in Rows::bias_ranges(); at first each power-on.
   void share_bias(BiasOf of) { rows_.bias_of = of; }
   /// Those of the terms that act on one of the runs: not the events of other recordings.
   std::vector<model::EffectTerm> acting(std::vector<model::EffectTerm> terms) const;

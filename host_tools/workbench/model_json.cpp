@@ -1,6 +1,5 @@
 #include "workbench/model_json.hpp"
 
-#include "findings/bias_step_words.hpp"
 #include "findings/text.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
@@ -89,8 +88,6 @@ Json terms_json(const model::Model& model) {
     one.set("parameters", parameters_json(term, info));
     one.set("coefficients", coefficients_json(term, info));
     one.set("doubt", findings::words(model::coefficient_doubt(term)).sentence());
-    const bool is_step = findings::is_found_step(term);
-    one.set("step", is_step ? findings::bias_step_words(term).sentence() : "");
     return one;
   });
 }

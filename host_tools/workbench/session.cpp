@@ -96,8 +96,11 @@ const std::vector<double>* Session::column(std::size_t run, const std::string& n
 }
 
 Json Session::effects() const {
-  const auto& catalogue = model::catalogue();
-  return Json::object().set("effects", json_array(catalogue, cli::effect_json));
+  Json effects = Json::array();
+  for (const model::CatalogueEntry& entry : model::catalogue()) {
+    if (!entry.description.event) effects.push(cli::effect_json(entry));
+  }
+  return Json::object().set("effects", std::move(effects));
 }
 
 namespace {
@@ -175,7 +178,6 @@ Json Session::fit(const Words& words) {
   observer().say(found.result.identified.warnings);
   model::save_model(found.model, call.output.value());
   Json answer = model_json(found.model);
-  answer.set("no_step", sentence_of(findings::no_step_words(found)));
   return std::move(answer.set("fit", findings::fit_json(found, call.output.value())));
 }
 

@@ -1,6 +1,18 @@
 #include "workflow/add.hpp"
 
+#include "model/catalogue.hpp"
+
 namespace fogcomp::workflow {
+namespace {
+
+fit::EffectChange change_of(const AddRequest& request,
+                            const std::vector<model::EffectTerm>& terms) {
+  if (request.expression) return fit::change_expression(terms, *request.expression);
+  if (request.only_cuts) return fit::change_cuts(terms, request.reading.cuts);
+  return fit::change_effects(terms, request.effects);
+}
+
+}  // namespace
 
 fit::Addition add(const AddRequest& request, const Observer& observer) {
   return add(request, judging_runs(request, {}, observer), observer);
@@ -8,10 +20,10 @@ fit::Addition add(const AddRequest& request, const Observer& observer) {
 
 fit::Addition add(const AddRequest& request, const runs::Runs& runs, const Observer& observer) {
   model::Model model = model::load_model(request.model);
-  fit::EffectChange change = request.expression
-                                 ? fit::change_expression(model.terms, *request.expression)
-                                 : fit::change_effects(model.terms, request.effects);
-  change.what += mask_words(request.reading);
+  observer.say(model::leave_out_events(model.terms));
+  fit::EffectChange change = change_of(request, model.terms);
+  const std::string read = mask_words(request.reading);
+  change.what = request.only_cuts ? read.substr(1) : change.what + read;
   if (!request.reading.columns.empty()) model.columns = request.reading.columns;
   observer.say(runs.notes);
   observer.tell(kTraining, 0);

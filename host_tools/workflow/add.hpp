@@ -14,6 +14,7 @@ namespace fogcomp::workflow {
 struct AddRequest : JudgingRequest {
   std::vector<std::string> effects;  ///< each in the syntax of change_effect(); judged together
   std::optional<std::string> expression;  ///< `NAME = EXPRESSION` instead of effects
+  bool only_cuts = false;                 ///< the cuts of `reading` instead of effects
   bool run_offsets = false;               ///< a bias for each power-on; the model has their mean
   std::uint64_t seed = 1;                 ///< of the network's initial weights
 };

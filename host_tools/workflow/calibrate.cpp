@@ -71,7 +71,6 @@ void add_hold_out_figures(Figures& figures, const compare::ModelOnRuns& hold_out
 // Values to be monitored from gyro to gyro: "temperature_rate.K", in the catalogue's units.
 void add_coefficients(Figures& figures, const model::Model& model) {
   for (const model::EffectTerm& term : model.terms) {
-    if (model::is_event(term)) continue;
     const model::TermInfo info = model::info_of(term);
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
       figures.emplace_back(term.name + "." + info.parameters[i].name, term.parameters[i].value);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fit/turn_on_bias.hpp"
+#include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "runs/row_length.hpp"
 #include "support/text.hpp"
@@ -49,6 +50,7 @@ void note_rows(const DiagnoseRequest& request, const runs::RowLength& rows,
 // Whether power-ons have biases of their own; `notes` then says why.
 bool have_own_biases(const model::Model& model, const runs::Runs& judging,
                      std::vector<std::string>& notes) {
+  if (!judging.have_several_power_ons()) return false;
   const compare::TurnOn turn_on = fit::turn_on_biases(model, judging.all());
   if (!turn_on.can_be_own()) return false;
   std::string why = turn_on.differs_words();
@@ -72,6 +74,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observe
 DiagnoseOutcome diagnose(const DiagnoseRequest& request, const runs::Runs& judging,
                          const Observer& observer) {
   model::Model model = model::load_model(request.model);
+  observer.say(model::leave_out_events(model.terms));
   const recording::ReadOptions reading = reading_for(model, request.reading, observer);
   if (!reading.columns.empty()) model.columns = reading.columns;
   observer.say(judging.notes);

@@ -29,15 +29,6 @@ std::optional<denoise::DenoiseMethod> row_denoising(const FitRequest& request) {
   return method;
 }
 
-// Name of a recording's segment at a time.
-std::string segment_at(const runs::Run& run, double time_s) {
-  std::string name;
-  for (const recording::Segment& segment : run.segments) {
-    if (name.empty() || time_s >= segment.start_s) name = segment.name;
-  }
-  return name;
-}
-
 // Everything that a request defines, before any recording is read.
 struct Plan {
   WantedModel wanted;
@@ -150,7 +141,6 @@ FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& obser
   FitOutcome outcome;
   model::Model& model = outcome.model;
   model = std::move(wanted_terms);
-  outcome.searched_steps = fit::searches_steps(model.terms);
   observer.say(runs.notes);
   observer.say(runs.doubts);
   model.noise_dph_rthz = runs.noise_dph_rthz;
@@ -178,10 +168,6 @@ FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& obser
   outcome.better_derivative = fit::better_derivative(model, training);
   const bool is_known = turn_on && !model.network.present();
   outcome.turn_on = is_known ? std::move(*turn_on) : fit::turn_on_biases(model, training);
-  for (const fit::FoundStep& step : outcome.result.identified.steps) {
-    const runs::Run& run = training[step.run];
-    outcome.step_places.push_back(run.file + ", " + segment_at(run, step.time_s));
-  }
   write_history(outcome, request, wanted, runs);
   outcome.runs = std::move(runs.training);
   return outcome;

@@ -49,8 +49,6 @@ struct FitOutcome {
   fit::FitResult result;
   double delay_rms_dph = 0;  ///< part of the error due to the board's delay
   std::optional<fit::DerivativeChoice> better_derivative{};
-  std::vector<std::string> step_places;  ///< of each found step: recording and segment
-  bool searched_steps = false;
   compare::TurnOn turn_on;
 
   std::size_t refused_rows() const;  ///< of all recordings

@@ -83,6 +83,7 @@ WantedModel wanted_model(const FitRequest& request) {
 
 std::vector<model::EffectTerm> wanted_terms(const FitRequest& request) {
   std::vector<model::EffectTerm> terms = model::parse_effects(wanted_model(request).effects);
+  model::refuse_events(terms);
   for (const std::string& definition : request.expressions)
     model::add_expression(terms, definition);
   return terms;

@@ -24,13 +24,14 @@ inline recording::ReadOptions reading_for(const model::Model& model,
   return reading;
 }
 
-/// Description of the masks for a model's history; "" for none.
+/// Description of masks and cuts for a model's history; "" for none.
 inline std::string mask_words(const recording::ReadOptions& reading) {
   std::string words;
   for (const recording::Mask& mask : reading.masks) {
     words += " --mask " + (mask.run.empty() ? "" : mask.run + ":") +
              format("%.10g..%.10g", mask.from_s, mask.to_s);
   }
+  for (const recording::Cut& cut : reading.cuts) words += " --cut " + cut_text(cut);
   return words;
 }
 

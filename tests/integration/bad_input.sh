@@ -145,8 +145,13 @@ add() { refuses "$1" add good.model "$2" good.csv -o kept; }
 add "^effect 'termal_lag': .*did you mean 'thermal_lag'" termal_lag
 add "^effect 'bias': is in the model already" bias
 add "^effect 'thermal_lag,warm_up': is more than one; add them one after the other" thermal_lag,warm_up
-add '^bias_step: is not found: no jump of these recordings' bias_step
-refuses "^effect 'bias_step': is an event of one recording" add good.model thermal_lag bias_step good.csv -o kept
+add "^effect 'bias_step': is no effect but an event of one run: --cut \[RUN:\]T lets the bias begin anew" bias_step
+for cut in x 1..2 other.csv:; do
+  refuses "^--cut '$cut': is not a time in seconds since power-on, as 3600, nor RUN:3600" \
+    add good.model good.csv --cut "$cut" -o kept
+done
+refuses '^--cut 1e\+09: lies in none of the runs' add good.model good.csv --cut 1e9 -o kept
+refuses '^--cut: names other\.csv, which is none of the runs' add good.model good.csv --cut other.csv:60 -o kept
 refuses '^-o kept: is the model at the loop.s end; give --max-effects' diagnose good.model good.csv -o kept
 refuses '^good\.model: -o would overwrite the input good\.model; ' diagnose good.model good.csv --max-effects 2 \
   -o good.model
@@ -182,8 +187,7 @@ refuses '^good\.csv: the network needs the column supply_v' compare fed.model go
 refuses '^the network: needs supply_v, which .* give --extension' export fed.model -o kept
 fit_effect "^effect 'thermal_hysteresis': bounds of radius2 must be \?\[min,max\] within 0\.5 to 40 degC" \
   'thermal_hysteresis:radius2=?[0,20]'
-fit_effect '^effect .bias_step.: is searched for in the whole recording; leave the bounds out' 'bias_step:at=?[1,9]'
-refuses '^--effects: names no effect beside bias_step; add bias' fit good.csv -o kept --effects bias_step
+fit_effect '^effect .bias_step.: is no effect but an event of one run' bias_step
 
 # Expressions: position of an error, and what no board can do.
 fit_expression() { refuses "$1" fit good.csv -o kept --effects bias --effect-expr "$2"; }

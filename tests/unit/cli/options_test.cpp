@@ -45,9 +45,10 @@ TEST(Options, ThatACommandNeedsAreItsOwn) {
       EXPECT_TRUE(lists(need.option)) << command->name();
       EXPECT_TRUE(need.unless == nullptr || lists(need.unless)) << command->name();
     }
-    for (const Option* other : {command->stands_for_positional, command->further_models}) {
-      EXPECT_TRUE(other == nullptr || lists(other)) << command->name();
-    }
+    for (const Option* other : command->stand_for_positional)
+      EXPECT_TRUE(lists(other)) << command->name();
+    EXPECT_TRUE(command->further_models == nullptr || lists(command->further_models))
+        << command->name();
   }
 }
 

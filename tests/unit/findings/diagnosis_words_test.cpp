@@ -267,16 +267,17 @@ TEST(DiagnosisWords, SayWhatWouldShowWhatTheseRecordingsCannot) {
 // Each command uses the file written by the one before.
 TEST(DiagnosisWords, OfALadderAreTheCommandsThatMakeItsModel) {
   diagnosis::Ladder ladder;
-  ladder.steps = {{tried({"bias_step"}), false, {}}, {tried({}, "q = T^2"), true, {}}};
+  diagnosis::TriedAddition cut = tried({});
+  cut.request.cuts = {{"b.csv", 3600}};
+  ladder.steps = {{cut, false, {}}, {tried({}, "q = T^2"), true, {}}};
   const DiagnosedFiles files{
       "my gyro.model", {"a.csv", "b.csv"}, {"c.csv"}, {"--rate", "100"}, "best.model"};
   EXPECT_EQ(ladder_commands(ladder, files),
             (std::vector<std::string>{
-                "fogcomp add 'my gyro.model' bias_step a.csv b.csv --holdout c.csv --rate 100 -o "
-                "best.model",
+                "fogcomp add 'my gyro.model' a.csv b.csv --holdout c.csv --rate 100 --cut "
+                "b.csv:3600 -o best.model",
                 "fogcomp add best.model a.csv b.csv --effect-expr 'q = T^2' --holdout c.csv --rate "
-                "100 -o "
-                "best.model"}));
+                "100 --cut b.csv:3600 -o best.model"}));
 }
 
 }  // namespace

@@ -130,33 +130,55 @@ TEST(AddEffect, AnEffectAtTheBoundOfItsShape_IsJudgedLikeAnyOther) {
   EXPECT_TRUE(result.accepted) << result.reason;
 }
 
-// Stretches of its own run judge it, also where there is a holdout, of which it is no part.
-TEST(AddEffect, StepThatStandsOut_AcceptedOnStretches) {
-  fogcomp::recording::Recording recording = noisy_recording(1);
-  add_step(recording, 15000, 5 * kWhiteDph);
-  fogcomp::runs::Runs runs = runs_of(truth(), {});
-  runs.training.push_back(fogcomp::runs::run_of(recording, {10}));
-  const auto holdout = fogcomp::runs::run_of(noisy_recording(2), {10});
+constexpr double kStep_s = 15000;
+
+fogcomp::recording::Recording recording_with_step(std::uint64_t seed, double size_dph) {
+  fogcomp::recording::Recording recording = noisy_recording(seed);
+  add_step(recording, kStep_s, size_dph);
+  return recording;
+}
+
+Addition add_cut(const fogcomp::runs::Runs& runs) {
   const Model given = incomplete(kComplete);
+  const std::vector<fogcomp::recording::Cut> cuts{{"", kStep_s}};
+  return fogcomp::fit::add_effect(given, fogcomp::fit::change_cuts(given.terms, cuts),
+                                  runs.with(cuts), {});
+}
+
+// Stretches of its own run judge it, also where there is a holdout, of which it is no part.
+TEST(AddEffect, CutAtAStepThatStandsOut_AcceptedOnStretches) {
+  fogcomp::runs::Runs runs = runs_of(truth(), {});
+  runs.training.push_back(fogcomp::runs::run_of(recording_with_step(1, 5 * kWhiteDph), {10}));
+  const auto holdout = fogcomp::runs::run_of(noisy_recording(2), {10});
   for (const auto& holdouts : {std::vector<fogcomp::runs::Run>{}, {holdout}}) {
     runs.holdouts = holdouts;
-    const Addition result = fogcomp::fit::add_effect(
-        given, fogcomp::fit::change_effect(given.terms, "bias_step"), runs, {true});
+    const Addition result = add_cut(runs);
     EXPECT_TRUE(result.accepted) << result.reason;
     ASSERT_TRUE(result.out_of_sample);
     EXPECT_TRUE(result.out_of_sample->within_runs);
-    EXPECT_LT(result.out_of_sample->rms_after_dph, result.out_of_sample->rms_before_dph);
-    EXPECT_EQ(result.model.terms.at(result.changed.at(0)).name, "bias_step");
+    EXPECT_LT(result.out_of_sample->rms_after_dph, 0.8 * result.out_of_sample->rms_before_dph);
+    EXPECT_LT(result.runs[0].rms_after_dph, 0.8 * result.runs[0].rms_before_dph);
+    EXPECT_EQ(result.names(), std::vector<std::string>{"cut"});
+    EXPECT_EQ(result.model.history.back().action, "add --cut 15000");
   }
 }
 
-TEST(AddEffect, KnowsItsEffectBehindAStepThatIsFoundAnew) {
-  Model given = incomplete("bias,bias_step,bias_temperature:order=3");
-  const Addition result =
-      fogcomp::fit::add_effect(given, fogcomp::fit::change_effect(given.terms, "temperature_rate"),
-                               runs_of(truth(), {1}), {});
-  EXPECT_EQ(result.model.terms.at(result.changed.at(0)).name, "temperature_rate");
-  EXPECT_TRUE(result.accepted) << result.reason;
+TEST(AddEffect, CutWithoutAStep_Refused) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    fogcomp::runs::Runs runs = runs_of(truth(), {});
+    runs.training.push_back(fogcomp::runs::run_of(noisy_recording(seed), {10}));
+    const Addition result = add_cut(runs);
+    EXPECT_FALSE(result.accepted) << result.reason;
+  }
+}
+
+TEST(EffectChange, AnEvent_RefusedWithTheOptionThatDoesIt) {
+  try {
+    fogcomp::fit::change_effect(fogcomp::model::parse_effects("bias"), "bias_step");
+    FAIL() << "no error";
+  } catch (const fogcomp::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("--cut [RUN:]T"), std::string::npos) << error.what();
+  }
 }
 
 TEST(EffectChange, TakesOtherBoundsOfAParameterThatIsIdentified) {

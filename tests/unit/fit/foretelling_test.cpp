@@ -18,7 +18,8 @@ struct FittedRun {
       : model(fog::test::incomplete(effects)),
         known(model, fog::test::runs_of(fog::test::truth(), {1}).training),
         fit(fit_rows(known, model.terms, Eigen::MatrixXd(known.series().rows().size(), 0))),
-        foretelling(known, fit.terms, {fit.noise, fit.row_weights, false}) {}
+        foretelling(known, {fit.terms, known.series().rows()},
+                    {fit.noise, fit.row_weights, false}) {}
 
   const series::Rows& rows() const { return known.series().rows(); }
 

@@ -33,21 +33,27 @@ inline void add_step(fogcomp::recording::Recording& recording, double at_s, doub
   }
 }
 
-struct FittedSteps {
+struct FittedWithCuts {
   fogcomp::model::Model model;
   fogcomp::fit::Identification identified;
 };
 
-inline FittedSteps fit(const std::vector<fogcomp::recording::Recording>& recordings,
-                       const std::string& effects) {
-  FittedSteps result{truth(), {}};
-  result.model.terms = fogcomp::model::parse_effects(effects);
+/// Cuts of the first recording.
+inline FittedWithCuts fit_with_cuts(const std::vector<fogcomp::recording::Recording>& recordings,
+                                    const std::vector<double>& cuts_s) {
+  FittedWithCuts result{truth(), {}};
+  result.model.terms =
+      fogcomp::model::parse_effects("bias,bias_temperature:order=3,temperature_rate");
   fogcomp::series::SignalSeries series(result.model);
-  for (const auto& recording : recordings) series.add(fogcomp::series::make_blocks(recording));
+  for (std::size_t i = 0; i < recordings.size(); ++i) {
+    fogcomp::series::BlockSeries blocks = fogcomp::series::make_blocks(recordings[i]);
+    for (const double at_s : cuts_s) {
+      if (i == 0) fogcomp::series::set_cut(blocks, at_s, true);
+    }
+    series.add(blocks);
+  }
   result.identified = fogcomp::fit::identify(result.model, series);
   return result;
 }
-
-inline const char* const kStepEffects = "bias,bias_temperature:order=3,temperature_rate,bias_step";
 
 }  // namespace fog::test

@@ -52,7 +52,8 @@ NoiseWeightedFit free_fit(const Eigen::MatrixXd& terms, const Eigen::VectorXd& m
   return fit;
 }
 
-const BiasColumns kColumns{0, {kTerms, kPowerOns - 1}};
+const BiasColumns kColumns{
+    0, {kTerms, kPowerOns - 1}, Eigen::VectorXd::Constant(kPowerOns, 1.0 / kPowerOns)};
 
 // Several draws, of which each has its own error.
 TEST(TurnOnRepeatability, IsThatOfThePowerOnsAndNoneOfEqualOnes) {

@@ -85,9 +85,5 @@ TEST(Undetermined, AnExpressionThatOverflowsAtSomeOfItsShapesIsFittedAtTheOthers
   EXPECT_EQ(refusal("bias", "x = exp(T / ?w[0.01, 1000])"), "");
 }
 
-TEST(Undetermined, ASearchForStepsEndsWhereAStepLeavesAShapeUndetermined) {
-  EXPECT_EQ(refusal("bias,bias_temperature,bias_step,warm_up"), "");
-}
-
 }  // namespace
 }  // namespace fogcomp::fit

@@ -86,13 +86,13 @@ TEST(SignalSeries, KnowsThePowerOnsOfARecording) {
     SignalSeries series(model, phase);
     series.add(make_blocks(switched_off_once()));
     series.add(make_blocks(begun_on_a_ramp()));
-    const std::vector<recording::RowRange> power_ons = series.rows().power_ons();
+    const std::vector<recording::RowRange> power_ons = series.rows().bias_ranges();
     ASSERT_EQ(power_ons.size(), 3U);
     EXPECT_EQ(power_ons[1].first, 60U);
     EXPECT_GE(series.rows().time_s[power_ons[1].first], 4200);
     EXPECT_EQ(power_ons[2].first, series.rows().run_starts[1]);
     series.share_bias(BiasOf::recording);
-    EXPECT_EQ(series.rows().power_ons().size(), 2U);
+    EXPECT_EQ(series.rows().bias_ranges().size(), 2U);
   }
 }
 

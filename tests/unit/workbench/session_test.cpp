@@ -142,34 +142,20 @@ TEST_F(Workbench, NamesTheTermsAsFitTakesThem) {
   }
 }
 
-// Such a fit has no term of that name: its line would stay unticked without a word. Without the
-// beginning of the run, where the rate of the temperature jumps.
-TEST_F(Workbench, SaysThatNoBiasStepIsFound) {
-  const auto fit = [&](const std::string& list) {
-    return ask(
-        {"fit", path("run.csv"), "--effects", list, "--mask", "0..300", "-o", path("step.model")});
-  };
-  EXPECT_TRUE(holds(fit("bias,temperature_rate,bias_step"),
-                    "\"no_step\":\"No bias step stands out of the noise (χ² above 60).\""));
-  EXPECT_TRUE(holds(fit("bias,temperature_rate"), "\"no_step\":\"\""));
-}
-
-// Of a fit, of `add`, and of the model whenever it is shown.
-TEST_F(Workbench, SaysWhoseBiasTheModelHasBesideABiasStep) {
+TEST_F(Workbench, ARunWithAJump_IsFittedAndJudgedWithACut) {
   write_run("jump.csv", 0.7, 0.3);
-  const std::string side = "; the model's bias is that after it.\"";
-  const std::string effects = "bias,temperature_rate";
-  const auto fit = [&](const std::string& list, const std::string& model) {
-    return ask({"fit", path("jump.csv"), "--effects", list, "--mask", "0..300", "-o", path(model)});
+  const auto asked = [&](const Words& words) {
+    Words all = words;
+    for (const char* word : {"--mask", "0..300"}) all.emplace_back(word);
+    return ask(all);
   };
-  const std::string fitted = fit(effects + ",bias_step", "jump.model");
-  EXPECT_TRUE(holds(fitted, "\"step\":\"Bias step of +0.")) << fitted;
-  EXPECT_TRUE(holds(fitted, side)) << fitted;
-  EXPECT_TRUE(holds(ask({"compare", path("jump.model"), path("jump.csv")}), side));
-  EXPECT_FALSE(holds(fit(effects, "flat.model"), side));
-  EXPECT_TRUE(holds(ask({"add", path("flat.model"), "bias_step", path("jump.csv"), "--mask",
-                         "0..300", "-o", path("stepped.model")}),
-                    side));
+  const std::string effects = "bias,temperature_rate";
+  EXPECT_TRUE(
+      holds(asked({"fit", path("jump.csv"), "--effects", effects, "-o", path("flat.model")}),
+            "\"run_offsets_dph\":[]"));
+  EXPECT_TRUE(holds(asked({"add", path("flat.model"), path("jump.csv"), "--cut", "7995", "-o",
+                           path("cut.model")}),
+                    "\"accepted\":true"));
 }
 
 TEST_F(Workbench, AppliesAndExportsAsTheCommandsDo) {
