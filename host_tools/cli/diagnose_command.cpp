@@ -39,6 +39,12 @@ std::vector<std::string> DiagnoseCommand::options_of_noise() const {
   return given;
 }
 
+std::vector<std::string> DiagnoseCommand::reading_after(const diagnosis::Ladder& ladder) const {
+  std::vector<std::string> reading = recording.given_words();
+  for (const std::string& word : findings::cut_words(ladder.cuts())) reading.push_back(word);
+  return reading;
+}
+
 int DiagnoseCommand::run() const {
   const bool loop_wanted = max_effects.value() > 0;
   if (output.given() && !loop_wanted) {
@@ -57,9 +63,7 @@ int DiagnoseCommand::run() const {
                                        options_of_noise()};
   findings::Document document =
       findings::diagnose_findings(found.ladder, loop_wanted, found.data, files);
-  std::vector<std::string> reading = recording.given_words();
-  for (const std::string& word : findings::cut_words(found.ladder.cuts())) reading.push_back(word);
-  document.read_with(reading);
+  document.read_with(reading_after(found.ladder));
   BenchInput bench{found.runs, holdouts.value(), {{arguments[0], arguments[0], {}, "", true}}};
   if (written) {
     const std::string text = model::model_text(found.ladder.model);

@@ -40,6 +40,8 @@ struct DiagnoseCommand : Command {
   /// `--static` and, of one look, `--average` as given: what decides the noise beside the
   /// recordings.
   std::vector<std::string> options_of_noise() const;
+  /// The options for reading the recordings, with the cuts that the loop made.
+  std::vector<std::string> reading_after(const diagnosis::Ladder& ladder) const;
   int run() const override;
 };
 

@@ -311,7 +311,6 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
     const bool may_be_formula =
         is_unknown || needs_event(diagnosis) || needs_second_part(diagnosis, named);
     if (may_be_formula && try_forms(diagnosis, formulas(), judge, next)) return true;
-    if (try_named(diagnosis, events, judge, next)) return true;
     if (!is_unknown && try_named(diagnosis, named, judge, next)) return true;
     if (try_higher_orders(diagnosis, named, judge, next)) return true;
     if (try_rivals(diagnosis, named, judge, next)) return true;
@@ -320,6 +319,7 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
                       try_sets(certain_ones(diagnosis, named), judge, next))) {
     if (leaves_noise(*next.addition, diagnosis.noise_floor_dph, judge.runs())) return true;
   }
+  if (!next.addition && try_named(diagnosis, events, judge, next)) return true;
   const bool described =
       describe(diagnosis, possible_descriptions(diagnosis, named, formulas, next), judge, next);
   if (described && !next.describes) return true;

@@ -38,8 +38,8 @@ NextStep find_refinement(const model::Model& model, AdditionJudge& judge);
 /// those that cannot be told from it, then sets of effects, and others that are as certainly
 /// missing. If it names nothing, all that is refused, or a set leaves more than noise, tries sets,
 /// single effects and formulas over the signals that vary (formulas_over()), those that explain
-/// most, and takes the one that gains most. A bias step comes first, because the rest is judged
-/// once it is masked, but for formulas that need none. If all fail, or a formula is left, a
+/// most, and takes the one that gains most. A certain bias step comes before these descriptions:
+/// the rest is judged without the jump. If all fail, or a formula is left, a
 /// refinement is tried (find_refinement()), then a network of temperature and rate, unless the
 /// model has one or there is only one run. Nothing but single effects is tried if most of the
 /// residual is no function of the signals (a cycle, jumps), nothing but a refinement if it may be a

@@ -188,6 +188,7 @@ void judge_effects(const FittedPair& pair, Addition& after) {
     const CrossValidation validation = judge.on_training_runs(pair.before, after.model);
     after.out_of_sample = validation.on_runs_or_stretches();
     if (verdict_only && !after.out_of_sample->score.improves()) return;
+    if (!pair.change.cuts.empty()) return;  // says nothing of other rows
     for (const FarPart& far : far_parts(pair.known.series().rows(), changed_terms(after))) {
       after.far.push_back(validation.on(far));
     }
