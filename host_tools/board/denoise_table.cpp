@@ -94,7 +94,7 @@ void check_noise_fits(const BoardTable& table, std::size_t first,
   throw InputError(
       "export",
       format("a threshold of %.3g deg/h is more than the board's denoiser takes with %s x %d; "
-             "give the sensor's --sample-rate, or fit with --levels %zu or a shorter --wavelet",
+             "give the sensor's --sample-rate, or --levels %zu, or a shorter --wavelet",
              threshold_dph, settings.wavelet.c_str(), settings.levels, fewer));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/catalogue.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp::board {
 namespace {
@@ -42,6 +43,17 @@ double settling_time_s(const model::Model& model) {
   for (const model::RealInput& input : model.network.inputs)
     slowest = std::max(slowest, input.tau_s);
   return 7 * model.derivative_tau_s + 5 * slowest;
+}
+
+std::string settling_words(const model::Model& model) {
+  std::vector<std::string> lags;
+  for (const model::EffectTerm& term : model.terms) {
+    if (slowest_lag_s(term) > 0) lags.push_back(term.name);
+  }
+  if (lags.empty()) return "";
+  return format("no rate is valid for the first %.0f s after power-on, until the lags of ",
+                settling_time_s(model)) +
+         join(lags, ", ") + " have settled (export --invalid chooses what makes a rate invalid)";
 }
 
 }  // namespace fogcomp::board

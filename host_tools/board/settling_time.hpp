@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "model/model.hpp"
 
 namespace fogcomp::board {
@@ -9,5 +11,9 @@ namespace fogcomp::board {
 /// an effect, an expression or a network input. A play operator depends on the temperature, not on
 /// time: the board reports it by history_unknown.
 double settling_time_s(const model::Model& model);
+
+/// "no rate is valid for the first 3228 s after power-on, until the lags of thermal_lag have
+/// settled"; "" if no lag but the derivative's takes its time.
+std::string settling_words(const model::Model& model);
 
 }  // namespace fogcomp::board

@@ -2,10 +2,13 @@
 
 #include <cstdio>
 
+#include "board/autopilot.hpp"
 #include "board/model_slot.hpp"
 #include "cli/board_options.hpp"
 #include "cli/command.hpp"
+#include "cli/fit_options.hpp"
 #include "cli/gyro_limit_options.hpp"
+#include "model/model_file.hpp"
 #include "support/json.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
@@ -16,7 +19,7 @@ namespace {
 
 using workflow::ExportOutcome;
 
-enum class Format : std::uint8_t { header, table };
+enum class Format : std::uint8_t { header, table, px4, ardupilot };
 
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -63,9 +66,13 @@ struct ExportCommand : Command {
   Choice<Format> format{this,
                         {"format", "KIND",
                          "header, to build an image with; table, to load into the generic image: "
-                         "-o GYRO.bin or GYRO.hex",
+                         "-o GYRO.bin or GYRO.hex; px4, ardupilot: parameters of three axes",
                          "header"},
-                        {{"header", Format::header}, {"table", Format::table}}};
+                        {{"header", Format::header},
+                         {"table", Format::table},
+                         {"px4", Format::px4},
+                         {"ardupilot", Format::ardupilot}}};
+  Texts further{this, {"model", "MODEL", "of the axes Y and Z, for an autopilot", "", kRare}};
   Integer<std::uint32_t> sequence{
       this,
       {"sequence", "N", "of a table: of two in a board the higher is the newer", "1", kRare},
@@ -76,6 +83,7 @@ struct ExportCommand : Command {
       this, "write it even if the integers are too far off, or the fit too uncertain"};
   Flag json{this, "json", "one JSON object on stdout"};
   BoardOptions board{this};
+  BoardDenoiserOptions denoiser{this};
   GyroLimitOptions limits{this};
   Text serial{this, {"serial", "NUMBER", "of the gyro (default: the model's)", "", kRare}};
   Text uid{this,
@@ -87,10 +95,17 @@ struct ExportCommand : Command {
                 "a model for the firmware: the C header of weights, or a table",
                 "fogcomp export gyro.model -o fog_model.h --sample-rate 200") {
     needs = {{&output}};
+    denoiser.default_to_model();
+    further_models = &further;
   }
   int run() const override {
     output.required();
+    if (format.value() == Format::px4 || format.value() == Format::ardupilot) {
+      return export_to_autopilot();
+    }
+    if (further.given()) fail("--model is for --format px4 and ardupilot; leave it out");
     workflow::ExportRequest request{arguments[0], board.value(), allow_error.given()};
+    request.denoiser = [this](const model::DenoiseSettings& one) { return denoiser.over(one); };
     request.board.limits = limits.value();
     request.board.serial = serial.value();
     if (uid.given()) request.board.processor = board::parse_processor_number(uid.value());
@@ -110,6 +125,26 @@ struct ExportCommand : Command {
   }
 
  private:
+  int export_to_autopilot() const {
+    if (further.value().size() != 2) fail("an autopilot has three axes; give --model Y --model Z");
+    const auto axis = [](const std::string& file) {
+      return board::AxisModel{model::load_model(file), file};
+    };
+    const auto autopilot =
+        format.value() == Format::px4 ? board::Autopilot::px4 : board::Autopilot::ardupilot;
+    write_file(output.value(),
+               board::autopilot_parameters(autopilot, {axis(arguments[0]), axis(further.value()[0]),
+                                                       axis(further.value()[1])}));
+    if (json.given()) {
+      Json result = Json::object();
+      result.set("header", output.value());
+      std::puts(result.text().c_str());
+    } else {
+      std::printf("%s: the gyro's parameters, X, Y and Z\n", output.value().c_str());
+    }
+    return 0;
+  }
+
   std::string table_text(const ExportOutcome& exported, bool is_hex) const {
     const std::string bytes = board::slot_bytes(exported.table, sequence.value(), arguments[0]);
     return is_hex ? board::slot_hex(bytes, slot.value()) : bytes;

@@ -30,8 +30,8 @@ workflow::FitRequest FitOptions::request(const std::vector<std::string>& runs,
   request.network_inputs = inputs.value();
   request.average_s = average.value();
   request.derivative_tau_s = derivative_tau.value();
-  request.board_denoiser = {wavelet.value(), levels.value(), threshold.value(), mode.value()};
-  if (request.row_denoising && levels.value() == 0) {
+  request.board_denoiser = denoiser.over({});
+  if (request.row_denoising && request.board_denoiser.levels == 0) {
     fail("--levels '0' is not a number from 1 to 10");
   }
   return request;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/arguments.hpp"
+#include "cli/axes.hpp"
 #include "cli/command.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -27,6 +28,23 @@ void print_overview() {
     std::printf("  %-10s %s\n", command->name().c_str(), command->purpose.c_str());
   }
   std::puts("\nexit codes: 0 done, 1 the answer is no, 2 bad arguments or input");
+}
+
+// Every call is checked before the first one runs.
+int run_for_each_axis(const std::string& name, const std::vector<std::string>& words) {
+  const std::vector<fogcomp::cli::AxisCall> calls = fogcomp::cli::axis_calls(words);
+  std::vector<CommandPointer> commands;
+  for (const auto& call : calls) {
+    commands.push_back(find_command(name));
+    fogcomp::cli::parse(*commands.back(), call.words);
+  }
+  fogcomp::cli::require_own_outputs(commands);
+  int code = 0;
+  for (std::size_t i = 0; i < calls.size(); ++i) {
+    if (!calls[i].axis.empty()) std::printf("%s%s\n", i == 0 ? "" : "\n", calls[i].axis.c_str());
+    code = std::max(code, commands[i]->run());
+  }
+  return code;
 }
 
 int run(const std::vector<std::string>& words) {
@@ -53,8 +71,7 @@ int run(const std::vector<std::string>& words) {
     std::fputs(fogcomp::cli::help_text(*command, false).c_str(), stdout);
     return 0;
   }
-  fogcomp::cli::parse(*command, rest);
-  return command->run();
+  return run_for_each_axis(words[0], rest);
 }
 
 }  // namespace

@@ -37,10 +37,17 @@ recording::ReadOptions RecordingOptions::value() const {
   options.scale_factor = scale_factor.find();
   options.where = where.text();
   recording::parse_row_choice(options.where);
+  options.decimal_comma = decimal_mark.find();
   options.skip_bad_rows = skip_bad_rows.given();
   options.default_input_rate_dph = earth_rate_dph();
   options.stream_rate_hz = rate.find();
   options.temperature_degc = temperature.find();
+  options.join = join.text();
+  options.join_columns = join_columns.text();
+  recording::parse_column_map(options.join_columns);
+  if (join_columns.given() && !join.given()) {
+    throw InputError("--join-columns", "means nothing without --join; give both");
+  }
   return options;
 }
 

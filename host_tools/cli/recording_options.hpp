@@ -18,10 +18,14 @@ struct RecordingOptions : OptionGroup {
       {"scale-factor", "C", "counts per deg/s of a `counts` column or a sensor stream"},
       {1e-6, 1e15}};
   Text columns{this, {"columns", "MAP", "which is which: time=Stamp[ms],rate=Gyro_X[deg/s]"}};
-  Text rate_column{
-      this,
-      {"rate-column", "NAME", "of several rates the one to take: 'Gyro_X [deg/s]'", "", kRare}};
+  Text rate_column{this,
+                   {"rate-column", "NAME",
+                    "of several rates the one to take; x,y,z: each, % is its name", "", kRare}};
   Text where{this, {"where", "COLUMN=VALUE", "rows of one sensor: 'SensorId=1'", "", kRare}};
+  Choice<bool> decimal_mark{
+      this,
+      {"decimal-mark", "point|comma", "of a CSV; the other mark parts thousands", "", kRare},
+      {{"point", false}, {"comma", true}}};
   Flag skip_bad_rows{this, "skip-bad-rows",
                      "leave bad rows out and count them instead of stopping"};
   Number latitude{
@@ -36,6 +40,10 @@ struct RecordingOptions : OptionGroup {
       this,
       {"temperature", "DEGC", "of all samples of a file without temperatures", "", kRare},
       {-70, 130}};
+  Text join{this, {"join", "FILE", "temperatures of the same times, from another CSV", "", kRare}};
+  Text join_columns{
+      this,
+      {"join-columns", "MAP", "which is which in that: temperature=Sensor 2[degC]", "", kRare}};
 
  private:
   std::string column_map() const;

@@ -1,5 +1,6 @@
 #include "findings/add_findings.hpp"
 
+#include "board/settling_time.hpp"
 #include "findings/figures.hpp"
 #include "findings/fit_findings.hpp"
 #include "findings/network_words.hpp"
@@ -127,6 +128,10 @@ Document add_findings(const fit::Addition& addition, const std::string& model,
     document.sentence("note: " + words(warning, names));
   }
   for (Text& bias : own_bias_words(addition.fit.identified)) document.sentence(std::move(bias));
+  if (addition.accepted) {
+    const std::string settling = board::settling_words(addition.model);
+    if (!settling.empty()) document.sentence("note: " + words(settling, names));
+  }
   if (addition.fit.network_judged) document.sentence(words(network_verdict(addition.fit)));
   if (!addition.parts.empty()) add_parts(document, addition);
   if (!changed.terms.empty()) document.listing(model::describe(changed));

@@ -92,6 +92,30 @@ void add_extent(Document& document, const recording::Recording& recording) {
   }
 }
 
+// Where the temperature goes one way only, it cannot be told from time.
+void add_programme(Document& document, const compare::RunSummary& summary) {
+  bool rises = false;
+  bool falls = false;
+  double fastest = 0;
+  for (const compare::SegmentSummary& segment : summary.segments) {
+    if (segment.kind == recording::SegmentKind::soak) continue;
+    (segment.kind == recording::SegmentKind::ramp_up ? rises : falls) = true;
+    fastest = std::max(fastest, std::fabs(segment.temperature_rate_degc_per_min));
+  }
+  if (!rises && !falls) return;
+  const auto& degc = summary.blocks.temperature_degc;
+  const auto [min, max] = std::minmax_element(degc.begin(), degc.end());
+  std::string text =
+      format("temperature %.1f to %.1f degC, at most %.3g degC/min, ", *min, *max, fastest);
+  text += rises && falls ? "both ways" : rises ? "up only" : "down only";
+  if (rises != falls) {
+    text +=
+        ": what it does cannot be told from what time since power-on does (warm_up, aging); "
+        "record a way back, too";
+  }
+  document.sentence(words(text));
+}
+
 void add_bias(Document& document, const compare::RunSummary& summary) {
   const compare::BiasSummary& bias = summary.bias;
   Table table;
@@ -282,6 +306,7 @@ Document info_findings(const recording::Recording& recording, const compare::Run
   Document document("fogcomp info " + recording.file, finding.found);
   document.next(finding.next, finding.command);
   add_extent(document, recording);
+  add_programme(document, summary);
   add_bias(document, summary);
   if (recording.rows() == 1) return document;
   add_segments(document, summary);

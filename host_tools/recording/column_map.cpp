@@ -74,6 +74,17 @@ std::optional<ChosenField> find_one(const std::string& name, const std::vector<C
 
 }  // namespace
 
+std::optional<double> constant_of(const ColumnChoice& choice) {
+  const ColumnName apart(choice.name);
+  const auto number = parse_number(apart.stem_key);
+  const bool may_be =
+      choice.slot < kColumns.size() && choice.slot != kTimeSlot && choice.slot != kRateSlot;
+  if (!may_be || !number || !apart.unit || apart.unit->quantity != quantity_of(choice.slot)) {
+    return std::nullopt;
+  }
+  return apart.unit->convert(*number);
+}
+
 // --columns parts names at commas.
 std::string column_choice(const std::vector<std::string>& names, std::size_t field) {
   const std::string& name = names[field];

@@ -33,6 +33,10 @@ struct ChosenField {
 std::optional<ChosenField> find_field(const ColumnChoice& choice,
                                       const std::vector<ColumnName>& names);
 
+/// The value that `choice` gives all rows, in the recording's unit: "25[degC]", "50[deg/s]".
+/// Nothing if it is no number with a unit of the column, and for time and rate.
+std::optional<double> constant_of(const ColumnChoice& choice);
+
 /// A column of a file as --columns names it: by its name or, where that would not do, by its
 /// number.
 std::string column_choice(const std::vector<std::string>& names, std::size_t field);

@@ -46,6 +46,17 @@ bool is_unit_alone(const std::string& key) {
   return is_unambiguous(key) || key == "s" || key == "ms" || key == "us" || key == "ns";
 }
 
+// What scales a unit that follows it, "0.01 deg/s", "x10 dps", "1e-6 rad/s": a number that is not a
+// digit alone, which numbers a sensor, or a power.
+bool is_factor(std::string_view name) {
+  const std::string_view last = name.substr(name.find_last_of("_ ,:;(*") + 1);
+  if (last.size() < 2) return false;
+  const std::string_view digits =
+      last.substr(std::min(last.find_first_not_of("xX*"), last.size() - 1));
+  return parse_number(std::string(digits)) ||
+         (digits[0] >= '0' && digits[0] <= '9' && digits.find('^') != std::string_view::npos);
+}
+
 bool begins_with(const std::string& word, std::string_view beginning) {
   return word.rfind(beginning, 0) == 0;
 }
@@ -133,6 +144,10 @@ void ColumnName::take_tail(const std::string& name) {
     const std::string tail(trim(name.substr(at + 1)));
     const auto found = find_unit(tail);
     if (!found) continue;
+    if (is_factor(name.substr(0, at))) {
+      unknown_unit = name.substr(name.find_last_of("_ ,:;(*", at - 1) + 1);
+      return;
+    }
     unit = found;
     unit_text = tail;
     words = words_of(name.substr(0, at));

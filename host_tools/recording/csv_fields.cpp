@@ -132,6 +132,16 @@ bool scan_zone(DateScanner& scan, std::int64_t& east_s) {
   return scan.at_end();
 }
 
+// Without the marks of its thousands; "" if they part other digits.
+std::string without_groups(std::string_view field, const CsvDialect& dialect) {
+  const std::size_t sign = !field.empty() && (field[0] == '-' || field[0] == '+') ? 1 : 0;
+  const std::size_t end = std::min(field.find(dialect.decimal_mark()), field.size());
+  if (!is_grouped(field.substr(sign, end - sign), dialect.group_mark())) return "";
+  std::string plain(field);
+  plain.erase(std::remove(plain.begin(), plain.end(), dialect.group_mark()), plain.end());
+  return plain;
+}
+
 }  // namespace
 
 void split_fields(std::string_view line, char separator, std::vector<std::string_view>& fields) {
@@ -148,13 +158,32 @@ void split_fields(std::string_view line, char separator, std::vector<std::string
   }
 }
 
-FieldKind read_number(std::string_view field, bool decimal_comma, double& value) {
+bool is_grouped(std::string_view digits, char mark) {
+  std::size_t at = std::min(digits.find(mark), digits.size());
+  if (at == 0 || at > 3 || at == digits.size() || digits[0] == '0') return false;
+  if (!std::all_of(digits.begin(), digits.begin() + static_cast<std::ptrdiff_t>(at), is_digit)) {
+    return false;
+  }
+  for (; at < digits.size(); at += 4) {
+    const std::string_view group = digits.substr(at + 1, 3);
+    if (digits[at] != mark || group.size() != 3) return false;
+    if (!std::all_of(group.begin(), group.end(), is_digit)) return false;
+  }
+  return true;
+}
+
+FieldKind read_number(std::string_view field, const CsvDialect& dialect, double& value) {
   if (field.size() > kLongestNumber) return FieldKind::text;
+  if (dialect.groups && field.find(dialect.group_mark()) != std::string_view::npos) {
+    const std::string plain = without_groups(field, dialect);
+    if (plain.empty()) return FieldKind::text;
+    return read_number(plain, {dialect.separator, dialect.decimal_comma}, value);
+  }
   // With the byte after it that scan_decimal() needs.
   std::array<char, kLongestNumber + 1> text{};
   std::copy(field.begin(), field.end(), text.begin());
   char* const end = text.data() + field.size();
-  if (decimal_comma) {
+  if (dialect.decimal_comma) {
     if (std::find(text.data(), end, '.') != end) return FieldKind::text;
     std::replace(text.data(), end, ',', '.');
   }
@@ -162,13 +191,17 @@ FieldKind read_number(std::string_view field, bool decimal_comma, double& value)
   return is_missing_mark(field) ? FieldKind::missing : FieldKind::text;
 }
 
-std::optional<TimeReading> read_long_number(std::string_view field, bool decimal_comma) {
+std::optional<TimeReading> read_long_number(std::string_view field, const CsvDialect& dialect) {
   TimeReading reading;
+  if (dialect.groups && field.find(dialect.group_mark()) != std::string_view::npos) {
+    return read_long_number(without_groups(field, dialect),
+                            {dialect.separator, dialect.decimal_comma});
+  }
   const auto [end, error] =
       std::from_chars(field.data(), field.data() + field.size(), reading.whole);
   const std::string_view rest = field.substr(static_cast<std::size_t>(end - field.data()));
   if (reading.whole > kMaxWhole || reading.whole < -kMaxWhole) return std::nullopt;
-  const bool point = !rest.empty() && rest[0] == (decimal_comma ? ',' : '.');
+  const bool point = !rest.empty() && rest[0] == dialect.decimal_mark();
   const bool digits = rest.find_first_not_of("0123456789", 1) == std::string_view::npos;
   if (error == std::errc() && rest.empty()) return reading;
   if (error == std::errc() && point && digits && rest.size() < kLongestNumber) {
@@ -179,7 +212,7 @@ std::optional<TimeReading> read_long_number(std::string_view field, bool decimal
   }
   // "1.7e9", "+3"
   double value = 0;
-  if (read_number(field, decimal_comma, value) != FieldKind::number) return std::nullopt;
+  if (read_number(field, dialect, value) != FieldKind::number) return std::nullopt;
   if (std::fabs(value) > static_cast<double>(kMaxWhole)) return std::nullopt;
   reading.whole = static_cast<std::int64_t>(value);
   reading.fraction = value - static_cast<double>(reading.whole);
@@ -205,14 +238,6 @@ std::optional<TimeReading> read_calendar_time(std::string_view field) {
   if (!scan_zone(scan, east_s)) return std::nullopt;
   reading.whole = days * 86400 + hour * 3600 + minute * 60 + second - east_s;
   return reading;
-}
-
-bool is_other_calendar(std::string_view field) {
-  const bool digits_and_marks =
-      field.find_first_not_of("0123456789.,-/ T") == std::string_view::npos;
-  const auto count = [&](char mark) { return std::count(field.begin(), field.end(), mark); };
-  const bool dated = count('.') >= 2 || count('/') == 2 || count('-') >= 2;
-  return !field.empty() && is_digit(field[0]) && (count(':') > 0 || (digits_and_marks && dated));
 }
 
 }  // namespace fogcomp::recording

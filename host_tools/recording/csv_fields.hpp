@@ -11,6 +11,10 @@ namespace fogcomp::recording {
 struct CsvDialect {
   char separator = ',';  ///< ' ': any number of blanks and tabs
   bool decimal_comma = false;
+  bool groups = false;  ///< the other mark may part thousands: "12.389,5"
+
+  char decimal_mark() const { return decimal_comma ? ',' : '.'; }
+  char group_mark() const { return decimal_comma ? '.' : ','; }
 };
 
 /// Splits a line into fields, trimmed and without quotes; separators within quotes do not split.
@@ -23,8 +27,12 @@ enum class FieldKind : std::uint8_t {
   text,
 };
 
+/// Whether an unsigned number is written in groups: one to three digits, not 0 first, then a mark
+/// and three digits, once or more: "12,389".
+bool is_grouped(std::string_view digits, char mark);
+
 /// Reads a field as a finite number.
-FieldKind read_number(std::string_view field, bool decimal_comma, double& value);
+FieldKind read_number(std::string_view field, const CsvDialect& dialect, double& value);
 
 /// A time as written in a file, in two parts, because seconds since 1970 need more digits than a
 /// double has.
@@ -39,15 +47,11 @@ struct TimeReading {
 };
 
 /// A number in any unit; nothing if the field is not a number.
-std::optional<TimeReading> read_long_number(std::string_view field, bool decimal_comma);
+std::optional<TimeReading> read_long_number(std::string_view field, const CsvDialect& dialect);
 
 /// ISO 8601, date and time of day: "2024-03-05T12:30:15.25+01:00", with a blank for the T, without
 /// seconds or zone, and what loggers make of it: "2024/3/5 1:30:15 UTC". In seconds since 1970; a
 /// time without a zone counts as UTC. Nothing for anything else.
 std::optional<TimeReading> read_calendar_time(std::string_view field);
-
-/// Whether a field is a time of day without its date, or another date: "12:30:15",
-/// "05.03.2024 12:30", "05-Mar-2024 12:30:15".
-bool is_other_calendar(std::string_view field);
 
 }  // namespace fogcomp::recording

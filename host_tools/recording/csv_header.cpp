@@ -70,13 +70,13 @@ class HeaderReader {
     take_own_names();
     take_counts();
     for (std::size_t slot = 0; slot < kColumns.size(); ++slot) {
-      if (!header_.has(slot)) take_likely(slot);
+      if (!is_known(slot)) take_likely(slot);
     }
     for (const std::size_t slot : kRequiredSlots) {
       if (!take_given(slot)) require(slot);
     }
     name_ignored_columns();
-    if (header_.has(kInputRateSlot) && options_.default_input_rate_dph != 0) {
+    if (is_known(kInputRateSlot) && options_.default_input_rate_dph != 0) {
       say("its input_rate_dph is used; --latitude has no effect");
     }
     return std::move(header_);
@@ -88,6 +88,8 @@ class HeaderReader {
   [[noreturn]] void fail(const std::string& what) const { throw InputError(lines_.where, what); }
   void say(const std::string& what) const { options_.watch.say(lines_.file, what); }
 
+  bool is_known(std::size_t slot) const { return header_.has(slot) || header_.is_constant(slot); }
+
   std::string place(std::size_t field) const {
     return "column " + std::to_string(field + 1) + " " + quoted(columns_[field]);
   }
@@ -95,23 +97,51 @@ class HeaderReader {
   /// Applies --columns or, if the file has all of its names, the columns that the model remembers.
   void take_chosen() {
     if (!options_.columns.empty()) {
-      for (const ColumnChoice& choice : parse_column_map(options_.columns)) {
-        const auto chosen = find_field(choice, columns_);
-        if (!chosen) {
-          fail("no column '" + printable(choice.name) +
-               "', which --columns names; the header has " + joined(header_.names));
-        }
-        take(*chosen, choice.slot);
-      }
+      for (const ColumnChoice& choice : parse_column_map(options_.columns)) take_choice(choice);
       return;
     }
     std::vector<std::pair<ColumnChoice, ChosenField>> remembered;
     for (const ColumnChoice& choice : parse_column_map(options_.model_columns)) {
       const auto chosen = find_field(choice, columns_);
+      if (!chosen && constant_of(choice)) continue;  // of one file
       if (!chosen) return;
       remembered.emplace_back(choice, *chosen);
     }
     for (const auto& [choice, chosen] : remembered) take(chosen, choice.slot);
+  }
+
+  void take_choice(const ColumnChoice& choice) {
+    const auto chosen = find_field(choice, columns_);
+    const auto constant = constant_of(choice);
+    if (!chosen && !constant) {
+      fail("no column '" + printable(choice.name) + "', which --columns names; the header has " +
+           joined(header_.names));
+    }
+    if (!chosen) return take_constant(choice.slot, *constant, choice.name);
+    if (constant && !may_be(columns_[chosen->field], choice.slot)) {
+      const std::string key = map_key(choice.slot);
+      fail(key + "=" + printable(choice.name) + " can be " + place(chosen->field) +
+           " or that value; give " + key + "=" + column_choice(header_.names, chosen->field) +
+           "[UNIT], or the value with a point: " + key + "=" + std::to_string(chosen->field + 1) +
+           ".0[UNIT]");
+    }
+    take(*chosen, choice.slot);
+  }
+
+  // Whether the name of a column does not say that it is another one.
+  static bool may_be(const ColumnName& column, std::size_t slot) {
+    const auto meaning = column.meaning();
+    if (meaning) return meaning->slot == slot;
+    return !column.unit || column.unit->quantity == quantity_of(slot);
+  }
+
+  void take_constant(std::size_t slot, double value, const std::string& words) {
+    const ColumnInfo& info = kColumns[slot];
+    if (!info.can_be(value)) {
+      fail(map_key(slot) + format(" is %.6g, outside %g to %g", value, info.min, info.max));
+    }
+    header_.constants.push_back({slot, value});
+    header_.understood.push_back(map_key(slot) + ": " + printable(words) + ", as given");
   }
 
   /// Takes a recording's own names, in small letters or capitals.
@@ -122,7 +152,7 @@ class HeaderReader {
         const std::size_t slot = slot_named(name_of(i));
         if (slot == CsvHeader::kSegmentLabel && !header_.has(slot)) header_.slots[i] = slot;
         if (slot >= kColumns.size() || header_.slots[i] != CsvHeader::kIgnored) continue;
-        if (found[slot] == header_.names.size() && header_.has(slot)) continue;
+        if (found[slot] == header_.names.size() && is_known(slot)) continue;
         if (found[slot] < header_.names.size()) {
           fail("column '" + printable(header_.names[i]) + "' stands twice, in fields " +
                std::to_string(found[slot] + 1) + " and " + std::to_string(i + 1) +
@@ -320,14 +350,19 @@ class HeaderReader {
 
   /// Whether an option says what the file does not.
   bool take_given(std::size_t slot) {
-    const bool has_column = header_.has(slot);
+    const bool has_column = is_known(slot);
     if (slot == kTemperatureSlot && options_.temperature_degc) {
       if (has_column) {
         say("its own temperatures are used; --temperature has no effect");
       } else {
-        header_.understood.push_back(
-            format("temperature: none, %g degC as given", *options_.temperature_degc));
+        take_constant(slot, *options_.temperature_degc,
+                      format("none, %g degC", *options_.temperature_degc));
       }
+      return true;
+    }
+    if (slot == kTemperatureSlot && !options_.join.empty()) return true;
+    if (slot == kRateSlot && options_.without_rate && !has_column) {
+      header_.constants.push_back({slot, 0});
       return true;
     }
     if (slot == kTimeSlot && options_.stream_rate_hz) {
@@ -354,7 +389,7 @@ class HeaderReader {
   }
 
   void require(std::size_t slot) const {
-    if (header_.has(slot)) return;
+    if (is_known(slot)) return;
     const Fields fields = of_its_unit(slot);
     if (!fields.empty()) fail_for_several(slot, fields);
     const std::string name(kColumns[slot].name);
@@ -403,6 +438,11 @@ bool CsvHeader::has(std::size_t slot) const {
   return std::find(slots.begin(), slots.end(), slot) != slots.end();
 }
 
+bool CsvHeader::is_constant(std::size_t slot) const {
+  return std::any_of(constants.begin(), constants.end(),
+                     [&](const Constant& each) { return each.slot == slot; });
+}
+
 std::size_t CsvHeader::field_of(std::size_t slot) const {
   return static_cast<std::size_t>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
 }
@@ -430,10 +470,11 @@ std::size_t required_columns_among(const std::vector<std::string>& names,
   }
   for (const std::string& map : {options.columns, options.model_columns}) {
     for (const ColumnChoice& choice : parse_column_map(map)) {
-      if (find_field(choice, columns)) found.insert(choice.slot);
+      if (find_field(choice, columns) || constant_of(choice)) found.insert(choice.slot);
     }
   }
-  if (options.temperature_degc) found.insert(kTemperatureSlot);
+  if (options.temperature_degc || !options.join.empty()) found.insert(kTemperatureSlot);
+  if (options.without_rate) found.insert(kRateSlot);
   if (options.stream_rate_hz) found.insert(kTimeSlot);
   return static_cast<std::size_t>(
       std::count_if(std::begin(kRequiredSlots), std::end(kRequiredSlots),

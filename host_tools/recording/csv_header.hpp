@@ -28,12 +28,20 @@ struct CsvHeader {
     Unit unit;
   };
   std::vector<Conversion> conversions;
+  /// Of slots that no field has: one value for all rows.
+  struct Constant {
+    std::size_t slot;
+    double value;
+  };
+  std::vector<Constant> constants;
   bool time_has_unit = true;
   /// Interpretation of names that are not a recording's own: "rate: column 4 'Gyro_X [deg/s]' x
   /// 3600; ...". Empty for the plain format.
   std::vector<std::string> understood;
 
+  /// Whether a field has it.
   bool has(std::size_t slot) const;
+  bool is_constant(std::size_t slot) const;
   std::size_t field_of(std::size_t slot) const;
   /// Of a slot of time; s if it is not converted.
   Unit unit_of(std::size_t slot) const;
@@ -47,10 +55,10 @@ struct HeaderLines {
   std::string where{};  ///< `FILE:LINE` of the names
 };
 
-/// Determines the meaning of every field: from options.columns, else a recording's own names, else
-/// common names. Throws InputError for a duplicate, missing or ambiguous column, a rate without a
-/// unit, or `counts` without a scale factor. Reports unknown columns, and options without effect on
-/// this file, to options.watch.
+/// Determines the meaning of every field, and the columns that are one value: from options.columns,
+/// else a recording's own names, else common names. Throws InputError for a duplicate, missing or
+/// ambiguous column, a rate without a unit, or `counts` without a scale factor. Reports unknown
+/// columns, and options without effect on this file, to options.watch.
 CsvHeader understand_header(const HeaderLines& lines, const ReadOptions& options);
 
 /// Number of time, temperature and rate that these names can provide, 0 to 3.

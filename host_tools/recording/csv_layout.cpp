@@ -12,6 +12,7 @@
 #include "recording/csv_lines.hpp"
 #include "recording/csv_times.hpp"
 #include "recording/decision_rules.hpp"
+#include "recording/digit_groups.hpp"
 #include "recording/row_filter.hpp"
 #include "support/input_error.hpp"
 #include "support/model_title.hpp"
@@ -144,12 +145,17 @@ class LayoutFinder {
       if (!refusal_) refusal_ = error;
       return;
     }
+    layout.dialect.groups = options_.decimal_comma.has_value();
     for (const bool decimal_comma : {false, true}) {
+      if (options_.decimal_comma && *options_.decimal_comma != decimal_comma) continue;
       layout.dialect.decimal_comma = decimal_comma;
       Reading reading{layout, header};
       try_rows(reading);
       // Whole numbers are the same with either decimal mark.
-      if (decimal_comma && reading.has_values() && readings_.back().has_values()) continue;
+      if (decimal_comma && reading.has_values() && !readings_.empty() &&
+          readings_.back().has_values()) {
+        continue;
+      }
       readings_.push_back(std::move(reading));
     }
   }
@@ -172,7 +178,7 @@ class LayoutFinder {
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (header.slots[i] >= kColumns.size()) continue;
       double value = 0;
-      const FieldKind kind = read_number(fields[i], reading.layout.dialect.decimal_comma, value);
+      const FieldKind kind = read_number(fields[i], reading.layout.dialect, value);
       const bool calendar = header.slots[i] == kTimeSlot && read_calendar_time(fields[i]);
       if (kind == FieldKind::text && !calendar) return false;
       if (kind == FieldKind::number) reading.values.push_back(value);
@@ -258,6 +264,7 @@ class LayoutFinder {
 
   CsvLayout finish(const Reading& chosen) {
     CsvLayout layout = chosen.layout;
+    refuse_two_marks(lines_, head_.path, layout);
     refuse_several_sensors(lines_, head_.path, layout, options_);
     understand_header(chosen.lines, options_);  // to report its interpretation
     understand_times(lines_, head_.path, layout);

@@ -21,6 +21,7 @@
 #include "recording/sparse_input_rate.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp::recording {
 namespace {
@@ -47,7 +48,7 @@ std::string fault_of_time(double first_s, double previous_s, double time_s, bool
   return format("time_s goes back from %.15g to %.15g", previous_s, time_s);
 }
 
-/// A time counter of 16, 24 or 32 bits that begins again.
+/// A time counter of 16, 24 or 32 bits, or a clock, that begins again.
 class CounterWrap {
  public:
   explicit CounterWrap(const CsvLayout& layout) {
@@ -58,8 +59,8 @@ class CounterWrap {
   // Seconds that it lost at `time_s`, so that the rows go on as before; 0 if it did not.
   double of(double previous_s, double spacing_s, double time_s) const {
     if (counts_per_s_ == 0) return 0;
-    for (const int bits : {16, 24, 32}) {
-      const double span_s = std::ldexp(1.0, bits) / counts_per_s_;
+    const double day_s = 24 * kSecondsPerHour;
+    for (const double span_s : {counter_s(16), counter_s(24), counter_s(32), day_s, 7 * day_s}) {
       const double step_s = time_s + span_s - previous_s;
       if (step_s > 0 && !is_gap(step_s, spacing_s)) return span_s;
     }
@@ -67,6 +68,8 @@ class CounterWrap {
   }
 
  private:
+  double counter_s(int bits) const { return std::ldexp(1.0, bits) / counts_per_s_; }
+
   double counts_per_s_ = 0;  // 0: times of a calendar
 };
 
@@ -90,10 +93,11 @@ class RowCollector {
       period_s_ = 1 / *options.stream_rate_hz;
       columns_.push_back({kTimeSlot, &recording_.time_s});
     }
-    if (!layout.header.has(kTemperatureSlot)) {
-      recording_.temperature_given = true;
-      columns_.push_back({kTemperatureSlot, &recording_.temperature_degc});
+    for (const CsvHeader::Constant& each : layout.header.constants) {
+      constants_.push_back(each);
+      columns_.push_back({each.slot, &(recording_[kColumns[each.slot].column])});
     }
+    recording_.temperature_given = layout.header.is_constant(kTemperatureSlot);
   }
 
   /// Reserves memory for all rows of a file of `bytes`, estimated from the length of one row:
@@ -108,7 +112,7 @@ class RowCollector {
     const std::size_t number = rows_read_++;
     if (!reader_.read(line, row)) return refuse(reader_.fault_of(line));
     if (period_s_ > 0) row.values[kTimeSlot] = static_cast<double>(number) * period_s_;
-    if (recording_.temperature_given) row.values[kTemperatureSlot] = *options_.temperature_degc;
+    for (const CsvHeader::Constant& each : constants_) row.values[each.slot] = each.value;
     if (row.lacks_values && lacks_needed(row)) return;
     for (const auto& [slot, values] : columns_) {
       const double value = row.values[slot];
@@ -168,7 +172,11 @@ class RowCollector {
           file_.path(), "its time counter began again " + counted(wraps_, "time") + ": counted on");
     }
     complete();
+    recording_.first_date_s = reader_.first_date_s();
     if (!long_recording_.begun()) return std::move(recording_);
+    if (!options_.join.empty()) {
+      throw InputError(file_.path(), "is too long for --join; join parts of it by fogcomp convert");
+    }
     hand_over();
     Recording means = long_recording_.finish(file_.path());
     means.bad_rows = recording_.bad_rows;
@@ -265,6 +273,7 @@ class RowCollector {
   Recording recording_;
   LongRecording long_recording_;
   std::vector<Target> columns_;
+  std::vector<CsvHeader::Constant> constants_;
   std::size_t rows_read_ = 0;
   double period_s_ = 0;  // of a file without times
   double first_s_ = 0;

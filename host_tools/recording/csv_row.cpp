@@ -60,7 +60,7 @@ bool CsvRowReader::read_any(std::string_view line, CsvRow& row) {
     double& value = row.values[slot];
     const FieldKind kind = slot == kTimeSlot && layout_.time != TimeFormat::number
                                ? read_time(fields_[field], value)
-                               : read_number(fields_[field], layout_.dialect.decimal_comma, value);
+                               : read_number(fields_[field], layout_.dialect, value);
     if (kind == FieldKind::text) return false;
     if (kind == FieldKind::number) continue;
     value = kNoValue;
@@ -73,10 +73,10 @@ bool CsvRowReader::read_any(std::string_view line, CsvRow& row) {
 FieldKind CsvRowReader::read_time(std::string_view field, double& value) {
   const auto reading = layout_.time == TimeFormat::calendar
                            ? read_calendar_time(field)
-                           : read_long_number(field, layout_.dialect.decimal_comma);
+                           : read_long_number(field, layout_.dialect);
   if (!reading) {
     double none = 0;
-    const FieldKind kind = read_number(field, false, none);
+    const FieldKind kind = read_number(field, {}, none);
     return kind == FieldKind::missing ? kind : FieldKind::text;
   }
   if (!first_time_) first_time_ = reading;
@@ -89,6 +89,15 @@ void CsvRowReader::add_time_part(CsvRow& row) {
   const double part_s = row.values[CsvHeader::kTimePart];
   if (!first_part_s_) first_part_s_ = layout_.time == TimeFormat::number ? 0 : part_s;
   row.values[kTimeSlot] += part_s - *first_part_s_;
+}
+
+double CsvRowReader::first_date_s() const {
+  if (!first_time_) return 0;
+  const double number = static_cast<double>(first_time_->whole) + first_time_->fraction;
+  const double zero_s = layout_.scale == nullptr ? 0 : layout_.scale->zero_s;
+  const bool is_number = layout_.time == TimeFormat::dates;
+  return (is_number ? layout_.header.unit_of(kTimeSlot).convert(number) : number) + zero_s +
+         first_part_s_.value_or(0);
 }
 
 std::string CsvRowReader::fault_of(std::string_view line) {
@@ -108,8 +117,7 @@ std::string CsvRowReader::fault_of(std::string_view line) {
     if (calendar && !read_calendar_time(fields_[i])) {
       return "time is '" + printable(fields_[i]) + "', no ISO 8601 date and time";
     }
-    if (calendar ||
-        read_number(fields_[i], layout_.dialect.decimal_comma, value) != FieldKind::text) {
+    if (calendar || read_number(fields_[i], layout_.dialect, value) != FieldKind::text) {
       continue;
     }
     return header.names[i] + " is '" + printable(fields_[i]) + "', not a finite number";

@@ -38,6 +38,8 @@ class CsvRowReader {
   }
 
   std::string fault_of(std::string_view line);
+  /// Of the first row, seconds of its calendar, with calendar times.
+  double first_date_s() const;
 
  private:
   bool read_plain(std::string_view line, CsvRow& row) const;

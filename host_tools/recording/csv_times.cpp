@@ -27,32 +27,41 @@ class TimeColumn {
     const std::vector<TimeReading> numbers = read_numbers();
     if (numbers.empty()) return;
     if (!part_fits_) refuse_part();
+    refuse_clock(numbers);
     const TimesSeen times = seen(numbers);
     if (!layout_.header.time_has_unit) choose_unit(times);
     const Unit unit = layout_.header.unit_of(kTimeSlot);
     layout_.scale = scale_of(times.first, unit);
-    if (unit.convert(times.first) >= rules::kMinUnixTimeS) layout_.time = TimeFormat::dates;
+    if (!is_since_power_on(times.first, unit)) layout_.time = TimeFormat::dates;
   }
 
  private:
-  // Empty if the first time is no number, after which it is a date, or if there is none.
+  // Empty if the first time is a date, or if there is none.
   std::vector<TimeReading> read_numbers() {
     std::vector<std::string_view> fields;
     std::vector<TimeReading> numbers;
     if (!layout_.header.has(kTimeSlot)) return {};
     const std::size_t time_field = layout_.header.field_of(kTimeSlot);
+    double none = 0;
+    std::size_t line_of_text = 0;
+    std::string_view other;
     for (std::size_t i = next_row(lines_, layout_.lines_before_rows); i < lines_.size();
          i = next_row(lines_, i + 1)) {
       split_fields(lines_[i], layout_.dialect.separator, fields);
       if (time_field >= fields.size()) continue;
       const std::string_view text = fields[time_field];
-      if (const auto number = read_long_number(text, layout_.dialect.decimal_comma)) {
+      if (const auto number = read_long_number(text, layout_.dialect)) {
         numbers.push_back(*number);
         check_part(*number, fields);
-      } else if (numbers.empty() && is_date(text, i)) {
-        break;
+      } else if (numbers.empty() && read_calendar_time(text)) {
+        layout_.time = TimeFormat::calendar;
+        return {};
+      } else if (read_number(text, layout_.dialect, none) == FieldKind::text && line_of_text == 0) {
+        line_of_text = i + 1;
+        other = text;
       }
     }
+    if (numbers.empty() && line_of_text > 0) refuse_text(other, line_of_text);
     return numbers;
   }
 
@@ -62,7 +71,7 @@ class TimeColumn {
     const std::size_t field = header.field_of(CsvHeader::kTimePart);
     double part = 0;
     if (!header.has(CsvHeader::kTimePart) || field >= fields.size() ||
-        read_number(fields[field], layout_.dialect.decimal_comma, part) != FieldKind::number) {
+        read_number(fields[field], layout_.dialect, part) != FieldKind::number) {
       return;
     }
     const double part_s = header.unit_of(CsvHeader::kTimePart).convert(part);
@@ -83,19 +92,32 @@ class TimeColumn {
                                 whole + "' or 'time=" + part + "'");
   }
 
-  bool is_date(std::string_view text, std::size_t line) {
-    if (read_calendar_time(text)) {
-      layout_.time = TimeFormat::calendar;
-      return true;
-    }
-    if (!is_other_calendar(text)) return false;
-    throw InputError(path_ + ":" + std::to_string(line + 1),
+  [[noreturn]] void refuse_text(std::string_view text, std::size_t line) const {
+    throw InputError(path_ + ":" + std::to_string(line),
                      "time '" + printable(text) +
                          "' is no ISO 8601 date and time; write 2024-03-05T12:30:15.25 or seconds");
   }
 
+  void refuse_clock(const std::vector<TimeReading>& numbers) const {
+    std::vector<double> times;
+    for (const TimeReading& each : numbers) {
+      times.push_back(static_cast<double>(each.whole) + each.fraction);
+    }
+    if (!layout_.header.unit_of(kTimeSlot).is_ours() || !are_of_clock(times)) return;
+    throw InputError(path_, "times such as " + format("%.15g", times.front()) + " (" + column() +
+                                ") are hhmmss of a clock; write 2024-03-05T12:30:15.25 or seconds");
+  }
+
+  std::string column() const {
+    const CsvHeader& header = layout_.header;
+    const std::size_t field = header.field_of(kTimeSlot);
+    return "column " + std::to_string(field + 1) + " '" + printable(header.names[field]) + "'";
+  }
+
   static TimesSeen seen(const std::vector<TimeReading>& numbers) {
     TimesSeen times{static_cast<double>(numbers[0].whole) + numbers[0].fraction};
+    times.are_whole = std::all_of(numbers.begin(), numbers.end(),
+                                  [](const TimeReading& each) { return each.fraction == 0; });
     std::vector<double> spacings;
     double sum = 0;
     for (std::size_t i = 1; i < numbers.size(); ++i) {
@@ -115,10 +137,13 @@ class TimeColumn {
     if (meanings.size() != 1) refuse(times, meanings);
     CsvHeader& header = layout_.header;
     const Unit& unit = meanings[0].unit;
-    if (unit.is_ours()) return;
-    header.conversions.push_back({kTimeSlot, unit});
+    const bool is_doubtful =
+        unit.is_ours() && meanings[0].scale == nullptr && may_be_milliseconds(times);
+    if (!unit.is_ours()) header.conversions.push_back({kTimeSlot, unit});
     for (std::string& each : header.understood) {
-      if (each.rfind("time: ", 0) == 0) each = each.substr(0, each.rfind(' ') + 1) + unit.words;
+      if (each.rfind("time: ", 0) != 0) continue;
+      each = each.substr(0, each.rfind(' ') + 1) + unit.words;
+      if (is_doubtful) each += format(" (in ms: a sample each %.4g s)", times.mean_spacing / 1e3);
     }
   }
 
@@ -132,16 +157,14 @@ class TimeColumn {
       words.push_back(meaning_words(meaning, times));
       choices.push_back("'time=" + name + "[" + meaning.unit.words + "]'");
     }
-    const std::string column =
-        "column " + std::to_string(field + 1) + " '" + printable(header.names[field]) + "'";
     const std::string number = format("%.15g", times.first);
     if (meanings.empty()) {
-      throw InputError(path_, "times such as " + number + " (" + column +
+      throw InputError(path_, "times such as " + number + " (" + column() +
                                   ") give no possible date or period in s, ms, us, ns, 100 ns or "
                                   "days; give their unit: --columns 'time=" +
                                   name + "[UNIT]'");
     }
-    throw InputError(path_, "times such as " + number + " (" + column + ") can be in " +
+    throw InputError(path_, "times such as " + number + " (" + column() + ") can be in " +
                                 join(words, ", or in ") + "; say which: --columns " +
                                 join(choices, " or "));
   }

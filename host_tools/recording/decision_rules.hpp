@@ -12,13 +12,12 @@ namespace fogcomp::recording::rules {
 /// 2. csv_reader_test, segments_test.
 constexpr double kMaxSpacing = 1.5;
 
-/// Seconds: gaps up to the first do not end a segment; across gaps longer than the second the
-/// chamber's action is unknown. Chosen: a coil follows in minutes. segments_test.
+/// Seconds: gaps up to this do not end a segment. Chosen. Across gaps longer than kHoldSeconds
+/// (board_limits.hpp) nothing is known of the chamber, as of a temperature. segments_test.
 constexpr double kMaxDropoutS = 1;
-constexpr double kMaxKnownGapS = 60;
 
-/// Definition of a ramp: minimum rate, degC/min (an hour for 3 degC), and minimum change, in degC
-/// or tolerances. Ramps of 0.1 to 10 degC/min are all found. segments_test.
+/// Definition of a ramp: minimum change, in degC or tolerances, however long it takes; and the
+/// rate, degC/min, from which on a smaller change belongs to the ramp beside it. segments_test.
 constexpr double kMinRampDegcPerMin = 0.05;
 constexpr double kMinRampDegc = 2;
 constexpr double kMinRampTolerances = 4;
@@ -68,9 +67,6 @@ constexpr double kMaxUnixTimeS = 4.1e9;
 /// gyro, and 10 min beyond a logger of one. time_scale_test.
 constexpr double kMinUsualPeriodS = 1e-4;
 constexpr double kMaxUsualPeriodS = 600;
-/// Seconds: readings of a slow column are interpolated over at most this time, for which a board
-/// holds a temperature (board_limits.hpp, kHoldSeconds). foreign_files_test.
-constexpr double kMaxBridgeS = 60;
 /// Smallest number of changes of an input rate that may be those of held readings; with fewer there
 /// is little to gain. sparse_input_rate_test.
 constexpr std::size_t kMinHeldChanges = 20;
@@ -138,10 +134,9 @@ constexpr double kMinAngleRandomWalkDprh = 1e-5;
 constexpr double kMaxAngleRandomWalkDprh = 60;
 /// Hours: a year without interruption. plausibility_test.
 constexpr double kMaxRunHours = 8766;
-/// degC/min over a minute: chambers for thermal stress reach 15 to 25 in the air, and a coil
+/// degC/min over kHoldSeconds: chambers for thermal stress reach 15 to 25 in the air, and a coil
 /// follows in minutes. plausibility_test.
 constexpr double kMaxCoilDegcPerMin = 30;
-constexpr double kFastWindowS = 60;
 /// degC/min over an hour: a room changes more between day and night (3 degC in 12 h, 0.25 degC/h).
 /// plausibility_test.
 constexpr double kMinChamberDegcPerMin = 0.003;

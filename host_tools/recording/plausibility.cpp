@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recording/board_limits.hpp"
 #include "recording/decision_rules.hpp"
 #include "recording/row_range.hpp"
 #include "recording/segments.hpp"
@@ -64,7 +65,8 @@ std::string length_doubt(const Recording& recording) {
 }
 
 std::string fast_doubt(const Recording& recording) {
-  const TemperatureChange fastest = fastest_change(recording, rules::kFastWindowS);
+  const double length_s = recording.time_s.back() - recording.time_s.front();
+  const TemperatureChange fastest = fastest_change(recording, std::min(kHoldSeconds, length_s));
   if (fastest.degc < rules::kMinDoubtedDegc ||
       fastest.degc_per_min() <= rules::kMaxCoilDegcPerMin) {
     return "";

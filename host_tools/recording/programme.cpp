@@ -102,11 +102,17 @@ struct Piece {
   double duration_s() const { return to.time_s - from.time_s; }
 };
 
-SegmentKind kind_by_slope(const Point& from, const Point& to) {
+SegmentKind ramp_of(double change_degc) {
+  return change_degc > 0 ? SegmentKind::ramp_up : SegmentKind::ramp_down;
+}
+
+// A soak stands: a change as large as a ramp's is one, however long it takes.
+SegmentKind kind_by_slope(const Point& from, const Point& to, double min_ramp_degc) {
   const double change_degc = to.temperature_degc - from.temperature_degc;
   const double minutes = (to.time_s - from.time_s) / kSecondsPerMinute;
-  if (std::fabs(change_degc) < rules::kMinRampDegcPerMin * minutes) return SegmentKind::soak;
-  return change_degc > 0 ? SegmentKind::ramp_up : SegmentKind::ramp_down;
+  const double fast_degc = rules::kMinRampDegcPerMin * minutes;
+  if (std::fabs(change_degc) < std::min(fast_degc, min_ramp_degc)) return SegmentKind::soak;
+  return ramp_of(change_degc);
 }
 
 void join_equal_neighbours(std::vector<Piece>& pieces) {
@@ -129,6 +135,14 @@ void flatten_small_ramps(std::vector<Piece>& pieces, double min_ramp_degc) {
   join_equal_neighbours(pieces);
 }
 
+// Neighbours that each stand may move together.
+void find_slow_ramps(std::vector<Piece>& pieces, double min_ramp_degc) {
+  for (Piece& piece : pieces) {
+    if (std::fabs(piece.change_degc()) >= min_ramp_degc) piece.kind = ramp_of(piece.change_degc());
+  }
+  join_equal_neighbours(pieces);
+}
+
 // A short rest is a bend of the preceding ramp (at the start: of the following one), not a soak.
 void drop_short_soaks(std::vector<Piece>& pieces) {
   if (pieces.size() < 2) return;
@@ -145,16 +159,18 @@ std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowR
   const std::vector<Point> points = decimate(recording, rows);
   if (points.size() < 2) return {{SegmentKind::soak, rows}};
   const double tolerance = tolerance_degc(recording, rows, points);
+  const double min_ramp_degc = std::max(rules::kMinRampDegc, rules::kMinRampTolerances * tolerance);
 
   std::vector<Piece> pieces;
   const std::vector<std::size_t> corners = find_corners(points, tolerance);
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const Point& from = points[corners[i - 1]];
     const Point& to = points[corners[i]];
-    pieces.push_back({from, to, kind_by_slope(from, to)});
+    pieces.push_back({from, to, kind_by_slope(from, to, min_ramp_degc)});
   }
   join_equal_neighbours(pieces);
-  flatten_small_ramps(pieces, std::max(rules::kMinRampDegc, rules::kMinRampTolerances * tolerance));
+  flatten_small_ramps(pieces, min_ramp_degc);
+  find_slow_ramps(pieces, min_ramp_degc);
   drop_short_soaks(pieces);
 
   std::vector<ProgrammePart> parts;

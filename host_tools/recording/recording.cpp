@@ -7,6 +7,7 @@
 #include "recording/csv_reader.hpp"
 #include "recording/decision_rules.hpp"
 #include "recording/foreign_format.hpp"
+#include "recording/joined_file.hpp"
 #include "recording/line_numbers.hpp"
 #include "recording/output_stream_reader.hpp"
 #include "recording/refused_rows.hpp"
@@ -103,6 +104,7 @@ Recording read_recording(InputFile& file, const ReadOptions& options) {
   } else {
     refuse_false_utf16(head, path);
     recording = read_csv(file, options, lines);
+    if (!options.join.empty()) join_file(recording, lines, options);
   }
   if (recording.input_rate_dph.empty() && options.default_input_rate_dph != 0) {
     recording.input_rate_dph.assign(recording.rows(), options.default_input_rate_dph);

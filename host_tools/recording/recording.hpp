@@ -55,9 +55,11 @@ struct Recording {
     std::string text;
   };
   std::vector<Label> labels;
-  bool temperature_given = false;  ///< none was measured: ReadOptions::temperature_degc
+  bool temperature_given = false;  ///< none was measured: one value for all rows
   /// time_s starts at the first row, because the file has calendar times.
   bool power_on_unknown = false;
+  /// With power_on_unknown: the first row's time, seconds since 1970 if its calendar is known.
+  double first_date_s = 0;
   std::size_t rows_per_row = 1;  ///< rows of the file per row; above 1 if it is too long for memory
   std::size_t bad_rows = 0;      ///< left out by skip_bad_rows
   std::size_t empty_rows = 0;    ///< left out because of a missing value
@@ -113,6 +115,8 @@ struct ReadOptions {
   std::string where{};
   std::vector<Mask> masks{};
   std::vector<Cut> cuts{};  ///< made by runs::read_runs()
+  /// Decimal mark of a CSV, whose other mark then parts thousands; nothing: as its numbers show.
+  std::optional<bool> decimal_comma{};
   bool skip_bad_rows = false;
   /// Keeps the samples that the board would refuse: for the board's own code, which judges them
   /// itself.
@@ -127,6 +131,12 @@ struct ReadOptions {
   std::optional<double> stream_rate_hz;
   /// Of all rows of a CSV without temperatures.
   std::optional<double> temperature_degc{};
+  /// A file whose columns complete those of a CSV by their times (joined_file.hpp), and its own map
+  /// of columns; "": none.
+  std::string join{};
+  std::string join_columns{};
+  /// Of a file that is joined: its rates are not needed.
+  bool without_rate = false;
   ReadWatch watch{};
 };
 

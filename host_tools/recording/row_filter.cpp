@@ -91,9 +91,8 @@ std::vector<Sensors> unknown_columns(const std::vector<std::string_view>& lines,
   const std::size_t rate_field = header.field_of(kRateSlot);
   const std::size_t temperature_field = header.field_of(kTemperatureSlot);
   const auto number_in = [&](std::size_t field, double& value) {
-    const bool is_number =
-        field < std::min(fields.size(), header.slots.size()) &&
-        read_number(fields[field], layout.dialect.decimal_comma, value) == FieldKind::number;
+    const bool is_number = field < std::min(fields.size(), header.slots.size()) &&
+                           read_number(fields[field], layout.dialect, value) == FieldKind::number;
     return is_number ? &value : nullptr;
   };
   for (std::size_t i = next_row(lines, layout.lines_before_rows); i < lines.size();

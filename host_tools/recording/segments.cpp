@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "recording/board_limits.hpp"
 #include "recording/decision_rules.hpp"
 #include "recording/programme.hpp"
 #include "support/median.hpp"
@@ -64,7 +65,7 @@ Segment segment_of(const Recording& recording, const std::string& name, SegmentK
 std::vector<Segment> segments_by_temperature(const Recording& recording) {
   std::vector<Segment> segments;
   const RowRange all{0, recording.rows()};
-  for (const RowRange& programme : cut_at_gaps(recording, all, rules::kMaxKnownGapS)) {
+  for (const RowRange& programme : cut_at_gaps(recording, all, kHoldSeconds)) {
     const std::vector<ProgrammePart> parts = find_programme_parts(recording, programme);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string name = name_of(recording, parts, i);

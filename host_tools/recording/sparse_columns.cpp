@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "recording/board_limits.hpp"
 #include "recording/columns.hpp"
 #include "recording/decision_rules.hpp"
 #include "recording/row_removal.hpp"
 #include "recording/sparse_input_rate.hpp"
 #include "recording/unknown_input_rate.hpp"
 #include "support/input_error.hpp"
+#include "support/median.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::recording {
@@ -21,10 +23,13 @@ std::size_t readings_in(const std::vector<double>& column) {
       std::count_if(column.begin(), column.end(), [](double value) { return !std::isnan(value); }));
 }
 
+// Two readings that differ by at most `step` are joined however far they are apart: a logger that
+// writes a value when it changes had no other between them.
 void join_readings(const std::vector<double>& time_s, std::vector<double>& column,
-                   std::size_t before, std::size_t after) {
+                   std::size_t before, std::size_t after, double step) {
   const double length_s = time_s[after] - time_s[before];
-  if (length_s > rules::kMaxBridgeS) return;
+  const bool is_step = step > 0 && std::fabs(column[after] - column[before]) <= step;
+  if (length_s > kHoldSeconds && !is_step) return;
   for (std::size_t row = before + 1; row < after; ++row) {
     const double part = (time_s[row] - time_s[before]) / length_s;
     column[row] = column[before] + part * (column[after] - column[before]);
@@ -79,6 +84,23 @@ void say_how_sparse(const Recording& recording, const ColumnInfo& info, std::siz
                    is_smooth ? "smooth curve" : "straight line"));
 }
 
+// Of a temperature that is logged when it changes, the step by which it does: no two readings that
+// follow each other are equal, most differ by the smallest difference, and that is no ramp. 0 for
+// any other column.
+double step_between_changes(const ColumnInfo& info, const std::vector<double>& column) {
+  if (info.column != Column::temperature_degc) return 0;
+  std::vector<double> changes;
+  for_each_interval(column, [&](std::size_t before, std::size_t after) {
+    changes.push_back(std::fabs(column[after] - column[before]));
+  });
+  if (changes.empty()) return 0;
+  const double step = *std::min_element(changes.begin(), changes.end());
+  const double usual = median(changes);
+  constexpr double kRounding = 1e-6;
+  const bool is_step = usual <= step * (1 + kRounding) && usual < rules::kMinRampDegc;
+  return is_step ? usual * (1 + kRounding) : 0;
+}
+
 std::vector<std::size_t> incomplete_rows(const Recording& recording) {
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < recording.rows(); ++row) {
@@ -94,12 +116,12 @@ std::vector<std::size_t> incomplete_rows(const Recording& recording) {
 
 }  // namespace
 
-void join_by_lines(const std::vector<double>& time_s, std::vector<double>& column) {
+void join_by_lines(const std::vector<double>& time_s, std::vector<double>& column, double step) {
   const std::size_t last = for_each_interval(column, [&](std::size_t before, std::size_t after) {
-    join_readings(time_s, column, before, after);
+    join_readings(time_s, column, before, after, step);
   });
   for (std::size_t row = last + 1; row < column.size(); ++row) {
-    if (time_s[row] - time_s[last] <= rules::kMaxBridgeS) column[row] = column[last];
+    if (time_s[row] - time_s[last] <= kHoldSeconds) column[row] = column[last];
   }
 }
 
@@ -116,7 +138,7 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
       unknown = draw_input_rate(recording.time_s, recording.rate_dph, column);
     }
     if (info.column == Column::uptime_s) complete_restarts(recording.time_s, column);
-    join_by_lines(recording.time_s, column);
+    join_by_lines(recording.time_s, column, step_between_changes(info, column));
     const bool complete_now = readings_in(column) == column.size();
     if (readings > 0 && (complete_now || is_needed(info.column))) {
       say_how_sparse(recording, info, readings, watch);
@@ -135,7 +157,7 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
   watch.say(recording.file,
             counted(removed.size(), "sample") +
                 format(" left out: no temperature or input rate within %g s, the first at line %zu",
-                       rules::kMaxBridgeS, lines.line_of(removed.front())));
+                       kHoldSeconds, lines.line_of(removed.front())));
   recording.empty_rows += removed.size();
   lines = lines.without(removed, recording.rows());
   remove_rows(recording, removed);

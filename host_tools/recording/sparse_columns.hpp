@@ -8,8 +8,9 @@
 namespace fogcomp::recording {
 
 /// Completes a column with readings in some rows only (NaN elsewhere): by straight lines between
-/// readings at most rules::kMaxBridgeS apart; behind the last reading it repeats that for as long.
-void join_by_lines(const std::vector<double>& time_s, std::vector<double>& column);
+/// readings at most kHoldSeconds apart, or different by at most `step` if that is not 0;
+/// behind the last reading it repeats that for as long.
+void join_by_lines(const std::vector<double>& time_s, std::vector<double>& column, double step = 0);
 
 /// The same for all columns of a recording, the input rate first by draw_input_rate(), with masks
 /// where it is unknown, the uptime over restarts. Then removes rows without temperature or input

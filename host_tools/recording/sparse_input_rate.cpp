@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "recording/board_limits.hpp"
 #include "recording/decision_rules.hpp"
 #include "support/median.hpp"
 
@@ -112,7 +113,7 @@ std::vector<std::vector<RateReading>> bridged(const std::vector<double>& time_s,
   std::vector<std::vector<RateReading>> all;
   for (std::size_t row = 0; row < column.size(); ++row) {
     if (std::isnan(column[row])) continue;
-    if (all.empty() || time_s[row] - all.back().back().time_s > rules::kMaxBridgeS) {
+    if (all.empty() || time_s[row] - all.back().back().time_s > kHoldSeconds) {
       all.emplace_back();
     }
     all.back().push_back({row, time_s[row], column[row]});

@@ -14,7 +14,7 @@ bool blank_held_readings(const std::vector<double>& time_s, const std::vector<do
                          std::vector<double>& input_rate);
 
 /// Completes an input rate with readings in some rows only (NaN elsewhere) between readings at most
-/// rules::kMaxBridgeS apart: by the cubic through the four readings around, or, beside a sudden
+/// kHoldSeconds apart: by the cubic through the four readings around, or, beside a sudden
 /// change, before or behind. (A straight line cuts the peaks: with 20 readings in a period a sine
 /// would lose 0.8 %, which looks like a scale factor.) Leaves what no such cubic tells: see
 /// join_by_lines().

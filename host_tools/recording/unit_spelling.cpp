@@ -49,7 +49,7 @@ const Spellings kSpellings[] = {
     {{Quantity::temperature, "degC"}, "degc c celsius degcelsius degreec degreesc degreescelsius"},
     {{Quantity::temperature, "K", 1, 1, 273.15}, "k kelvin degk"},
     {{Quantity::temperature, "degF", 1, 1.8, 32}, "f degf fahrenheit degfahrenheit"},
-    {{Quantity::temperature, "mdegC", 1, 1e3}, "mdegc"},
+    {{Quantity::temperature, "mdegC", 1, 1e3}, "mdegc mc"},
     {{Quantity::temperature, "cdegC", 1, 100}, "cdegc"},
     {{Quantity::field, "uT"}, "ut microtesla"},
     {{Quantity::field, "mT", 1e3}, "mt millitesla"},
@@ -66,7 +66,7 @@ const Spellings kSpellings[] = {
     {{Quantity::other, "another unit"},
      "hz khz mhz deg degree degrees rad mrad m mm m/s m/s2 m/s/s g mg pct % a ma ua pa hpa kpa bar "
      "mbar degc/min degc/s "
-     "k/min k/s dps/s deg/s2 rad/s2 g/rms/hz w dbm"},
+     "k/min k/s dps/s deg/s2 rad/s2 g/rms/hz w dbm ohm kohm"},
 };
 
 const std::map<std::string, Unit>& units_by_key() {

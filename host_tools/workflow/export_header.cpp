@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "board/header.hpp"
+#include "board/settling_time.hpp"
 #include "model/catalogue.hpp"
 #include "model/drift_model.hpp"
 #include "model/model_file.hpp"
@@ -47,6 +48,9 @@ std::vector<std::string> left_out(const model::Model& model,
         format("%s is taken at %.4g degC, the highest trained temperature: the board "
                "expects a gyro that has been there",
                term.name.c_str(), model.max_degc));
+  }
+  if (const std::string settling = board::settling_words(model); !settling.empty()) {
+    notes.push_back(settling);
   }
   const fog::AcquisitionParameters& board = parameters.acquisition;
   const double step_dps = std::ldexp(board.rate.step.raw(), -fog::RateStep::fractional_bits) / 3600;
@@ -141,8 +145,9 @@ std::string export_refusal(const model::Model& model, const std::string& file, b
 }
 
 ExportOutcome export_header(const ExportRequest& request) {
-  return board_header(model::load_model(request.model), request.model, request.board,
-                      request.allow_error);
+  model::Model model = model::load_model(request.model);
+  if (request.denoiser) model.denoise = request.denoiser(model.denoise);
+  return board_header(model, request.model, request.board, request.allow_error);
 }
 
 }  // namespace fogcomp::workflow

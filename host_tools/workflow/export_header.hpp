@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct ExportRequest {
   std::string model;  ///< file
   board::BoardSettings board;
   bool allow_error = false;  ///< despite too large a rounding error or too uncertain a fit
+  /// The model's denoiser is changed by this, if it is given.
+  std::function<model::DenoiseSettings(const model::DenoiseSettings&)> denoiser{};
 };
 
 /// A model in the firmware's form, and the error of its integers.

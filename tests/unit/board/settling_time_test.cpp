@@ -44,6 +44,13 @@ TEST(SettlingTime, IsNotThatOfATimeWithoutAState) {
       7 * 30);
 }
 
+TEST(SettlingTime, OfALag_IsSaid) {
+  EXPECT_EQ(settling_words(fog::test::paper_like_model()), "");
+  EXPECT_EQ(settling_words(model_of({natural_term("thermal_lag", {604}, {1})})),
+            "no rate is valid for the first 3230 s after power-on, until the lags of thermal_lag "
+            "have settled (export --invalid chooses what makes a rate invalid)");
+}
+
 TEST(SettlingTime, IsInTheTableOfTheBoard) {
   const model::Model model = model_of({natural_term("thermal_lag", {300}, {1})});
   const BoardTable table = make_board_table(model, {200});

@@ -5,6 +5,7 @@
 #include <functional>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "heard_in.hpp"
@@ -386,6 +387,75 @@ TEST(ForeignFiles, AreRefusedWithTheLineThatHelpsWhereTheyMeanTwoThings) {
   }
 }
 
+// Forty rows whose last column is `first` and `second` in turn.
+std::string table_of(const std::string& header, char separator, const std::string& first,
+                     const std::string& second) {
+  std::string text = header + "\n";
+  for (int row = 0; row < kRows; ++row) {
+    text +=
+        std::to_string(row) + separator + "20" + separator + (row % 2 == 0 ? first : second) + "\n";
+  }
+  return text;
+}
+
+TEST(DigitGroups, NumbersThatMayBeDecimals_RefusedWithBoth) {
+  ReadOptions options;
+  options.scale_factor = 1800;  // a count is 2 deg/h
+  const auto read = [&](const std::string& content) {
+    return read_recording(temporary_file("groups.csv", content), options).rate_dph[0] / 2;
+  };
+  const std::string names = "time_s;temperature_degc;counts";
+  for (const auto& [first, second, said] :
+       {std::tuple("12,389", "12,402",
+                   "numbers such as 12,389 (column 3 'counts') can be 12.389 or 12389; say which "
+                   "mark is the decimal one: --decimal-mark comma or point"),
+        std::tuple("12.389", "999",
+                   "can be 12.389 or 12389; say which mark is the decimal one: "
+                   "--decimal-mark point or comma"),
+        std::tuple("-12,389", "+1,402", "can be 12.389 or 12389")}) {
+    const std::string refusal = said_of(table_of(names, ';', first, second), options);
+    EXPECT_NE(refusal.find(said), std::string::npos) << refusal;
+  }
+  const std::string quoted =
+      table_of("time_s,temperature_degc,counts", ',', "\"12,389\"", "\"12,402\"");
+  EXPECT_NE(said_of(quoted, options).find("can be 12.389 or 12389"), std::string::npos);
+  // A zero before the mark, another number of digits, or a long number: decimals.
+  EXPECT_NEAR(read(table_of(names, ';', "12,389", "0,402")), 12.389, 1e-9);
+  EXPECT_NEAR(read(table_of(names, ';', "12,389", "7,5")), 12.389, 1e-9);
+  EXPECT_NEAR(read(table_of(names, ';', "12,389", "2345")), 12.389, 1e-9);
+  EXPECT_EQ(read_recording(temporary_file("groups.csv", table_of("time_s,temperature_degc,rate_dph",
+                                                                 ',', "12.389", "13.402")),
+                           {})
+                .rate_dph[0],
+            12.389);
+  EXPECT_NE(said_of(table_of("time_s,temperature_degc,counts", ',', "12.389", "13.402"), options)
+                .find("can be 12.389 or 12389"),
+            std::string::npos);
+
+  options.decimal_comma = false;
+  EXPECT_NEAR(read(table_of(names, ';', "12,389", "1,234,567.5")), 12389, 1e-9);
+  EXPECT_NEAR(read(quoted), 12389, 1e-9);
+  options.decimal_comma = true;
+  EXPECT_NEAR(read(table_of(names, ';', "12,389", "13,402")), 12.389, 1e-9);
+  EXPECT_NEAR(read(table_of(names, ';', "12.389", "13.402")), 12389, 1e-9);
+  EXPECT_NE(said_of(table_of(names, ';', "1.38", "1.40"), options).find("not a finite number"),
+            std::string::npos);
+}
+
+TEST(ForeignFiles, ScaledUnit_NotTakenForTheUnit) {
+  for (const char* name :
+       {"rate_0.01 deg/s", "rate x10 dps", "rate_1e-6 rad/s", "rate 10^-6 rad/s", "rate*100_dps"}) {
+    const std::string said = said_of("time_s,temperature_degc," + std::string(name) + "\n0,20,1\n");
+    EXPECT_NE(said.find("give it: --columns 'rate="), std::string::npos) << name << said;
+  }
+  EXPECT_EQ(read_recording(temporary_file("milli.csv", "time_s,temp_mC,rate_dph\n0,20000,1\n"), {})
+                .temperature_degc,
+            std::vector<double>{20});
+  EXPECT_EQ(read_recording(temporary_file("two.csv", "time_s,coilTempC,gyro_2_dps\n0,20,1\n"), {})
+                .rate_dph,
+            std::vector<double>{3600});
+}
+
 TEST(ForeignFormats, FirstBytes_RefusedWithTheWayToACsv) {
   using namespace std::string_literals;
   struct Format {
@@ -447,6 +517,42 @@ TEST(ForeignFiles, AreSettledByTheMapOfColumns) {
   const std::string plain = "time_s,temperature_degc,rate_dph\n0,20,1\n";
   EXPECT_EQ(read_recording(temporary_file("map.csv", plain), remembered).rate_dph,
             std::vector<double>{1});
+}
+
+TEST(ColumnMap, ValueInPlaceOfAName_IsOfAllRows) {
+  const std::string path = temporary_file("dwell.csv", "time_s,rate_dph,x\n0,1,7\n1,2,8\n");
+  std::string said;
+  ReadOptions options = heard_in(said);
+  options.columns = "input_rate=50[deg/s],temperature=298.15[K]";
+  const Recording recording = read_recording(path, options);
+  EXPECT_EQ(recording.input_rate_dph, (std::vector<double>{180000, 180000}));
+  EXPECT_EQ(recording.temperature_degc, (std::vector<double>{25, 25}));
+  EXPECT_TRUE(recording.temperature_given);
+  EXPECT_NE(said.find("input_rate: 50[deg/s], as given"), std::string::npos) << said;
+  options.columns = "input_rate=-2.5[deg/s],temperature=25[degC]";
+  EXPECT_EQ(read_recording(path, options).input_rate_dph[0], -9000);
+  // The number of a column stays one, unless its name says that it is another.
+  options.columns = "temperature=3[degC]";
+  EXPECT_EQ(read_recording(path, options).temperature_degc, (std::vector<double>{7, 8}));
+  const auto said_with = [&](const char* columns) {
+    ReadOptions wrong;
+    wrong.columns = columns;
+    return said_of("time_s,rate_dph,x\n0,1,7\n1,2,8\n", wrong);
+  };
+  EXPECT_NE(said_with("temperature=2[degC]")
+                .find("temperature=2[degC] can be column 2 'rate_dph' or that value; give "
+                      "temperature=rate_dph[UNIT], or the value with a point: "
+                      "temperature=2.0[UNIT]"),
+            std::string::npos)
+      << said_with("temperature=2[degC]");
+  EXPECT_NE(said_with("temperature=5000[degC]").find("temperature is 5000, outside"),
+            std::string::npos);
+  EXPECT_NE(said_with("rate=50[deg/s],temperature=25[degC]").find("no column '50[deg/s]'"),
+            std::string::npos);
+  // Those of a model are of its file.
+  ReadOptions remembered;
+  remembered.model_columns = "rate=rate_dph[deg/h],temperature=x[degC],input_rate=50[deg/s]";
+  EXPECT_TRUE(read_recording(path, remembered).input_rate_dph.empty());
 }
 
 // As `rostopic echo -p` names the columns.
@@ -531,6 +637,17 @@ TEST(ForeignFiles, HaveATemperatureBetweenItsReadings) {
   EXPECT_NE(said.find("temperature_degc: a reading in 10 of 100 samples (1 in 10)"),
             std::string::npos)
       << said;
+}
+
+TEST(ForeignFiles, TemperatureLoggedWhenItChanges_IsKnownBetween) {
+  std::string content = "time_s,temperature_degc,rate_dph\n";
+  for (int row = 0; row < 2000; ++row) {
+    content +=
+        format("%d,%s,%d\n", row, row % 400 == 0 ? digits(20 + row / 800.0).c_str() : "", row % 7);
+  }
+  const Recording steps = read_recording(temporary_file("steps.csv", content), {});
+  EXPECT_EQ(steps.rows(), 1661U);  // to a minute behind the last reading
+  EXPECT_NEAR(steps.temperature_degc[200], 20.25, 1e-9);
 }
 
 // A table that swings and once jumps, with a record that repeats its readings for 5 s.

@@ -54,6 +54,8 @@ TEST(Plausibility, OfATimeInAnotherUnitIsDoubted) {
   EXPECT_NE(min.find("as no chamber can move a coil: is the time in s, or in min?"),
             std::string::npos)
       << min;
+  EXPECT_NE(doubts_of(chamber_run(1.0 / 3600)).find("as no chamber can move a coil"),
+            std::string::npos);
   EXPECT_NE(doubts_of(chamber_run(5000)).find("a run of 9986 h"), std::string::npos);
 }
 

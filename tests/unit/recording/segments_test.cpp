@@ -101,6 +101,23 @@ TEST(Segments, FindRampsOfEverySpeed) {
   }
 }
 
+// A soak stands, however slowly a ramp goes.
+TEST(Segments, SlowRamp_IsNoSoak) {
+  for (const double speed : {0.014, 0.03}) {
+    Chamber chamber;
+    chamber.levels_degc = {10, 50};
+    chamber.ramp_degc_per_min = speed;
+    chamber.soak_min = 0;
+    chamber.period_s = 10;
+    chamber.noise_degc = 0.02;
+    EXPECT_EQ(names(record(chamber)), std::vector<std::string>{"ramp 10..50"}) << speed;
+  }
+  Chamber room;
+  room.levels_degc = {20, 21.5, 20};
+  room.ramp_degc_per_min = 0.02;
+  EXPECT_EQ(names(record(room)).size(), 1U);
+}
+
 TEST(Segments, AreNotMadeByNoiseOrStepsOfTheSensor) {
   for (const double resolution : {0.01, 0.0625, 0.5, 1.0}) {
     for (const double noise : {0.0, 0.05, 0.3}) {

@@ -65,7 +65,7 @@ TEST(TimeScale, NumbersThatAreDates_InTheOnlyUnitThatFits) {
       {"timestamp", 1709625600000000000, 1e8, 0, 0.1, "as ns"},
       {"time", 45356.5, 0.1, 1, 0.1, "as s"},  // since power-on, or of the day
       {"time", 0, 1e-3, 3, 1e-3, "as s"},
-      {"time", 0, 300, 0, 300, "as s"},
+      {"time", 0.5, 300, 1, 300, "as s"},
   };
   for (const Case& each : cases) {
     const Read result = read(file_with(each.name, each.first, each.step, each.decimals));
@@ -101,6 +101,47 @@ TEST(TimeScale, NumbersWithoutMeaning_RefusedWithTheOption) {
                              "give their unit: --columns 'time=time[UNIT]'"),
             std::string::npos)
       << result.said;
+}
+
+TEST(TimeScale, SecondsOfAnotherCalendar_AreNoTimeSincePowerOn) {
+  const Read slow = read(file_with("timestamp", 731332800, 1, 1));  // 2024, since 2001
+  EXPECT_NE(slow.said.find("can be in ms since power-on, a sample each 0.001 s, or in s (dates), a "
+                           "sample each 1 s"),
+            std::string::npos)
+      << slow.said;
+  const Read fast = read(file_with("timestamp", 731332800, 0.01, 2));
+  EXPECT_NEAR(fast.period_s, 0.01, 1e-6) << fast.said;
+  EXPECT_NE(fast.said.find("calendar times, counted from the first sample"), std::string::npos)
+      << fast.said;
+}
+
+TEST(TimeScale, WholeNumbersThatMayBeMilliseconds_RefusedOrSaid) {
+  const Read tens = read(file_with("time", 0, 10, 0));
+  EXPECT_NE(tens.said.find("can be in s since power-on, a sample each 10 s, or in ms since "
+                           "power-on, a sample each 0.01 s; say which"),
+            std::string::npos)
+      << tens.said;
+  const Read ones = read(file_with("time", 0, 1, 0));
+  EXPECT_EQ(ones.period_s, 1);
+  EXPECT_NE(ones.said.find("column 1 'time' as s (in ms: a sample each 0.001 s)"),
+            std::string::npos)
+      << ones.said;
+  EXPECT_EQ(read(file_with("time", 0.5, 10, 1)).said.find("in ms"), std::string::npos);
+}
+
+TEST(TimeScale, NumbersOfAClock_Refused) {
+  std::string clock = "utc_time,temperature_degc,rate_dph\n";
+  std::string seconds = clock;
+  for (int row = 0; row < 200; ++row) {
+    const int s = 43130 + row;
+    clock += format("%02d%02d%02d,20,%d\n", s / 3600, s / 60 % 60, s % 60, row % 7);
+    seconds += format("%d,20,%d\n", row + (row > 50 ? 40 : 0), row % 7);
+  }
+  EXPECT_NE(read(clock).said.find("times such as 115850 (column 1 'utc_time') are hhmmss of a "
+                                  "clock; write 2024-03-05T12:30:15.25 or seconds"),
+            std::string::npos)
+      << read(clock).said;
+  EXPECT_EQ(read(seconds).period_s, 1) << read(seconds).said;
 }
 
 TEST(TimeScale, UnitThatIsGiven_NotDoubted) {
@@ -171,7 +212,8 @@ TEST(TimeColumn, DatesOfLoggers_Read) {
     for (int row = 0; row < 5; ++row) text += format(format_of, 3 + row) + ",20,1\n";
     EXPECT_EQ(read(text).period_s, 1) << format_of << ": " << read(text).said;
   }
-  for (const char* other : {"05-Mar-2024 01:02:03", "5.3.2024 1:02", "12:30:15 PM"}) {
+  for (const char* other : {"05-Mar-2024 01:02:03", "5.3.2024 1:02", "12:30:15 PM",
+                            "Tue Mar 05 12:00:00 2024", "20240305T120000"}) {
     const Read result = read(std::string("time,temperature_degc,rate_dph\n") + other + ",20,1\n");
     EXPECT_NE(result.said.find("is no ISO 8601 date and time; write 2024-03-05T12:30:15.25"),
               std::string::npos)
@@ -187,9 +229,11 @@ TEST(TimeCounter, ThatBeginsAgain_CountedOn) {
     double step;
     double period_s;
   };
-  for (const Case& each : {Case{"time_us", 4294967296, 4294900000, 5000, 0.005},
-                           Case{"time_ms", 65536, 65000, 10, 0.01},
-                           Case{"time_us", 4294967296, 2147400000, 5000, 0.005}}) {
+  for (const Case& each :
+       {Case{"time_us", 4294967296, 4294900000, 5000, 0.005},
+        Case{"time_ms", 65536, 65000, 10, 0.01},
+        Case{"time_us", 4294967296, 2147400000, 5000, 0.005}, Case{"time_s", 86400, 86350, 1, 1},
+        Case{"tow_time_s", 604800, 604750, 1, 1}}) {
     std::string text = std::string(each.name) + ",temperature_degc,rate_dph\n";
     for (int row = 0; row < 200; ++row) {
       double count = std::fmod(each.first + row * each.step, each.span);
