@@ -3,44 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "findings/allan_plot.hpp"
 #include "findings/compare_words.hpp"
+#include "findings/compared_models.hpp"
 #include "findings/figures.hpp"
 #include "findings/labels.hpp"
+#include "findings/residual_plots.hpp"
 #include "findings/run_details.hpp"
 #include "findings/run_plots.hpp"
-#include "noise/autocorrelation.hpp"
-#include "noise/noise_coefficients.hpp"
 #include "support/text.hpp"
-#include "support/units.hpp"
 
 namespace fogcomp::findings {
 namespace {
-
-using Models = std::vector<const compare::ModelOnRuns*>;
-
-const compare::Comparison& on_run(const compare::ModelOnRuns& model, std::size_t run) {
-  return model.runs[run].comparison;
-}
-
-// A single model is named by its kind; several are named by their files.
-std::vector<Text> labels(const Models& models, const Text& alone) {
-  if (models.size() == 1) return {alone};
-  std::vector<std::string> files;
-  for (const compare::ModelOnRuns* model : models) files.push_back(model->file);
-  std::vector<Text> labels;
-  for (const std::string& name : short_names(files)) labels.push_back(verbatim(name));
-  return labels;
-}
-
-// The best model has the colour of a single one.
-std::string residual_colour(std::size_t model) {
-  return model == 0 ? "residual" : part_colour(model);
-}
-
-Look look_of(std::size_t model) {
-  return model == 0 ? Look::line : Look::faint;
-}
 
 void add_words(Document& document, const Models& models, std::size_t run, Shown shown) {
   const std::vector<Text> names = labels(models, "");
@@ -153,31 +126,6 @@ void add_over_time(Document& document, const Models& models, std::size_t run) {
   document.plot(residual);
 }
 
-void add_band(Document& document, const compare::ModelOnRuns& model, std::size_t run) {
-  const std::optional<compare::PredictiveBand>& band = model.runs[run].band;
-  if (!band) return;
-  Curve residual{"residual", "residual", band->residual_dph};
-  residual.look = Look::points;
-  Curve above{"2 sigma", "model", {}};
-  above.look = Look::dashed;
-  Curve below = above;
-  Plot plot;
-  plot.title =
-      words(format("Means of the residual over %.3g min, and the band that the model promises.",
-                   band->row_s / kSecondsPerMinute));
-  plot.x_label = "time, h";
-  plot.y_label = "residual, deg/h";
-  for (std::size_t i = 0; i < band->time_s.size(); ++i) {
-    plot.x.push_back(band->time_s[i] / kSecondsPerHour);
-    above.y.push_back(2 * band->sigma_dph[i]);
-    below.y.push_back(-2 * band->sigma_dph[i]);
-  }
-  plot.curves = {above, below, residual};
-  plot.caption = words(format("Within 1 sigma: %.0f %%, within 2: %.0f %%.",
-                              100 * band->share_within(1), 100 * band->share_within(2)));
-  document.plot(plot);
-}
-
 void add_parts(Document& document, const compare::ModelOnRuns& model, std::size_t run) {
   const compare::Comparison& comparison = on_run(model, run);
   std::vector<Trace> parts;
@@ -257,45 +205,6 @@ void add_dependences(Document& document, const compare::ModelOnRuns& model, std:
   for (const Dependent& one : all) document.plot(one.plot);
 }
 
-void add_allan(Document& document, const Models& models, std::size_t run) {
-  const compare::ResidualAnalysis& best = models[0]->runs[run].analysis;
-  if (best.raw_allan.empty()) return;
-  const std::vector<Text> names = labels(models, "after");
-  std::vector<AllanCurve> curves{{"before", "measured", best.raw_allan}};
-  for (std::size_t i = models.size(); i-- > 0;) {
-    curves.push_back({names[i], residual_colour(i), models[i]->runs[run].analysis.residual_allan});
-  }
-  document.plot(allan_plot(curves, noise::fit_noise_coefficients(best.residual_allan)));
-}
-
-void add_autocorrelation(Document& document, const Models& models, std::size_t run) {
-  constexpr std::size_t kLags = 100;
-  const std::vector<Text> names = labels(models, "residual");
-  Plot plot;
-  plot.title = "Autocorrelation of the residual.";
-  plot.x_label = "lag, s";
-  plot.y_label = "correlation";
-  for (std::size_t i = models.size(); i-- > 0;) {
-    const compare::Comparison& comparison = on_run(*models[i], run);
-    const std::vector<double> residual = comparison.bridged(comparison.residuals_dph());
-    Curve curve{names[i], residual_colour(i), {}, {}, {}, look_of(i)};
-    for (std::size_t lag = 1; lag <= std::min(kLags, residual.size() / 4); ++lag) {
-      curve.x.push_back(static_cast<double>(lag) * comparison.rows.row_s);
-      curve.y.push_back(noise::autocorrelation(residual, comparison.rows.stretches(), lag));
-    }
-    if (curve.x.size() < 2) return;
-    plot.curves.push_back(std::move(curve));
-  }
-  const double band = models[0]->runs[run].analysis.white_band;
-  const Curve& best = plot.curves.back();
-  plot.caption =
-      words(format("%.2f from one row to the next; white noise stays between the dashed "
-                   "lines, +-%.2f, 95 times in 100.",
-                   best.y[0], band));
-  plot.levels = {{"white noise", band}, {"", -band}};
-  document.plot(plot);
-}
-
 }  // namespace
 
 std::vector<std::string> run_files(const compare::ModelOnRuns& model) {
@@ -332,14 +241,12 @@ void add_run(Document& document, const Models& models, std::size_t run, Shown sh
   if (best.size() < 2) return;
   add_over_time(document, models, run);
   add_dependences(document, *models[0], run);
-  add_band(document, *models[0], run);
   add_parts(document, *models[0], run);
   for (const compare::ModelOnRuns* model : models) {
     if (several) document.heading(verbatim(model->file), Shown::in_details);
     add_details(document, model->runs[run]);
   }
-  add_allan(document, models, run);
-  add_autocorrelation(document, models, run);
+  for (Plot& plot : residual_plots(models, run)) document.plot(std::move(plot));
 }
 
 }  // namespace fogcomp::findings

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/model_on_runs.hpp"
+#include "findings/compared_models.hpp"
 #include "findings/document.hpp"
 
 namespace fogcomp::findings {
@@ -11,8 +11,7 @@ namespace fogcomp::findings {
 /// Adds everything about one run: a heading, sentences, segments, and plots. `models`: the best
 /// first; segments, dependences and contributions are those of the best. `run`: index of the run;
 /// plots of different runs are not linked. `shown`: place of its sentences and main table.
-void add_run(Document& document, const std::vector<const compare::ModelOnRuns*>& models,
-             std::size_t run, Shown shown);
+void add_run(Document& document, const Models& models, std::size_t run, Shown shown);
 
 /// The runs' files for a command line, each preceded by a space.
 std::vector<std::string> run_files(const compare::ModelOnRuns& model);
