@@ -58,7 +58,7 @@ std::string Diagnosis::walk_words() const {
   return format(
       "a random walk of the bias of %.2g deg/h/sqrt(h) explains them as well as any effect: one "
       "more run of the programme%s would tell",
-      walk_dph_per_rth, has_static ? "" : ", or a recording at rest with --static,");
+      walk_dph_per_rth, has_static ? "" : ", or a recording at rest,");
 }
 
 const CandidateFinding* Diagnosis::find(const std::string& name) const {

@@ -124,8 +124,7 @@ void refuse_if_of_one_power_on(const runs::Runs& runs, TriedAddition& tried) {
     tried.accepted = false;
     tried.reason = term.name +
                    " goes on while the power is off, and one run cannot tell what is left of it "
-                   "at the next power-on: a second run, given with the first or with --holdout, "
-                   "would";
+                   "at the next power-on: a second run beside the first, or as holdout, would";
   }
 }
 

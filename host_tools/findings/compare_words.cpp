@@ -102,7 +102,7 @@ std::vector<std::string> remarks(const compare::ModelOnRun& run) {
     found.push_back(format(
         "the floor is above the residual, so it is none: from row to row (%.3g s) this recording "
         "changes by more than noise, as with a line near a period of two rows or an input "
-        "that moves; look again with another --average",
+        "that moves; look again in rows of another length",
         comparison.rows.row_s));
   }
   return found;

@@ -179,10 +179,9 @@ void add_notes(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
                const diagnosis::NextStep& next) {
   for (const std::string& note : diagnosis.notes) words.limits.push_back("note: " + note);
   if (next.only_with_own_biases) {
-    words.limits.push_back(
-        "note: " + join_list(next.addition->request.names(), "and") +
-        " with a bias of its own for each power-on (--run-offsets) holds better than anything with "
-        "one bias for all");
+    words.limits.push_back("note: " + join_list(next.addition->request.names(), "and") +
+                           " with a bias of its own for each power-on holds better than anything "
+                           "with one bias for all");
   }
   if (next.only_between_recordings) {
     words.limits.push_back("note: " + join_list(next.addition->request.names(), "and") +

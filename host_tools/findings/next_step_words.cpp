@@ -84,9 +84,7 @@ std::vector<std::string> description_words(const diagnosis::NextStep& next) {
     lines.push_back(
         "the same programme once more would tell: what a first heat has left does not come again");
   } else if (next.addition) {
-    lines.push_back(
-        "a run of another programme, given to add with --holdout, would tell whether it "
-        "holds there, too");
+    lines.push_back("a run of another programme as holdout would tell whether it holds there, too");
   }
   return lines;
 }
@@ -106,7 +104,7 @@ std::string nothing_holds_words(const diagnosis::NextStep& next) {
   }
   const std::size_t unsaid = next.refused.size() - 1 - others.size();
   if (unsaid > 0) others.push_back(format("%zu more", unsaid));
-  return others.empty() ? text : text + "; so were: " + join(others, "; ") + " (--json says why)";
+  return others.empty() ? text : text + "; so were: " + join(others, "; ");
 }
 
 std::string step_words(const diagnosis::Ladder::Step& step) {

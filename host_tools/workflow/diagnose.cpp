@@ -59,9 +59,7 @@ bool have_own_biases(const model::Model& model, const runs::Runs& judging,
                  bias->from_words().c_str(), std::abs(bias->above_dph), bias->sigma_dph,
                  bias->above_dph > 0 ? "above" : "below", bias->reference.c_str());
   }
-  notes.push_back(why +
-                  ": effects are judged and added with a bias of its own for each power-on "
-                  "(--run-offsets)");
+  notes.push_back(why + ": effects are judged and added with a bias of its own for each power-on");
   return true;
 }
 
