@@ -1,0 +1,173 @@
+// node page_and_shell.mjs FOGCOMP PAGE: runs the same commands in the page's engine and in FOGCOMP, in this folder, and
+// compares every figure and word of their answers and files.
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { runInThisContext } from "node:vm";
+import { gunzipSync } from "node:zlib";
+
+const [fogcomp, page_file] = process.argv.slice(2);
+const tolerance = 1e-9; // relative: a page's C library and the host's round the last bit of exp and sin differently
+const rounding = 1e-12; // of the largest figure of an answer: what is 0 but for rounding
+
+// The page's worker, as a browser runs it.
+const page = readFileSync(page_file, "utf8");
+const part = (id) => page.match(new RegExp(`<script type="text/plain" id="${id}">([^]*?)</script>`))[1];
+globalThis.require = createRequire(import.meta.url);
+globalThis.__dirname = ".";
+const waiting = [];
+globalThis.postMessage = (data) => data.id !== undefined && waiting.shift()(data);
+runInThisContext(part("engine_script"));
+const send = (data) =>
+  new Promise((done) => {
+    waiting.push(done);
+    globalThis.onmessage({ data: { id: 0, columns: [], files: [], ...data } });
+  });
+
+const in_page = async (words, files = []) => {
+  const { found, fault } = await send({ words, files });
+  if (fault || found.error) throw new Error(`${words.join(" ")}: ${fault || found.error}`);
+  return found;
+};
+const in_shell = (words) => {
+  const json = ["fit", "add", "compare", "diagnose", "info"].includes(words[0]);
+  const said = execFileSync(fogcomp, [...words, ...(json ? ["--json"] : [])], {
+    maxBuffer: 1 << 28,
+    stdio: ["ignore", "pipe", "ignore"],
+  });
+  return json ? JSON.parse(said) : null;
+};
+
+// The largest relative difference of two answers; throws where a word differs.
+const largest_of = (one) => {
+  if (typeof one === "number") return Math.abs(one);
+  return one && typeof one === "object" ? Math.max(0, ...Object.values(one).map(largest_of)) : 0;
+};
+const difference = (a, b, path, floor) => {
+  if (a === b) return 0;
+  if (typeof a === "number" && typeof b === "number") {
+    // A chance is the exponential of what is computed: 1e-127 has 300 times its relative error.
+    const logarithmic = /chance|probability|lead|nothing_missing|something_else/.test(path) && a > 0 && b > 0;
+    if (logarithmic) return Math.abs(Math.log(a) - Math.log(b)) / Math.max(1, Math.abs(Math.log(a)));
+    const off = Math.abs(a - b);
+    return off <= floor ? 0 : off / Math.max(Math.abs(a), Math.abs(b));
+  }
+  if (!a || !b || typeof a !== "object" || typeof b !== "object") throw new Error(`${path}: ${a} | ${b}`);
+  const names = new Set([...Object.keys(a), ...Object.keys(b)]);
+  return Math.max(0, ...[...names].map((name) => difference(a[name], b[name], `${path}.${name}`, floor)));
+};
+
+// A text as words and numbers; hashes differ with the last bit.
+const parsed = (text) =>
+  text
+    .split("\n")
+    .filter((line, i, all) => !/\b(crc|hash)\b/i.test(line + (all[i - 1] || "")))
+    .map((line) => line.split(/[ ,<>=:;"(){}]+/).map((word) => (word !== "" && isFinite(word) ? Number(word) : word)));
+
+let compared = 0;
+let failures = 0;
+let largest = 0;
+const compare = (what, page_has, shell_has) => {
+  ++compared;
+  try {
+    const off = difference(page_has, shell_has, "", rounding * largest_of(shell_has));
+    largest = Math.max(largest, off);
+    if (off <= tolerance) return;
+    console.error(`${what}: differs by ${off.toExponential(1)} of a figure`);
+  } catch (fault) {
+    console.error(`${what}: differs at ${fault.message}`);
+  }
+  ++failures;
+};
+
+const part_of = { fit: "fit", add: "add", compare: "compare", diagnose: "diagnosis" };
+const answer = async (words) => {
+  const found = await in_page(words);
+  const shell_has = in_shell(words);
+  const line = words.join(" ");
+  const { remarks, ...info } = found;
+  if (shell_has) compare(line, words[0] === "info" ? info : found[part_of[words[0]]], shell_has);
+  const option = { fit: "-o", add: "-o", export: "-o", apply: "-o", history: "--report" }[words[0]];
+  if (!option) return;
+  const file = readFileSync(words[words.indexOf(option) + 1], "utf8");
+  compare(`${line}: its file`, parsed(found.text), parsed(file));
+};
+
+const drift = "bias,bias_temperature:order=2,temperature_rate";
+const [one, two, three, table, mems] = ["run.csv", "other.csv", "third.csv", "table.csv", "mems.csv"];
+// `grown`: effects of a fit, and one that is added.
+const sets = [
+  {
+    runs: [one],
+    grown: [
+      ["bias,bias_temperature", "temperature_rate"],
+      [drift, "thermal_hysteresis"],
+    ],
+  },
+  { runs: [one], masks: ["3000..5000"], grown: [["bias,bias_temperature", "thermal_hysteresis"]] },
+  { runs: [one], holdouts: [two], grown: [["bias", "bias_temperature"]] },
+  {
+    runs: [one, two],
+    grown: [
+      ["bias,bias_temperature", "thermal_lag"],
+      [drift, "shupe"],
+    ],
+  },
+  { runs: [one, two], masks: ["other.csv:100..900"], grown: [[drift, "polarization_ripple"]] },
+  {
+    runs: [one, two, three],
+    grown: [
+      ["bias", "bias_temperature"],
+      [drift, "warm_up"],
+    ],
+  },
+  { runs: [one, three], holdouts: [two], grown: [[drift, "temperature_rate_product"]] },
+  {
+    runs: [table],
+    grown: [
+      ["bias,bias_temperature:order=3", "scale_factor"],
+      [drift, "scale_factor"],
+    ],
+  },
+  { runs: [table], masks: ["9000..9600"], grown: [["bias,scale_factor", "bias_temperature"]] },
+  {
+    runs: [mems],
+    grown: [
+      ["bias,bias_temperature:order=3", "thermal_lag"],
+      [drift, "thermal_lag"],
+    ],
+  },
+  { runs: [mems], masks: ["1000..1100"], grown: [["bias,bias_temperature:order=3", "temperature_rate"]] },
+];
+const replay = async ({ runs, holdouts = [], masks = [], grown }, s) => {
+  const masked = masks.flatMap((range) => ["--mask", range]);
+  const judged = holdouts.flatMap((file) => ["--holdout", file]);
+  for (const [e, [effects, more]] of grown.entries()) {
+    const model = `s${s}_${e}.model`;
+    const last = `s${s}_${e}_grown.model`;
+    await answer(["fit", ...runs, ...masked, "--effects", effects, "-o", model]);
+    await answer(["compare", model, ...runs, ...holdouts, ...masked]);
+    await answer(["diagnose", model, ...runs, ...judged, ...masked]);
+    await answer(["add", model, more, ...runs, ...judged, ...masked, "--force", "-o", last]);
+    await answer(["compare", last, ...runs, ...holdouts, ...masked]);
+    await answer(["export", last, "-o", "made.h"]);
+    await answer(["apply", last, runs[0], "-o", "made.csv"]);
+    await answer(["history", last, "--report", "made.html"]);
+  }
+};
+
+try {
+  await send({ module: await WebAssembly.compile(gunzipSync(Buffer.from(part("engine"), "base64"))) });
+  for (const name of [one, two, three, table, mems]) {
+    await in_page(["effects"], [{ name, bytes: readFileSync(name) }]);
+    await answer(["info", name]);
+  }
+  for (const [s, set] of sets.entries()) await replay(set, s);
+} catch (fault) {
+  console.error(fault.message); // uncaught, the engine's script would come with it
+  ++failures;
+}
+console.log(
+  `${compared} comparisons, ${failures} differ by more than ${tolerance}; the largest by ${largest.toExponential(1)}`,
+);
+process.exit(failures > 0 || compared < 120 ? 1 : 0);
