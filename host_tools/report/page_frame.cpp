@@ -83,8 +83,7 @@ Parts script_parts(const PageContent& content) {
                         (has_bench ? file_of(workbench_files(), "style") : "")},
           {"licence", file_of(library, "licence")},
           {"library", file_of(library, "script")},
-          {"script", file_of(page_files(), "drawing") +
-                         (content.draws ? file_of(page_files(), "plots") : "") +
+          {"script", file_of(page_files(), "drawing") + file_of(page_files(), "plots") +
                          (has_bench ? workbench_script() : "")}};
 }
 

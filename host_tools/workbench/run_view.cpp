@@ -1,6 +1,8 @@
 #include "workbench/run_view.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <iterator>
 
 #include "compare/branches.hpp"
 #include "diagnosis/structure.hpp"
@@ -21,6 +23,8 @@ std::string name_of(const diagnosis::TemperatureHistory& history) {
                          : format("lag(T, %g s)", history.parameter);
 }
 
+constexpr const char* kRateProduct = "temperature_degc x temperature_rate";
+
 // Columns that the residual can be drawn over, with the labels of their axes.
 Json variables_json(const compare::Comparison& comparison) {
   Json variables = Json::array();
@@ -29,6 +33,7 @@ Json variables_json(const compare::Comparison& comparison) {
   };
   push("temperature_degc", findings::words("temperature, degC"));
   push("temperature_rate", findings::words("temperature rate, degC/min"));
+  push(kRateProduct, findings::words("temperature x temperature rate, degC^2/min"));
   push("time_s", findings::words("time since power-on, s"));
   for (const compare::Comparison::VaryingInput& input : comparison.inputs) {
     push(description_of(input.input).name, findings::input_label(input.input));
@@ -84,6 +89,9 @@ Columns columns_of(const compare::Comparison& comparison) {
   columns["time_s"] = comparison.rows.time_s;
   columns["temperature_degc"] = comparison.rows.temperatures_degc();
   columns["temperature_rate"] = comparison.rows.temperature_rates_degc_per_min();
+  std::transform(columns["temperature_degc"].begin(), columns["temperature_degc"].end(),
+                 columns["temperature_rate"].begin(), std::back_inserter(columns[kRateProduct]),
+                 std::multiplies<>());
   columns["measured_dph"] = comparison.measured_dph();
   columns["modelled_dph"] = {comparison.modelled_dph.begin(), comparison.modelled_dph.end()};
   columns["residual_dph"] = comparison.residuals_dph();

@@ -6,19 +6,20 @@
 
 #include "cli/add_command.hpp"
 #include "cli/arguments.hpp"
-#include "cli/compare_command.hpp"
 #include "cli/diagnose_command.hpp"
 #include "cli/effects_text.hpp"
 #include "cli/fit_command.hpp"
 #include "findings/diagnosis_words.hpp"
 #include "findings/fit_findings.hpp"
 #include "findings/json.hpp"
+#include "findings/residual_plots.hpp"
 #include "findings/text.hpp"
 #include "model/model_file.hpp"
 #include "recording/column_map.hpp"
 #include "recording/columns.hpp"
 #include "recording/csv_layout.hpp"
 #include "recording/input_file.hpp"
+#include "report/plot_json.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
@@ -57,8 +58,8 @@ std::string Session::answer(const std::vector<std::string>& words) {
       {"compare", &Session::compare}, {"diagnose", &Session::diagnose},
       {"preview", &Session::preview}, {"formula", &Session::formula},
       {"info", &Session::info},       {"columns", &Session::columns},
-      {"history", &Session::written}, {"apply", &Session::written},
-      {"export", &Session::written}};
+      {"plots", &Session::plots},     {"history", &Session::written},
+      {"apply", &Session::written},   {"export", &Session::written}};
   notes_.clear();
   const auto error = [](const std::string& what) {
     return Json::object().set("error", displayable(what)).text();
@@ -196,9 +197,7 @@ Json Session::add(const Words& words) {
   return std::move(answer.set("add", findings::add_json(found, name)));
 }
 
-Json Session::compare(const Words& words) {
-  cli::CompareCommand call;
-  parse_words(call, words);
+std::vector<compare::ModelOnRuns> Session::compared(const cli::CompareCommand& call) {
   const workflow::CompareRequest request = call.request();
   const model::Model first = model::load_model(request.models[0]);
   const std::string key = key_of({request.runs, call.recording.given_words(), rows_of(first)});
@@ -206,8 +205,13 @@ Json Session::compare(const Words& words) {
   if (known == compared_.end()) {
     known = compared_.emplace(key, workflow::compared_runs(request, observer())).first;
   }
-  const std::vector<compare::ModelOnRuns> judged =
-      workflow::compare(request, known->second, observer());
+  return workflow::compare(request, known->second, observer());
+}
+
+Json Session::compare(const Words& words) {
+  cli::CompareCommand call;
+  parse_words(call, words);
+  const std::vector<compare::ModelOnRuns> judged = compared(call);
   columns_.clear();
   for (const compare::ModelOnRun& run : judged[0].runs) {
     columns_.push_back(columns_of(run.comparison));
@@ -218,6 +222,20 @@ Json Session::compare(const Words& words) {
   Json answer = model_json(judged[0].model);
   answer.set("runs", std::move(runs)).set("compare", findings::compare_json(judged));
   return answer;
+}
+
+Json Session::plots(const Words& words) {
+  cli::CompareCommand call;
+  parse_words(call, words);
+  const std::vector<compare::ModelOnRuns> judged = compared(call);
+  findings::Models models;
+  for (const compare::ModelOnRuns& model : judged) models.push_back(&model);
+  return Json::object().set(
+      "plots", json_array(findings::residual_plots(models, 0), [](const findings::Plot& plot) {
+        return std::move(report::plot_json(plot)
+                             .set("title", plot.title.typeset())
+                             .set("caption", plot.caption.typeset()));
+      }));
 }
 
 Json Session::diagnose(const Words& words) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/compare_command.hpp"
 #include "compare/model_on_runs.hpp"
 #include "diagnosis/next_step.hpp"
 #include "support/json.hpp"
@@ -25,6 +26,7 @@ class Session {
   ///   info RUN                     a recording as it was read
   ///   columns RUN                  its columns and what each is or could be
   ///   formula MODEL 'NAME = EXPR'  an error if the model cannot take this term
+  ///   plots MODEL RUN              what is left of a run as `compare --report` draws it
   ///   preview MODEL EFFECT RUN...  as `add`, without its judgement out of sample
   /// Returns a JSON object. Never throws: an error (exit code 2 in a shell) is one line in "error".
   std::string answer(const std::vector<std::string>& words);
@@ -42,6 +44,8 @@ class Session {
   Json fit(const Words& words);
   Json add(const Words& words);
   Json compare(const Words& words);
+  Json plots(const Words& words);
+  std::vector<compare::ModelOnRuns> compared(const cli::CompareCommand& call);
   Json diagnose(const Words& words);
   Json preview(const Words& words);
   Json formula(const Words& words);

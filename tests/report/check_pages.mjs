@@ -161,7 +161,7 @@ const diagnose = async () => {
   const residual = seen.plots.find(({ title }) => title.startsWith("Residual, the model refitted"));
   check(
     name,
-    residual.curves.some(({ label }) => label === `${said.effect} would take out`),
+    residual.curves.some(({ label }) => label === `${said.effect ?? said.confusable[0]} would take out`),
     "does not draw what the named effect would take out",
   );
 };

@@ -2,7 +2,8 @@
 // double click shows all, a click in the legend hides a curve. Plots of one group share cursor and
 // zoom in x.
 "use strict";
-(() => {
+// Draws a plot into an element; returns what takes it away again.
+const draw_plot = (() => {
   const plots = JSON.parse(byId("plots").textContent);
   const printed_width = 680; // CSS pixels between the margins of A4 and of Letter
   const drawn = [];
@@ -243,7 +244,12 @@
       .slice(1)
       .flat()
       .filter((y) => y !== null).length;
-    drawn.push({ u, holder, plot });
+    const one = { u, holder, plot };
+    drawn.push(one);
+    return () => {
+      drawn.splice(drawn.indexOf(one), 1);
+      u.destroy();
+    };
   };
 
   const resize_all = () =>
@@ -264,8 +270,9 @@
   };
 
   document.querySelectorAll("#report .canvas").forEach((holder) => draw(holder, plots[holder.dataset.plot]));
-  new ResizeObserver(resize_all).observe(byId("report"));
+  new ResizeObserver(resize_all).observe(document.body);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", redraw_all);
   addEventListener("beforeprint", () => print(true));
   addEventListener("afterprint", () => print(false));
+  return draw;
 })();

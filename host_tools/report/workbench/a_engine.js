@@ -79,6 +79,10 @@ class Engine {
     this.#sent.delete(name);
   }
 
+  remove(name) {
+    this.files.delete(name);
+  }
+
   // Stops the running call and those that wait; they are rejected with Cancelled.
   cancel() {
     if (!this.busy) return;

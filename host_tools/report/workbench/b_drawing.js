@@ -20,15 +20,21 @@ const rms = (value, digits = 4) =>
       ? value.toPrecision(digits)
       : String(Number(value.toPrecision(digits)));
 const all_plots = new Set();
-new ResizeObserver(() => all_plots.forEach((plot) => plot.resize())).observe(document.body);
+const resize_plots = () => all_plots.forEach((plot) => plot.resize());
+new ResizeObserver(resize_plots).observe(document.body);
+addEventListener("beforeprint", resize_plots);
+addEventListener("afterprint", resize_plots);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => all_plots.forEach((plot) => plot.redraw()));
 
 // A plot of the rows of a run in the element `holder`, `height` CSS pixels high. show() takes the data
 // and the options label (x axis), group (shared cursor), range, series, under and over (paint before
-// and after the curves) and selected (called at the end of a drag).
+// and after the curves), selected (called at the end of a drag), and read (what to say of the place under
+// the cursor, or "").
 class Plot {
-  constructor(holder, height) {
+  constructor(name, height) {
+    const holder = byId(`${name}_plot`);
     this.holder = holder;
+    this.said = byId(`${name}_read`);
     this.height = height;
     this.held = false; // whether the mouse button is down within the axes
     holder.addEventListener(
@@ -45,7 +51,7 @@ class Plot {
   }
 
   show(options, data) {
-    const shape = JSON.stringify([options.label, data.length]);
+    const shape = JSON.stringify([options.label, options.series.length]);
     if (this.u && this.shape === shape) {
       const { min, max } = this.u.scales.x;
       const before = this.u.data[0];
@@ -75,6 +81,11 @@ class Plot {
           drawClear: [(u) => this.options.under && this.options.under(u)],
           draw: [(u) => this.options.over && this.options.over(u)],
           setSelect: [(u) => this.options.selected && this.options.selected(u)],
+          setCursor: [
+            (u) => {
+              this.said.textContent = u.cursor.left >= 0 ? this.options.read(u) : "";
+            },
+          ],
         },
       },
       data,
@@ -109,18 +120,27 @@ class Plot {
   }
 }
 
+// Canvas pixels of a value along a linear axis.
+const pixels = (u, axis) => {
+  const { min, max } = u.scales[axis];
+  const begin = u.valToPos(min, axis, true);
+  const scale = (u.valToPos(max, axis, true) - begin) / (max - min);
+  return (value) => begin + scale * (value - min);
+};
+
 // Draws a point for each row in the colour of its branch, of more than max_points rows every second,
 // third, ...
-const max_points = 20000;
-const cloud = (u, x, y, colours, size) =>
+const max_points = 4000;
+const cloud = (u, x, y, kinds, colours, size) =>
   clipped(u, (pen) => {
     const side = size * devicePixelRatio;
     const step = Math.ceil(x.length / max_points);
+    const [across, up] = [pixels(u, "x"), pixels(u, "y")];
     for (const [kind, fill] of Object.entries(colours)) {
       pen.fillStyle = fill;
       for (let i = 0; i < x.length; i += step) {
-        if (y.kind[i] !== Number(kind) || !isFinite(y.value[i])) continue;
-        pen.fillRect(u.valToPos(x[i], "x", true) - side / 2, u.valToPos(y.value[i], "y", true) - side / 2, side, side);
+        if (kinds[i] !== Number(kind) || !isFinite(y[i])) continue;
+        pen.fillRect(across(x[i]) - side / 2, up(y[i]) - side / 2, side, side);
       }
     }
   });
@@ -144,114 +164,129 @@ const means = (u, bins) =>
 
 const curve = (name, more = {}) => ({ stroke: () => colour(name), width: 1.25, points: { show: false }, ...more });
 
-// Columns for uPlot, time in hours; a row of nulls breaks the curves at each gap.
+// Columns for uPlot, time in hours, and the row of each of their values; nulls break the curves at each gap.
 const with_gaps = (run, names) => {
   const x = [];
+  const rows = [];
   const columns = names.map(() => []);
-  run.time_s.forEach((time, i) => {
-    if (i > 0 && run.gap_before[i]) {
-      x.push((run.time_s[i - 1] + time) / 7200);
+  const { time_s, gap_before, outlier } = run;
+  time_s.forEach((time, i) => {
+    if (i > 0 && gap_before[i]) {
+      x.push((time_s[i - 1] + time) / 7200);
+      rows.push(i);
       columns.forEach((column) => column.push(null));
     }
     x.push(time / 3600);
-    names.forEach((name, c) => columns[c].push(run[name] && !run.outlier[i] ? run[name][i] : null));
+    rows.push(i);
+    names.forEach((name, c) => columns[c].push(run[name] && !outlier[i] ? run[name][i] : null));
   });
-  return [x, ...columns];
+  return { rows, data: [x, ...columns] };
 };
 
+// A row in figures.
+const row_words = (values, i) =>
+  `${(values.time_s[i] / 3600).toFixed(3)} h, ${values.temperature_degc[i].toFixed(2)} °C, ` +
+  `${significant(values.temperature_rate[i], 3)} °C/min: measured ${rms(values.measured_dph[i])}, ` +
+  `model ${rms(values.modelled_dph[i])}, residual ${rms(values.residual_dph[i], 3)} °/h`;
+
 const plots = {
-  rate: new Plot(byId("rate_plot"), 210),
-  residual: new Plot(byId("residual_plot"), 230),
-  variable: new Plot(byId("variable_plot"), 300),
+  rate: new Plot("rate", 210),
+  residual: new Plot("residual", 230),
+  variable: new Plot("variable", 300),
 };
 
 // Masks as bands of the plots over time.
 const bands_of = (masks) =>
   masks.map(([from, to]) => ({ from: from / 3600, to: to / 3600, colour: "measured", label: "" }));
 
-const draw_run = (view, run, variable, masks, selected) => {
+// `masks` and `selected` of the residual; `before`: the residual of another state, or null.
+const draw_run = (view, run, { masks, selected, before }) => {
   const facts = view.runs[run];
-  const values = view.values[run];
-  const compared = view.compare.runs[run];
-  const floor = compared.noise_floor_dph;
+  const values = { ...view.values[run], before };
+  const floor = view.compare.runs[run].noise_floor_dph;
   const under = (u) => {
     shade_bands(u, facts.bands, 0.1);
     shade_bands(u, bands_of(masks), 0.3);
   };
   const names = (u) => name_bands(u, facts.bands);
-  plots.rate.show(
-    {
-      label: "time since power-on, h",
-      group: "time",
-      range: spaced,
-      under,
-      over: names,
-      series: [curve("measured", { width: 1.5 }), curve("model", { width: 1.5 })],
+  const over_time = (plot, columns, options) => {
+    const { rows, data } = with_gaps(values, columns);
+    const read = (u) => (u.cursor.idx == null ? "" : row_words(values, rows[u.cursor.idx]));
+    plot.show({ label: "time since power-on, h", group: "time", range: spaced, under, read, ...options }, data);
+  };
+  over_time(plots.rate, ["measured_dph", "modelled_dph"], {
+    over: names,
+    series: [curve("measured", { width: 1.5 }), curve("model", { width: 1.5 })],
+  });
+  over_time(plots.residual, ["before", "residual_dph", "preview"], {
+    selected,
+    over: (u) => {
+      draw_levels(u, floor ? [{ y: -floor }, { y: floor }] : []);
+      names(u);
     },
-    with_gaps(values, ["measured_dph", "modelled_dph"]),
-  );
-  plots.residual.show(
-    {
-      label: "time since power-on, h",
-      group: "time",
-      range: spaced,
-      under,
-      selected,
-      over: (u) => {
-        draw_levels(u, floor ? [{ y: -floor }, { y: floor }] : []);
-        names(u);
-      },
-      series: [curve("residual", { width: 1 }), curve("model", { width: 1.75, dash: [6, 4] })],
-    },
-    with_gaps(values, ["residual_dph", "preview"]),
-  );
-  draw_variable(view, run, variable);
+    series: [
+      curve("measured", { width: 1 }),
+      curve("residual", { width: 1 }),
+      curve("model", { width: 1.75, dash: [6, 4] }),
+    ],
+  });
 };
 
-const draw_variable = (view, run, variable) => {
-  const values = view.values[run];
-  const { name, label } = view.runs[run].variables.find((one) => one.name === variable) || view.runs[run].variables[0];
-  const x = values[name];
-  const bins = (view.compare.runs[run].structure || {})[name];
+const ends_of = (values) => {
   const ends = [Infinity, -Infinity];
-  x.forEach((value) => {
+  values.forEach((value) => {
+    if (!isFinite(value)) return;
     ends[0] = Math.min(ends[0], value);
     ends[1] = Math.max(ends[1], value);
   });
-  const residual = {
-    value: values.residual_dph.map((value, i) => (values.outlier[i] ? NaN : value)),
-    kind: values.branch,
-  };
-  const limits = [Infinity, -Infinity];
-  residual.value.forEach((value) => {
-    if (!isFinite(value)) return;
-    limits[0] = Math.min(limits[0], value);
-    limits[1] = Math.max(limits[1], value);
+  return ends;
+};
+
+// The row drawn nearest to the cursor.
+const nearest_row = (u, x, y) => {
+  const [across, up] = [pixels(u, "x"), pixels(u, "y")];
+  const [left, top] = [u.cursor.left, u.cursor.top].map((place) => place * devicePixelRatio);
+  let [best, row] = [Infinity, -1];
+  x.forEach((value, i) => {
+    const away = Math.hypot(across(value) - u.bbox.left - left, up(y[i]) - u.bbox.top - top);
+    if (away < best) [best, row] = [away, i];
   });
+  return row;
+};
+
+// One quantity of the rows over another; with means and a preview where it is the residual.
+const draw_variable = (view, run, over, of) => {
+  const values = view.values[run];
+  const is_residual = of === "residual_dph";
+  const { label } = view.runs[run].variables.find(({ name }) => name === over);
+  const x = values[over];
+  const y = values[of].map((value, i) => (values.outlier[i] ? NaN : value));
+  const bins = is_residual && (view.compare.runs[run].structure || {})[over];
+  const kinds = values.branch;
   plots.variable.show(
     {
       label,
       range: spaced,
       over: (u) => {
-        cloud(
-          u,
-          x,
-          residual,
-          { 2: colour("measured", 0.5), 0: colour("heating", 0.55), 1: colour("cooling", 0.55) },
-          2,
-        );
-        if (values.preview)
-          cloud(
-            u,
-            x,
-            { value: values.preview, kind: values.branch },
-            { 2: colour("mark"), 0: colour("mark"), 1: colour("mark") },
-            1.5,
-          );
-        if (bins) means(u, bins);
+        const colours = { 2: colour("measured", 0.5), 0: colour("heating", 0.55), 1: colour("cooling", 0.55) };
+        cloud(u, x, y, kinds, colours, 2);
+        const mark = colour("mark");
+        if (is_residual && values.preview) cloud(u, x, values.preview, kinds, { 2: mark, 0: mark, 1: mark }, 1.5);
+        if (bins && bins.mean_dph) means(u, bins);
+      },
+      read: (u) => {
+        const row = nearest_row(u, x, y);
+        return row < 0 ? "" : row_words(values, row);
       },
       series: [{ points: { show: false }, width: 0 }],
     },
-    [[ends[0], ends[1]], limits],
+    [ends_of(x), ends_of(y)],
   );
+};
+
+// The variable of which the residual depends most, as far as `compare` has judged it.
+const strongest = (view, run) => {
+  const structure = view.compare.runs[run].structure || {};
+  const share = ({ name }) => ((structure[name] || {}).structured ? structure[name].share_of_excess : 0);
+  return [...view.runs[run].variables].sort((a, b) => share(b) - share(a))[0].name;
 };

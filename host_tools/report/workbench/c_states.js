@@ -48,28 +48,28 @@ class States {
 
 const states = new States();
 
-// Masks are [run, from, to] in seconds since power-on.
-const mask_words = (masks) =>
-  masks.flatMap(([run, from, to]) => [
-    "--mask",
-    (setup.runs.length + setup.holdouts.length > 1 ? run + ":" : "") + `${from}..${to}`,
-  ]);
-const masks_from = (words) =>
+// A state has a model, runs that it is fitted to, holdouts, and masks: [run, from, to] in seconds since power-on.
+const files_of = ({ runs, holdouts }) => [...runs, ...holdouts];
+const mask_words = (state, masks = state.masks) =>
+  masks.flatMap(([run, from, to]) => ["--mask", (files_of(state).length > 1 ? run + ":" : "") + `${from}..${to}`]);
+const masks_from = (words, files) =>
   words.flatMap((word, i) => {
     if (words[i - 1] !== "--mask") return [];
     const [, run, from, to] = word.match(/^(?:(.*):)?([^:]*)\.\.([^:]*)$/);
-    return (run ? [run] : [...setup.runs, ...setup.holdouts]).map((name) => [name, Number(from), Number(to)]);
+    return (run ? [run] : files).map((name) => [name, Number(from), Number(to)]);
   });
-const masks_on = (masks, verb) => (verb === "fit" ? masks.filter(([run]) => setup.runs.includes(run)) : masks);
 
 // The command lines: recordings, holdouts, options for reading them, masks.
-const judged_by = () => setup.holdouts.flatMap((name) => ["--holdout", name]);
+const judged_by = ({ holdouts }) => holdouts.flatMap((name) => ["--holdout", name]);
 // `rows`: the current model's options of the fit's rows (rows_of).
-const fit_words = (effects, expressions, model, masks, rows = []) => [
+const fit_words = (state, effects, expressions, model, rows = []) => [
   "fit",
-  ...setup.runs,
+  ...state.runs,
   ...setup.reading,
-  ...mask_words(masks_on(masks, "fit")),
+  ...mask_words(
+    state,
+    state.masks.filter(([run]) => state.runs.includes(run)),
+  ),
   "--effects",
   effects.join(","),
   ...expressions.flatMap((one) => ["--effect-expr", one]),
@@ -81,34 +81,39 @@ const rows_of = (view) => [
   ...(view.average_s === 10 ? [] : ["--average", String(view.average_s)]),
   ...(view.derivative_tau_s === 30 ? [] : ["--derivative-tau", String(view.derivative_tau_s)]),
 ];
-const add_words = (from, what, model, masks, verb = "add") => [
+const add_words = (state, what, model, verb = "add") => [
   verb,
-  from,
+  state.model,
   ...(what.expression ? [] : what.effects),
-  ...setup.runs,
-  ...judged_by(),
+  ...state.runs,
+  ...judged_by(state),
   ...setup.reading,
-  ...mask_words(masks),
+  ...mask_words(state),
   ...(what.expression ? ["--effect-expr", what.expression] : []),
   ...(what.run_offsets ? ["--run-offsets"] : []),
   "-o",
   model,
 ];
-const compare_words = (model, masks) => [
-  "compare",
-  model,
-  ...setup.runs,
-  ...setup.holdouts,
+const compare_words = (state) => ["compare", state.model, ...files_of(state), ...setup.reading, ...mask_words(state)];
+// The plots of one file; `before`: another state, drawn beside it.
+const plots_words = (state, file, before) => [
+  "plots",
+  state.model,
+  file,
+  ...(before ? ["--model", before.model] : []),
   ...setup.reading,
-  ...mask_words(masks),
+  ...mask_words(
+    { runs: [file], holdouts: [] },
+    state.masks.filter(([run]) => run === file),
+  ),
 ];
-const diagnose_words = (model, masks) => [
+const diagnose_words = (state) => [
   "diagnose",
-  model,
-  ...setup.runs,
-  ...judged_by(),
+  state.model,
+  ...state.runs,
+  ...judged_by(state),
   ...setup.reading,
-  ...mask_words(masks),
+  ...mask_words(state),
 ];
 
 const words_of_terms = (view) => view.terms.map((term) => term.words);
@@ -127,4 +132,37 @@ const with_parameter = (words, parameter, value) => {
   const [name, ...given] = words.split(":");
   const others = given.filter((one) => !one.startsWith(parameter + "="));
   return [name, ...others, `${parameter}=${value}`].join(":");
+};
+
+// What a state changed of the one before.
+const label_of = (state, before) => {
+  const words = words_of_terms(state.view);
+  if (!before) return words.join(", ");
+  const old = words_of_terms(before.view);
+  const gone = old.filter((one) => !words.includes(one));
+  const came = words.filter((one) => !old.includes(one));
+  const changed = came.filter((one) => gone.some((other) => effect_name(other) === effect_name(one)));
+  const is_changed = (one) => changed.some((other) => effect_name(other) === effect_name(one));
+  const names = (files) => files.map(base_name).join(", ");
+  const less = (files, others) => files.filter((one) => !others.includes(one));
+  const bands = (masks) => masks.map(([, from, to]) => `${from} to ${to} s`).join(", ");
+  const parts = [
+    ...came.filter((one) => !is_changed(one)).map((one) => `+ ${one}`),
+    ...gone.filter((one) => !is_changed(one)).map((one) => `− ${effect_name(one)}`),
+    ...changed.map((one) => `${effect_name(one)}: ${one.split(":").slice(1).join(", ") || "shape free"}`),
+    ...[
+      [less(state.masks, before.masks), "mask"],
+      [less(before.masks, state.masks), "unmask"],
+    ]
+      .filter(([masks]) => masks.length > 0)
+      .map(([masks, verb]) => `${verb} ${bands(masks)}`),
+    ...[
+      [less(state.runs, before.runs), "fit to"],
+      [less(state.holdouts, before.holdouts), "judge by"],
+    ]
+      .concat([[less(files_of(before), files_of(state)), "without"]])
+      .filter(([files]) => files.length > 0)
+      .map(([files, verb]) => `${verb} ${names(files)}`),
+  ];
+  return parts.join(", ") || "fitted again";
 };

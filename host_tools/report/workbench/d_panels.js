@@ -78,7 +78,12 @@ const breakable = (name) => name.split(/(?<=_)/).flatMap((part, i) => (i > 0 ? [
 
 // Details of a term of the model: coefficients, shape parameters, whose bias it leaves, doubts and notes.
 const about_term = (term, notes, change) => {
-  const rows = term.coefficients.map(({ symbol, value, sigma, unit }) =>
+  const shapes = term.parameters.filter((one) => one.max > one.min);
+  const figures = [
+    ...term.coefficients,
+    ...(term.is_expression ? shapes.map((one) => ({ ...one, symbol: one.name })) : []),
+  ];
+  const rows = figures.map(({ symbol, value, sigma, unit }) =>
     make(
       "tr",
       {},
@@ -89,9 +94,7 @@ const about_term = (term, notes, change) => {
   );
   return [
     make("table", {}, make("tbody", {}, ...rows)),
-    ...(term.is_expression
-      ? []
-      : term.parameters.filter((one) => one.max > one.min).map((one) => shape_control(term, one, change))),
+    ...(term.is_expression ? [] : shapes.map((one) => shape_control(term, one, change))),
     ...[term.step, term.doubt, ...notes.filter((note) => note.includes(`‘${term.effect}’`))]
       .filter(Boolean)
       .map((text) => make("p", { textContent: text })),
@@ -137,7 +140,8 @@ class EffectRow {
     });
     box.setAttribute("aria-label", name);
     const figure = make("span", { className: `brings${strong ? " strong" : ""}`, textContent: brings });
-    const row = make("div", { className: `effect${why ? " untestable" : ""}` }, box, title, figure);
+    const tick = make("label", { className: "tick" }, box);
+    const row = make("div", { className: `effect${why ? " untestable" : ""}` }, tick, title, figure);
     if (hover && !why) {
       row.addEventListener("mouseenter", () => hover(true));
       row.addEventListener("mouseleave", () => hover(false));
@@ -181,7 +185,7 @@ const show_effects = (catalogue, view, notes, diagnosis, actions) => {
       name: effect.effect,
       ticked: false,
       opened: opened_effects,
-      brings: candidate ? rms(candidate.rms_after_dph, 3) : "",
+      brings: candidate ? significant(candidate.visible_from_dph, 2) : "",
       strong: Boolean(candidate && candidate.lead > 0.5),
       why: untestable.has(effect.effect) ? `needs ${untestable.get(effect.effect)}` : "",
       about: [
@@ -199,7 +203,7 @@ const show_effects = (catalogue, view, notes, diagnosis, actions) => {
   list.replaceChildren(
     group("In the model; share of the drift"),
     ...inside,
-    group(diagnosis ? "To add; rms left with it, °/h" : "To add"),
+    group(diagnosis ? "To add; would have been seen from, °/h" : "To add"),
     ...can.map(row),
     ...(cannot.length ? [group("Not visible in these recordings"), ...cannot.map(row)] : []),
   );
@@ -207,40 +211,50 @@ const show_effects = (catalogue, view, notes, diagnosis, actions) => {
 };
 
 // The rms of the residual in the worst run of a state: of the runs fitted to, and of the holdouts.
-const worst = (runs) => runs.reduce((max, run) => Math.max(max, run.residual_rms_dph), 0);
-const errors_of = (view) => ({
-  fitted: worst(view.compare.runs.filter(({ file }) => !setup.holdouts.includes(file))),
-  judged: setup.holdouts.length ? worst(view.compare.runs.filter(({ file }) => setup.holdouts.includes(file))) : null,
-});
+const worst = (runs, value) => Math.max(...runs.map(value));
+const errors_of = ({ view, holdouts }) => {
+  const of = (held) => {
+    const runs = view.compare.runs.filter(({ file }) => holdouts.includes(file) === held);
+    return runs.length ? worst(runs, (run) => run.residual_rms_dph) : null;
+  };
+  return { fitted: of(false), judged: of(true) };
+};
 
-// A bar of `value` in the colour `name`; `full`: the value of the whole width, `floor`: dashed line.
-const bar = (value, full, floor, name) =>
+// A bar of `value` in the colour `name`; `place` gives its end as a percentage, `floor`: dashed line.
+const bar = (value, place, floor, name) =>
   make(
     "span",
     { className: "bar" },
     make(
       "span",
       { className: "track" },
-      make("span", {
-        className: "fill",
-        style: `width:${Math.min(100, (100 * value) / full).toFixed(1)}%;background:var(--${name})`,
-      }),
-      ...(floor
-        ? [make("span", { className: "mark", style: `left:${Math.min(100, (100 * floor) / full).toFixed(1)}%` })]
-        : []),
+      make("span", { className: "fill", style: `width:${place(value)}%;background:var(--${name})` }),
+      ...(floor ? [make("span", { className: "mark", style: `left:${place(floor)}%` })] : []),
     ),
     make("span", { className: "value", textContent: rms(value) }),
   );
 
-// The error ladder: measured, then each state, with buttons that go to them.
+// A linear scale of bars, or a logarithmic one from half of the least where that would be a few pixels.
+const scale_of = (values) => {
+  const full = Math.max(...values);
+  const least = Math.min(...values.filter((value) => value > 0)) / 2;
+  const logarithmic = full > 50 * least;
+  const share = (value) => (logarithmic ? Math.log(value / least) / Math.log(full / least) : value / full);
+  return { logarithmic, place: (value) => (100 * Math.min(1, Math.max(0, share(value)))).toFixed(1) };
+};
+
+// The error ladder: what a constant leaves, then each state, with buttons that go to them.
 const show_ladder = (go) => {
-  const first = states.list[0].view.compare.runs;
-  const floor = Math.max(...first.map((run) => run.noise_floor_dph || 0)) || null;
-  const raw = Math.max(...first.map((run) => run.raw_std_dph));
-  const full = Math.max(raw, ...states.list.map((state) => errors_of(state.view).fitted));
-  const rows = states.list.map((state, i) => {
-    const { fitted, judged } = errors_of(state.view);
-    return make(
+  const first = states.list[0];
+  const runs = first.view.compare.runs;
+  const floor = worst(runs, (run) => run.noise_floor_dph || 0) || null;
+  const is_constant = first.view.terms.every(({ effect }) => effect === "bias");
+  const raw = is_constant ? null : worst(runs, (run) => run.raw_std_dph);
+  const errors = states.list.map(errors_of);
+  const all = [raw, floor, ...errors.flatMap(({ fitted, judged }) => [fitted, judged])];
+  const { logarithmic, place } = scale_of(all.filter((value) => value !== null));
+  const rows = states.list.map((state, i) =>
+    make(
       "li",
       {},
       make(
@@ -252,123 +266,146 @@ const show_ladder = (go) => {
           ...(i === states.at ? { ariaCurrent: "step" } : {}),
         },
         make("span", { className: "what", textContent: state.label }),
-        bar(fitted, full, floor, "residual"),
-        ...(judged === null ? [] : [bar(judged, full, null, "second")]),
+        bar(errors[i].fitted, place, floor, "residual"),
+        ...(errors[i].judged === null ? [] : [bar(errors[i].judged, place, null, "second")]),
       ),
-    );
-  });
-  const keys = [`°/h rms${floor ? `; dashed: the noise floor, ${rms(floor)}` : ""}`];
+    ),
+  );
+  const { runs: fitted, holdouts } = states.now;
   const legend = make(
     "li",
     { className: "legend" },
-    ...keys,
-    ...(setup.holdouts.length
+    `°/h rms${fitted.length > 1 ? " of the worst run" : ""}${logarithmic ? ", logarithmic" : ""}`,
+    floor ? `; dashed: the noise floor, ${rms(floor)}` : "",
+    ...(holdouts.length
       ? ["; ", make("span", { className: "key", style: "background:var(--second)" }), " on holdouts"]
       : []),
   );
   byId("ladder").replaceChildren(
-    make("li", {}, make("span", { className: "what", textContent: "measured" }), bar(raw, full, floor, "measured")),
+    ...(raw === null
+      ? []
+      : [
+          make(
+            "li",
+            {},
+            make("span", { className: "what", textContent: "a constant alone" }),
+            bar(raw, place, floor, "measured"),
+          ),
+        ]),
     ...rows,
     legend,
   );
 };
 
-// The judgement of the last addition and the diagnosis of a state.
-const show_diagnosis = (state, actions) => {
-  const place = byId("diagnosis");
-  const judged = state.judged
+// Whether the last step helps out of sample.
+const judgement_of = ({ judged }) =>
+  judged
     ? [
         make(
           "p",
-          { className: `judged${state.judged.good ? " good" : ""}` },
-          state.judged.reason + " ",
-          ...(state.judged.anyway
-            ? [make("button", { type: "button", textContent: "Add it anyway", onclick: state.judged.anyway })]
+          { className: `judged${judged.good ? " good" : ""}` },
+          judged.reason + " ",
+          ...(judged.anyway
+            ? [make("button", { type: "button", textContent: "Add it anyway", onclick: judged.anyway })]
             : []),
         ),
       ]
     : [];
+
+const paragraphs = (lines, className = "") =>
+  lines.filter(Boolean).map((line) => make("p", { className, textContent: line }));
+
+// The candidates: how probable, and what each leaves alone.
+const candidate_table = (diagnosis, actions) => {
+  const rivals = diagnosis.candidates.filter((one) => one.lead > 0.001 || one.explained_fraction > 0.1).slice(0, 7);
+  if (rivals.length === 0) return [];
+  const heads = [
+    ["candidate", "Effect that may be missing"],
+    ["largest", "Probability that it is the largest of the missing effects"],
+    ["explains", "Share of what is above the noise, by it alone"],
+    ["rms left", "Residual of the refitted model with it alone added, °/h"],
+    ["", ""],
+  ];
+  const cells = (...texts) => texts.map((textContent) => make("td", { textContent }));
+  const rows = rivals.map((one) => {
+    const add = make("button", {
+      type: "button",
+      textContent: "+",
+      title: `Add ${one.effect} if it helps out of sample`,
+      ariaLabel: `Add ${one.effect}`,
+      onclick: () => actions.judge({ effects: [one.effect] }),
+    });
+    return make(
+      "tr",
+      {
+        onmouseenter: () => actions.preview(one.effect, true),
+        onmouseleave: () => actions.preview(one.effect, false),
+      },
+      make("td", {}, ...breakable(one.effect)),
+      ...cells(percent(one.lead), percent(one.explained_fraction), rms(one.rms_after_dph, 3)),
+      make("td", {}, add),
+    );
+  });
+  const now = make(
+    "tr",
+    { className: "faint" },
+    ...cells("none of them", "", "", rms(diagnosis.residual_rms_dph, 3), ""),
+  );
+  return [
+    make(
+      "table",
+      {},
+      make(
+        "thead",
+        {},
+        make("tr", {}, ...heads.map(([textContent, title]) => make("th", { textContent, title, scope: "col" }))),
+      ),
+      make("tbody", {}, ...rows, now),
+    ),
+  ];
+};
+
+// The judgement of the last step and the diagnosis of a state; the focus stays.
+const show_diagnosis = (state, actions) => {
+  const place = byId("diagnosis");
+  const had_focus = place.contains(document.activeElement);
+  fill_diagnosis(place, state, actions);
+  if (had_focus) (byId("add_missing") || byId("stop_diagnosis") || place).focus();
+};
+const fill_diagnosis = (place, state, actions) => {
+  byId("candidates").replaceChildren();
   if (!state.diagnosis) {
-    place.replaceChildren(...judged, make("p", { className: "faint", textContent: state.trouble || "Diagnosing …" }));
+    const stopped = Boolean(state.trouble);
+    place.replaceChildren(
+      ...judgement_of(state),
+      make("p", { className: "faint", id: "progress", textContent: state.trouble || "Diagnosing …" }),
+      make("button", {
+        type: "button",
+        id: "stop_diagnosis",
+        textContent: stopped ? "Diagnose" : "Stop",
+        onclick: stopped ? actions.diagnose : actions.stop,
+      }),
+    );
     return;
   }
   const { words, diagnosis, add } = state.diagnosis;
-  const paragraphs = (lines, className = "") =>
-    lines.filter(Boolean).map((line) => make("p", { className, textContent: line }));
-  const button = add
-    ? [
-        make(
-          "p",
-          {},
-          make("button", {
-            type: "button",
-            className: "main",
-            id: "add_missing",
-            textContent: add.expression ? `Add ${add.expression}` : `Add ${add.effects.join(" and ")}`,
-            onclick: () => actions.judge(add),
-          }),
-        ),
-      ]
-    : [];
-  const rivals = diagnosis.candidates.filter((one) => one.lead > 0.001 || one.explained_fraction > 0.1).slice(0, 7);
-  const table = rivals.length
-    ? [
-        make(
-          "table",
-          {},
-          make(
-            "thead",
-            {},
-            make(
-              "tr",
-              {},
-              ...[
-                ["candidate", "Effect that may be missing"],
-                ["largest", "Probability that it is the largest of the missing effects"],
-                ["explains", "Share of what is above the noise, by it alone"],
-                ["rms left", "Residual with it alone added, °/h"],
-                ["", ""],
-              ].map(([text, title]) => make("th", { textContent: text, title, scope: "col" })),
-            ),
-          ),
-          make(
-            "tbody",
-            {},
-            ...rivals.map((one) => {
-              const row = make(
-                "tr",
-                {},
-                make("td", {}, ...breakable(one.effect)),
-                make("td", { textContent: percent(one.lead) }),
-                make("td", { textContent: percent(one.explained_fraction) }),
-                make("td", { textContent: rms(one.rms_after_dph, 3) }),
-                make(
-                  "td",
-                  {},
-                  make("button", {
-                    type: "button",
-                    textContent: "+",
-                    title: `Add ${one.effect} if it helps out of sample`,
-                    ariaLabel: `Add ${one.effect}`,
-                    onclick: () => actions.judge({ effects: [one.effect] }),
-                  }),
-                ),
-              );
-              row.addEventListener("mouseenter", () => actions.preview(one.effect, true));
-              row.addEventListener("mouseleave", () => actions.preview(one.effect, false));
-              return row;
-            }),
-          ),
-        ),
-      ]
-    : [];
+  const button = () =>
+    make("button", {
+      type: "button",
+      className: "main",
+      id: "add_missing",
+      textContent: add.expression ? `Add ${add.expression}` : `Add ${add.effects.join(" and ")}`,
+      onclick: () => actions.judge(add),
+    });
   place.replaceChildren(
-    ...judged,
+    ...judgement_of(state),
     ...paragraphs([words.verdict], "verdict"),
     ...paragraphs([words.certainty]),
-    ...button,
+    ...(add ? [make("p", {}, button())] : []),
     ...paragraphs([words.next]),
-    ...table,
+  );
+  byId("candidates").replaceChildren(
+    ...candidate_table(diagnosis, actions),
     ...paragraphs(words.findings),
     ...(words.limits.length
       ? [make("details", {}, make("summary", { textContent: "Limits of this diagnosis" }), ...paragraphs(words.limits))]

@@ -7,7 +7,7 @@
   let previewing = null; // engine of the preview of the candidate under the mouse
   let catalogue = [];
   let run = 0;
-  let variable = "temperature_degc";
+  const axes = { x: null, y: "residual_dph" }; // of the third plot; x null: the strongest variable
   const columns = [
     "time_s",
     "gap_before",
@@ -18,6 +18,7 @@
     "residual_dph",
     "temperature_degc",
     "temperature_rate",
+    "temperature_degc x temperature_rate",
   ];
 
   // Shows an error, or hides the last one.
@@ -42,21 +43,41 @@
     [fitting, diagnosing, previewing].forEach((engine) => engine.put(name, bytes));
   };
 
-  // What is shown of a model: its comparison with the runs, and their columns.
-  const view_of = async (model, masks) => {
+  // What is shown of a state's model: its comparison with the runs, and their columns.
+  const view_of = async (state) => {
     const inputs = setup.columns || [];
-    const view = checked(await fitting.call(compare_words(model, masks), [...columns, ...inputs]));
+    const view = checked(await fitting.call(compare_words(state), [...columns, ...inputs]));
     // Optional columns are known only after the first answer: asks again with them.
     const more = view.runs
       .flatMap((one) => one.variables.map(({ name }) => name))
       .filter((name) => ![...columns, ...inputs].includes(name));
     if (more.length === 0) return view;
     setup.columns = [...inputs, ...new Set(more)];
-    return view_of(model, masks);
+    return view_of(state);
+  };
+
+  // The state that a command makes, or only its answer where `add` refuses.
+  const made_by = async (words, { masks, runs, holdouts }) => {
+    const before = states.now;
+    const model = words[words.indexOf("-o") + 1];
+    const answer = checked(await fitting.call(words));
+    const is_same = () =>
+      [masks, runs, holdouts].every((one, i) => one === [before.masks, before.runs, before.holdouts][i]) &&
+      String(words_of_terms(answer)) === String(words_of_terms(before.view));
+    if (answer.no_step && before && is_same()) throw new Error(answer.no_step);
+    if (!answer.text) return { answer };
+    keep_model(model, answer.text);
+    states.reserve(model);
+    const state = { model, words, masks, runs, holdouts };
+    state.notes = [...answer.remarks, answer.no_step, ...steps_of(answer)].filter(Boolean);
+    if (answer.add) state.judged = { good: answer.add.accepted, reason: answer.reason };
+    state.view = await view_of(state);
+    state.label = label_of(state, before);
+    return { answer, state };
   };
 
   // Waits for a pause of the user; a change that is being fitted comes first. Of several calls in this
-  // time the last one counts.
+  // time the last one counts. An effect that was ticked is judged first.
   let asked = 0;
   const diagnose = async (state) => {
     const turn = ++asked;
@@ -64,12 +85,23 @@
     await new Promise((done) => setTimeout(done, 300));
     if (turn !== asked || states.now !== state || changing > 0) return;
     try {
-      state.diagnosis = checked(await diagnosing.call(diagnose_words(state.model, state.masks)));
+      if (state.ticked) {
+        const { before, effect } = state.ticked;
+        const words = add_words(before, { effects: [effect] }, "ticked.model");
+        const { add, reason } = checked(await diagnosing.call(words));
+        state.judged = { good: add.accepted, reason };
+        state.ticked = null;
+        show_findings();
+      }
+      state.diagnosis = checked(await diagnosing.call(diagnose_words(state)));
     } catch (fault) {
       if (fault instanceof Cancelled) return;
       state.trouble = fault.message;
     }
     if (states.now === state) show_findings();
+  };
+  const diagnosed_by = (stage, done) => {
+    if (stage !== null && byId("progress")) byId("progress").textContent = `Diagnosing: ${percent(done || 0)}`;
   };
 
   const show_findings = () => {
@@ -79,14 +111,14 @@
     document.body.dataset.diagnosed = state.diagnosis ? "yes" : "no";
   };
 
-  const show_runs = (view) => {
-    const group = byId("runs");
-    group.hidden = view.runs.length < 2;
-    group.replaceChildren(
+  const option = (value, textContent, chosen) => make("option", { value, textContent, selected: value === chosen });
+  const show_runs = (state) => {
+    const { view, holdouts } = state;
+    byId("runs").replaceChildren(
       ...view.runs.map(({ file }, i) =>
         make("button", {
           type: "button",
-          textContent: base_name(file) + (setup.holdouts.includes(file) ? " (holdout)" : ""),
+          textContent: base_name(file) + (holdouts.includes(file) ? " (holdout)" : ""),
           ariaPressed: String(i === run),
           onclick: () => {
             run = i;
@@ -95,17 +127,37 @@
         }),
       ),
     );
+    const last_fit = state.runs.length === 1 && state.runs.includes(name_of_run());
+    byId("run_use").replaceChildren(
+      option("fit", "fit to it", ""),
+      option("holdout", "judge by it", holdouts.includes(name_of_run()) ? "holdout" : ""),
+      option("remove", "leave it out", ""),
+    );
+    byId("run_use").disabled = last_fit;
+    byId("run_use").title = last_fit ? "The only recording to fit to" : "What this recording is for";
+    const { variables } = view.runs[run];
+    const chosen = axes.x || strongest(view, run);
+    const group = (label, options) => make("optgroup", { label }, ...options);
     byId("variable").replaceChildren(
-      ...view.runs[run].variables.map(({ name, label }) =>
-        make("option", { value: name, textContent: label, selected: name === variable }),
+      group(
+        "over",
+        variables.map(({ name, label }) => option(name, label, chosen)),
       ),
+      group(
+        "or of the residual",
+        titles.map((title) => option(title, title.replace(/\.$/, ""), chosen)),
+      ),
+    );
+    byId("quantity").replaceChildren(
+      option("residual_dph", "residual, °/h", axes.y),
+      ...variables.map(({ name, label }) => option(name, label, axes.y)),
     );
   };
 
   const show = () => {
     const { view } = states.now;
     run = Math.min(run, view.runs.length - 1);
-    show_runs(view);
+    show_runs(states.now);
     draw();
     const [found, ...rest] = view.runs[run].words;
     byId("found").textContent = found;
@@ -116,7 +168,7 @@
       states
         .commands()
         .map((words) => "$ " + shell_line(words))
-        .join("\n") || `$ ${shell_line(compare_words(states.now.model, states.now.masks))}`;
+        .join("\n") || `$ ${shell_line(compare_words(states.now))}`;
     show_masks();
     const notes = [...(setup.notes || []), ...(states.now.notes || [])];
     byId("notes").replaceChildren(...notes.map((note) => make("li", { textContent: note })));
@@ -124,6 +176,16 @@
     byId("undo").disabled = states.at <= 0;
     byId("redo").disabled = states.at >= states.list.length - 1;
     document.body.dataset.state = states.at;
+    remember();
+  };
+
+  // The address has the steps since the page was opened, so that a reload or a link begins with them.
+  const remember = () => {
+    const steps = states.list.filter((state) => state.words && !state.given);
+    const are_few = steps.length === 0 || (steps.length === 1 && setup.states.length === 0);
+    const kept = { at: states.at, steps: steps.map(({ words, masks, holdouts }) => [words, masks, holdouts]) };
+    const hash = are_few && states.at === states.list.length - 1 ? "" : "#" + encodeURIComponent(JSON.stringify(kept));
+    if (hash !== location.hash) history.replaceState(null, "", hash || location.href.split("#")[0]);
   };
 
   const go = (index) => {
@@ -159,58 +221,32 @@
     show();
   };
 
-  // Fits a changed model: `change` returns what it changes of { effects, expressions, masks }.
-  const fit = (label, change) =>
+  // Fits a changed model: `change` returns what it changes of { effects, expressions, masks, runs, holdouts }.
+  const fit = (change) =>
     in_turn(async () => {
+      const now = states.now;
+      const before = now
+        ? { ...now, effects: effects_of(now.view), expressions: expressions_of(now.view) }
+        : { ...setup, effects: ["bias"], expressions: [], masks: masks_from(setup.masks, files_of(setup)) };
+      const after = { ...before, ...change(before) };
       const model = states.next_model();
-      const before = states.now
-        ? {
-            effects: effects_of(states.now.view),
-            expressions: expressions_of(states.now.view),
-            masks: states.now.masks,
-          }
-        : { effects: ["bias"], expressions: [], masks: masks_from(setup.masks) };
-      const { effects, expressions, masks } = { ...before, ...change(before) };
-      const words = fit_words(effects, expressions, model, masks, states.now ? rows_of(states.now.view) : []);
-      const fitted = checked(await fitting.call(words));
-      const same =
-        states.now &&
-        masks === before.masks &&
-        String(words_of_terms(fitted)) === String(words_of_terms(states.now.view));
-      if (fitted.no_step && same) throw new Error(fitted.no_step);
-      keep_model(model, fitted.text);
-      enter({
-        model,
-        words,
-        label,
-        masks,
-        notes: [...fitted.remarks, fitted.no_step, ...steps_of(fitted)].filter(Boolean),
-        view: await view_of(model, masks),
-      });
+      const words = fit_words(after, after.effects, after.expressions, model, now ? rows_of(now.view) : []);
+      const { state } = await made_by(words, after);
+      state.ticked = after.ticked && { before: now, effect: after.ticked };
+      enter(state);
     });
 
   // Adds effects or an expression if `add` accepts them out of sample; `force`: in any case.
   const judge = (what, force = false) =>
     in_turn(async () => {
-      const model = states.next_model();
-      const masks = states.now.masks;
-      const words = [...add_words(states.now.model, what, model, masks), ...(force ? ["--force"] : [])];
-      const answer = checked(await fitting.call(words));
-      if (!answer.add.model) {
-        states.now.judged = { good: false, reason: `Not added. ${answer.reason}`, anyway: () => judge(what, true) };
-        show_findings();
+      const words = [...add_words(states.now, what, states.next_model()), ...(force ? ["--force"] : [])];
+      const { answer, state } = await made_by(words, states.now);
+      if (state) {
+        enter(state);
         return;
       }
-      keep_model(model, answer.text);
-      enter({
-        model,
-        words,
-        label: `+ ${answer.add.effects.join(", ")}`,
-        masks,
-        judged: { good: answer.add.accepted, reason: answer.reason },
-        notes: [...answer.remarks, ...steps_of(answer)],
-        view: await view_of(model, masks),
-      });
+      states.now.judged = { good: false, reason: `Not added. ${answer.reason}`, anyway: () => judge(what, true) };
+      show_findings();
     });
 
   // Draws the candidate under the mouse over the residual; a change does not wait for it.
@@ -227,12 +263,13 @@
       draw();
       return;
     }
+    if (!state) return;
     await new Promise((done) => setTimeout(done, 150));
     if (wanted !== effect || changing > 0) return;
     state.previews = state.previews || new Map();
     if (!state.previews.has(effect)) {
       previewing.cancel();
-      const words = add_words(state.model, { effects: [effect] }, "preview.model", state.masks, "preview");
+      const words = add_words(state, { effects: [effect] }, "preview.model", "preview");
       const answer = await previewing.call(words, ["preview"]).catch(() => null);
       if (!answer) return; // something else is wanted by now
       state.previews.set(effect, answer);
@@ -249,30 +286,102 @@
   };
 
   const actions = {
-    add: (effect) => fit(`+ ${effect}`, ({ effects }) => ({ effects: [...effects, effect] })),
+    add: (effect) => fit(({ effects }) => ({ effects: [...effects, effect], ticked: effect })),
     remove: (term) =>
-      fit(`− ${term.effect}`, ({ effects, expressions }) => ({
+      fit(({ effects, expressions }) => ({
         effects: effects.filter((words) => effect_name(words) !== term.effect),
         expressions: expressions.filter((words) => words !== term.words),
       })),
     change: (changed) =>
-      fit(changed, ({ effects }) => ({
+      fit(({ effects }) => ({
         effects: effects.map((words) => (effect_name(words) === effect_name(changed) ? changed : words)),
       })),
     judge,
     preview,
+    stop: () => {
+      ++asked;
+      diagnosing.cancel();
+      states.now.trouble = "Not diagnosed.";
+      show_findings();
+    },
+    diagnose: () => {
+      states.now.trouble = null;
+      show_findings();
+      diagnose(states.now);
+    },
   };
 
   // Draws the shown run with its masks.
   const draw = () => {
+    const { view, masks } = states.now;
     const name = name_of_run();
-    const masks = states.now.masks.filter(([of]) => of === name).map(([, from, to]) => [from, to]);
-    draw_run(states.now.view, run, variable, masks, masking() ? select_mask : null);
+    const other = byId("show_before").ariaPressed === "true" ? last_with(name) : null;
+    draw_run(view, run, {
+      masks: masks.filter(([of]) => of === name).map(([, from, to]) => [from, to]),
+      selected: masking() ? select_mask : null,
+      before: other && other.values.residual_dph,
+    });
+    draw_third();
+  };
+  // The step before with the same rows of this file, or null.
+  const last_with = (name) => {
+    const state = states.list[states.at - 1];
+    const index = state ? state.view.runs.findIndex(({ file }) => file === name) : -1;
+    if (index < 0) return null;
+    const values = state.view.values[index];
+    return values.time_s.length === states.now.view.values[run].time_s.length ? { state, values } : null;
+  };
+
+  // The engine's drawings of what is left of the shown run, beside those of the step before.
+  const drawings_of = (state) => {
+    const name = name_of_run();
+    state.drawings = state.drawings || new Map();
+    if (!state.drawings.has(name)) {
+      const other = last_with(name);
+      const names = new Map([[base_name(state.model), "this step"]]);
+      if (other) names.set(base_name(other.state.model), "step before");
+      const asked = fitting.call(plots_words(state, name, other && other.state)).then((answer) => {
+        const { plots: all } = checked(answer);
+        all.forEach((plot) =>
+          plot.curves.forEach((curve) => {
+            curve.label = names.get(curve.label) || curve.label;
+          }),
+        );
+        return all;
+      });
+      state.drawings.set(name, asked);
+    }
+    return state.drawings.get(name);
+  };
+
+  // The third plot: the rows, or one of the drawings.
+  let titles = [];
+  let erase = null;
+  const draw_third = async () => {
+    const state = states.now;
+    const over = axes.x || strongest(state.view, run);
+    const is_drawing = titles.includes(over);
+    byId("variable_plot").hidden = byId("variable_read").hidden = byId("branches").hidden = is_drawing;
+    byId("drawing").hidden = byId("drawing_caption").hidden = !is_drawing;
+    byId("quantity").disabled = is_drawing;
+    if (erase) erase();
+    erase = null;
+    if (!is_drawing) {
+      draw_variable(state.view, run, over, axes.y);
+      return;
+    }
+    const all = await drawings_of(state).catch((fault) => {
+      trouble(fault.message);
+      return [];
+    });
+    if (states.now !== state || axes.x !== over || erase) return;
+    const plot = all.find(({ title }) => title === over);
+    if (plot) erase = draw_plot(byId("drawing"), structuredClone(plot));
+    byId("drawing_caption").textContent = plot ? plot.caption : "This recording is too short for it.";
   };
   const name_of_run = () => states.now.view.runs[run].file;
   const masking = () => byId("mask_mode").ariaPressed === "true";
-  const mask = (from, to) =>
-    fit(`mask ${from}..${to} s`, ({ masks }) => ({ masks: [...masks, [name_of_run(), from, to]] }));
+  const mask = (from, to) => fit(({ masks }) => ({ masks: [...masks, [name_of_run(), from, to]] }));
   const select_mask = (u) => {
     if (u.select.width < 3) return;
     const [from, to] = [u.select.left, u.select.left + u.select.width].map((x) =>
@@ -298,8 +407,7 @@
             title: "Remove this mask",
             ariaLabel: `remove the mask ${base_name(one[0])} ${one[1]} to ${one[2]} s`,
             textContent: `${base_name(one[0])} ${one[1]}..${one[2]} s ×`,
-            onclick: () =>
-              fit(`unmask ${one[1]}..${one[2]} s`, ({ masks }) => ({ masks: masks.filter((other) => other !== one) })),
+            onclick: () => fit(({ masks }) => ({ masks: masks.filter((other) => other !== one) })),
           }),
         ),
       ),
@@ -335,9 +443,36 @@
   byId("undo").onclick = () => go(states.at - 1);
   byId("redo").onclick = () => go(states.at + 1);
   byId("variable").onchange = () => {
-    variable = byId("variable").value;
-    draw_variable(states.now.view, run, variable);
+    axes.x = byId("variable").value;
+    draw_third();
   };
+  byId("quantity").onchange = () => {
+    axes.y = byId("quantity").value;
+    draw_third();
+  };
+  byId("show_before").onclick = () => {
+    byId("show_before").ariaPressed = String(byId("show_before").ariaPressed !== "true");
+    draw();
+  };
+  byId("run_use").onchange = () => {
+    const name = name_of_run();
+    const use = byId("run_use").value;
+    const with_it = (files, wanted) => [...files.filter((one) => one !== name), ...(use === wanted ? [name] : [])];
+    fit(({ runs, holdouts, masks }) => ({
+      runs: with_it(runs, "fit"),
+      holdouts: with_it(holdouts, "holdout"),
+      masks: use === "remove" ? masks.filter(([of]) => of !== name) : masks,
+    }));
+  };
+  // A click in a plot that masks by drag masks the row under the cursor.
+  byId("residual_plot").addEventListener("click", () => {
+    const { cursor, select, data } = plots.residual.u;
+    if (!masking() || cursor.idx == null || select.width >= 3) return;
+    const half_s = states.now.view.compare.runs[run].row_s / 2;
+    const time_s = 3600 * data[0][cursor.idx];
+    set_masking(false);
+    mask(Math.floor(time_s - half_s), Math.ceil(time_s + half_s));
+  });
   byId("save_model").onclick = () => save(base_name(states.now.model), states.now.view.text);
   const save_written = (name, words) =>
     in_turn(async () => save(name, checked(await fitting.call([...words, "-o", name])).text));
@@ -350,8 +485,7 @@
       save(file, checked(await fitting.call(["history", states.now.model, "--report", file])).text);
     });
   byId("copy_commands").onclick = () => copy(byId("commands").textContent.replaceAll("$ ", ""), byId("copy_commands"));
-  byId("link").onclick = () =>
-    copy(location.href.split("#")[0] + "#" + encodeURIComponent(JSON.stringify(states.commands())), byId("link"));
+  byId("link").onclick = () => copy(location.href, byId("link"));
   addEventListener("keydown", (event) => {
     if (event.key === "Escape" && !Object.values(plots).some((plot) => plot.cancel_drag()) && changing > 0)
       fitting.cancel();
@@ -380,64 +514,88 @@
   byId("formula").onsubmit = (event) => {
     event.preventDefault();
     const text = byId("expression").value.trim();
-    if (text) fit(`+ ${text}`, ({ expressions }) => ({ expressions: [...expressions, text] }));
+    if (text) fit(({ expressions }) => ({ expressions: [...expressions, text] }));
   };
 
-  // Runs the commands of a link.
-  const replay = async (commands) => {
-    for (const words of commands) {
-      const model = words[words.indexOf("-o") + 1];
-      const answer = checked(await fitting.call(words));
-      if (!answer.text) throw new Error(answer.reason);
-      keep_model(model, answer.text);
-      states.reserve(model);
-      const masks = masks_from(words);
-      states.push({
-        model,
-        words,
-        masks,
-        label: words[0] === "fit" ? words[words.indexOf("--effects") + 1] : `+ ${answer.add.effects.join(", ")}`,
-        view: await view_of(model, masks),
-      });
+  // Takes the steps of an address; see remember().
+  const replay = async (hash) => {
+    let kept;
+    try {
+      kept = JSON.parse(decodeURIComponent(hash.slice(1)));
+    } catch {
+      throw new Error("The steps in this page's address are damaged: it begins anew.");
     }
-    go(states.list.length - 1);
+    for (const [words, masks, holdouts] of kept.steps) {
+      const end = words.findIndex((word) => word.startsWith("-"));
+      const runs = words[0] === "fit" ? words.slice(1, end) : states.now.runs;
+      const { answer, state } = await made_by(words, { masks, runs, holdouts });
+      if (!state) throw new Error(answer.reason);
+      states.push(state);
+    }
+    states.go(kept.at);
   };
 
-  // Shows the models that the page was written with.
+  // Begins with the models that the page was written with.
   const begin_with_states = async () => {
-    const masks = masks_from(setup.masks);
+    const masks = masks_from(setup.masks, files_of(setup));
     for (const { model, label, words, judgement, accepted } of setup.states) {
-      states.push({
-        model,
-        masks,
-        label: label === model ? base_name(model) : label,
-        words: words.length ? words : null,
-        view: await view_of(model, masks),
-        judged: judgement ? { good: accepted, reason: judgement } : undefined,
-      });
+      const state = { model, masks, runs: setup.runs, holdouts: setup.holdouts, given: true };
+      state.words = words.length ? words : null;
+      state.label = label === model ? base_name(model) : label;
+      state.judged = judgement ? { good: accepted, reason: judgement } : undefined;
+      state.view = await view_of(state);
+      states.push(state);
     }
-    if (setup.states.length === 0) return;
-    go(states.list.length - 1);
+    if (!states.now) return;
     // Without a fit so far: the engine reads the recordings for one now, not when the user asks for it.
-    const first = fit_words(["bias"], [], "first.model", masks, rows_of(states.now.view));
+    const first = fit_words(states.now, ["bias"], [], "first.model", rows_of(states.now.view));
     fitting.call(first).catch(() => {});
   };
 
   const begin = async (module, files) => {
     fitting = new Engine(module, new Map(files), working, trouble);
-    diagnosing = new Engine(module, new Map(files), () => {}, trouble);
+    diagnosing = new Engine(module, new Map(files), diagnosed_by, trouble);
     previewing = new Engine(module, new Map(files), () => {}, trouble);
     catalogue = checked(await fitting.call(["effects"])).effects;
     byId("opening").hidden = true;
     byId("starting").hidden = true;
     byId("bench").hidden = false;
     byId("link").disabled = false;
+    let wrong = "";
     await in_turn(async () => {
-      if (location.hash.length > 1) return replay(JSON.parse(decodeURIComponent(location.hash.slice(1))));
       await begin_with_states();
+      const { hash } = location;
+      if (hash.length > 1)
+        await replay(hash).catch((fault) => {
+          wrong = fault.message;
+        });
+      if (states.now) go(states.at);
     });
-    if (!states.now) await fit("bias", () => ({}));
+    if (!states.now) await fit(() => ({}));
+    if (wrong) trouble(wrong);
+    titles = (await drawings_of(states.now).catch(() => [])).map(({ title }) => title);
+    show_runs(states.now);
+    document.body.ondragover = (event) => event.preventDefault();
+    document.body.ondrop = (event) => {
+      event.preventDefault();
+      add_recordings([...event.dataTransfer.files]);
+    };
   };
+
+  // Fits to further recordings, too.
+  const add_recordings = (chosen) =>
+    in_turn(async () => {
+      for (const file of chosen) {
+        const bytes = new Uint8Array(await file.arrayBuffer());
+        [fitting, diagnosing, previewing].forEach((engine) => engine.put(file.name, bytes));
+        checked(await fitting.call(["info", file.name, ...setup.reading]));
+      }
+      const names = chosen.map(({ name }) => name);
+      fit(({ runs, holdouts }) => ({
+        runs: [...runs, ...names.filter((name) => ![...runs, ...holdouts].includes(name))],
+      }));
+    });
+  byId("more").onchange = () => add_recordings([...byId("more").files]);
 
   // Asks for recordings, where the page has none.
   const ask_for_files = (module) => {
@@ -483,12 +641,22 @@
           ariaLabel: `columns of ${name}`,
           onclick: () => choose_columns(name),
         });
+        const remove = make("button", {
+          type: "button",
+          textContent: "Remove",
+          ariaLabel: `remove ${name}`,
+          onclick: () => {
+            engine.remove(name);
+            holdouts.delete(name);
+            list();
+          },
+        });
         rows.push(
           make(
             "li",
             {},
             make("strong", { textContent: name }),
-            make("span", {}, choose, " ", use),
+            make("span", {}, choose, " ", use, " ", remove),
             ...(found.error
               ? [found.error]
               : [`${found.rows} samples, every ${significant(found.period_s)} s`, ...found.remarks]
