@@ -111,29 +111,19 @@ Plot spectrum_plot(const Models& models, std::size_t run) {
   return plot;
 }
 
-// What a value of a normal distribution has with this probability, in standard deviations.
-double normal_quantile(double probability) {
-  double low = -10;
-  double high = 10;
-  while (high - low > 1e-6) {
-    const double middle = (low + high) / 2;
-    (std::erfc(-middle / std::sqrt(2.0)) / 2 < probability ? low : high) = middle;
-  }
-  return low;
-}
-
-// The residual in the order of its size, of many rows an even choice, over what a normal
-// distribution has there.
+// The residual in the order of its size, over what a normal distribution has there: evenly along
+// it, so that the few values at the ends are as plain as the many in the middle.
 Curve quantiles_of(const std::vector<double>& sorted) {
-  constexpr std::size_t kPoints = 400;
+  constexpr int kEnd = 100;  // points on either side of the middle
+  constexpr double kStep = 0.05;
+  const auto rows = static_cast<double>(sorted.size());
   Curve curve;
-  const std::size_t count = std::min(kPoints, sorted.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t row = count == 1 ? 0 : i * (sorted.size() - 1) / (count - 1);
-    const double probability =
-        (static_cast<double>(row) + 0.5) / static_cast<double>(sorted.size());
-    curve.x.push_back(normal_quantile(probability));
-    curve.y.push_back(sorted[row]);
+  for (int i = -kEnd; i <= kEnd; ++i) {
+    const double quantile = kStep * i;
+    const double row = std::erfc(-quantile / std::sqrt(2.0)) / 2 * rows - 0.5;
+    if (row < 0 || row > rows - 1) continue;
+    curve.x.push_back(quantile);
+    curve.y.push_back(sorted[static_cast<std::size_t>(std::lround(row))]);
   }
   return curve;
 }

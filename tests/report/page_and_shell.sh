@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# page_and_shell.sh FOGCOMP: what the page calculates is what the shell calculates, to 1e-9 of a figure: every command of
+# page_and_shell.sh FOGCOMP: what the page calculates is what the shell calculates, to 1.5e-8 of a figure: every command of
 # the page's engine, run by Node, on one, two and three runs, a holdout, a rate table, a real recording, with and
 # without masks.
 set -euo pipefail

@@ -229,32 +229,31 @@ const loop = async (browser) => {
   await bench.diagnosed();
   await bench.click("#add_missing");
   await bench.state(1);
-  const between = await bench.error();
-  await bench.diagnosed();
-  await bench.click("#add_missing");
-  await bench.state(2);
-  const after = await bench.error();
-  check("loop", after < between && after < before / 5, `adding what is missing leaves ${after} of ${before}`);
-  check(
-    "loop",
-    /^.?.?Helps out of sample|^helps out of sample/i.test(await bench.text(".judged")),
-    await bench.text(".judged"),
-  );
+  const errors = [before, await bench.error()];
+  for (const state of [2, 3]) {
+    await bench.diagnosed();
+    await bench.click("#add_missing");
+    await bench.state(state);
+    errors.push(await bench.error());
+  }
+  const falls = errors.every((error, i) => i === 0 || error < errors[i - 1]);
+  check("loop", falls && errors[3] < before / 5, `adding what is missing leaves ${errors}`);
+  check("loop", /^helps out of sample/i.test(await bench.text(".judged")), await bench.text(".judged"));
   await bench.diagnosed();
   await bench.look("after");
   await bench.undo();
-  await bench.state(1);
-  check("loop", (await bench.error()) === between, "Ctrl+Z does not undo");
-  await bench.click("#redo");
   await bench.state(2);
+  check("loop", (await bench.error()) === errors[2], "Ctrl+Z does not undo");
+  await bench.click("#redo");
+  await bench.state(3);
   // Rows are masked by a drag, listed, and counted again.
   await bench.click("#mask_mode");
   await bench.drag("#residual_plot .u-over", 0.2, 0.3);
-  await bench.state(3);
+  await bench.state(4);
   check("loop", /mems.csv \d+\.\.\d+ s/.test(await bench.text("#masks")), "masked rows are not listed");
   check("loop", /--mask \d+\.\.\d+/.test(await bench.text("#commands")), "the mask is in no command");
   await bench.click("#masks button");
-  await bench.state(4);
+  await bench.state(5);
   check("loop", (await bench.text("#masks")) === "", "a mask cannot be taken away");
   await bench.diagnosed();
   // A formula says what is wrong with it as it is typed.
@@ -375,16 +374,11 @@ const recordings = async (browser) => {
 const looking = async (browser) => {
   const bench = await Bench.open(browser, "session.html");
   await bench.state(0);
-  const strongest = await bench.page.evaluate(`(() => {
-    const { structure } = states.now.view.compare.runs[0];
-    const all = Object.entries(structure).filter(([name, one]) => one?.mean_dph && one.structured);
-    return all.sort((a, b) => b[1].share_of_excess - a[1].share_of_excess)[0]?.[0];
-  })()`);
-  check(
-    "looking",
-    (await bench.page.evaluate(`document.getElementById("variable").value`)) === strongest,
-    `does not open on ${strongest}`,
+  await bench.diagnosed();
+  const [shown, varies] = await bench.page.evaluate(
+    `[document.getElementById("variable").value, states.now.diagnosis.diagnosis.where.variable]`,
   );
+  check("looking", shown === varies, `opens on ${shown}, though it varies most with ${varies}`);
   await bench.click("#effect_temperature_rate");
   await bench.state(1);
   for (const plot of ["rate", "residual", "variable"]) {

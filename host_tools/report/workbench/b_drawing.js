@@ -284,9 +284,13 @@ const draw_variable = (view, run, over, of) => {
   );
 };
 
-// The variable of which the residual depends most, as far as `compare` has judged it.
-const strongest = (view, run) => {
+// The variable of which the residual depends most: by the diagnosis, where it names one of the axes, else as far as
+// `compare` has judged it.
+const strongest = ({ view, diagnosis }, run) => {
+  const { variables } = view.runs[run];
+  const named = diagnosis && variables.find(({ name }) => name === diagnosis.diagnosis.where.variable);
+  if (named) return named.name;
   const structure = view.compare.runs[run].structure || {};
   const share = ({ name }) => ((structure[name] || {}).structured ? structure[name].share_of_excess : 0);
-  return [...view.runs[run].variables].sort((a, b) => share(b) - share(a))[0].name;
+  return [...variables].sort((a, b) => share(b) - share(a))[0].name;
 };

@@ -98,7 +98,11 @@
       if (fault instanceof Cancelled) return;
       state.trouble = fault.message;
     }
-    if (states.now === state) show_findings();
+    if (states.now !== state) return;
+    show_findings();
+    if (axes.x || !state.diagnosis) return;
+    show_runs(state);
+    draw_third();
   };
   const diagnosed_by = (stage, done) => {
     if (stage !== null && byId("progress")) byId("progress").textContent = `Diagnosing: ${percent(done || 0)}`;
@@ -136,7 +140,7 @@
     byId("run_use").disabled = last_fit;
     byId("run_use").title = last_fit ? "The only recording to fit to" : "What this recording is for";
     const { variables } = view.runs[run];
-    const chosen = axes.x || strongest(view, run);
+    const chosen = axes.x || strongest(state, run);
     const group = (label, options) => make("optgroup", { label }, ...options);
     byId("variable").replaceChildren(
       group(
@@ -359,7 +363,7 @@
   let erase = null;
   const draw_third = async () => {
     const state = states.now;
-    const over = axes.x || strongest(state.view, run);
+    const over = axes.x || strongest(state, run);
     const is_drawing = titles.includes(over);
     byId("variable_plot").hidden = byId("variable_read").hidden = byId("branches").hidden = is_drawing;
     byId("drawing").hidden = byId("drawing_caption").hidden = !is_drawing;
