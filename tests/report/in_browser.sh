@@ -63,6 +63,6 @@ done
 
 failed=0
 node "$here/check_pages.mjs" "$driver" . || failed=1
-node "$here/look_at_pages.mjs" "$driver" "$shots" info.html=4 fit.html=18 compare.html=18 models.html=9 \
-  diagnose.html=6 add.html=8 paper.html=7 batch.html=1 fast.html=5 input.html=11 input_diagnose.html=6 || failed=1
+node "$here/look_at_pages.mjs" "$driver" "$shots" info.html=4 fit.html=24 compare.html=24 models.html=12 \
+  diagnose.html=6 add.html=8 paper.html=7 batch.html=1 fast.html=5 input.html=15 input_diagnose.html=6 || failed=1
 exit $failed
