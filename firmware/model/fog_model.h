@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-#define FOG_MODEL_LAYOUT 7
+#define FOG_MODEL_LAYOUT 8
 #define FOG_MODEL_EFFECTS 0x7u /* bit = effect id */
 #define FOG_MODEL_EXPRESSIONS 0x0u /* operations and signals; 0: none */
 #define FOG_MODEL_NETWORK_INPUTS 0x3u /* bit = input; 0: no network */
@@ -15,13 +15,13 @@
 #define FOG_MODEL_OUTPUT 0 /* frames: 0 KVH, 1 compact, 2 both */
 #define FOG_MODEL_OUTPUT_OPTIONS 0x0u /* 4: delta angle, 8: KVH commands */
 #define FOG_MODEL_BOUND 0 /* 1: to one processor */
-#define FOG_MODEL_WORDS 158
+#define FOG_MODEL_WORDS 144
 
 static const int32_t fog_model[FOG_MODEL_WORDS] = {
   /* magic number, layout version */
-  1179600717, 7,
+  1179600717, 8,
   /* words in this table */
-  158,
+  144,
   /* CRC-32 of the model file */
   1725691702,
   /* serial number of the gyro: none */
@@ -30,6 +30,8 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   0, 0, 0,
   /* sample period, us (200 Hz) */
   5000,
+  /* by one part in how many the sample rate may be wrong (2 %) */
+  50,
   /* samples per block (1 s) */
   200,
   /* rate = counts * multiplier / 2^shift (3686400 counts per deg/s) */
@@ -38,8 +40,8 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   2101248000,
   /* largest step of the rate in a sample (20000 deg/s^2) */
   184320000,
-  /* counts in a row within one LSB that mean a stuck gyro */
-  100,
+  /* counts in a row that mean a stuck gyro, within this band (noise 1069) */
+  100, 267,
   /* decay per block of the two derivative lags (tau 30 s) */
   70402888,
   /* the same times blocks per minute: from the lags' distance to degC/min */
@@ -98,9 +100,6 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   /* low-pass taps / sqrt 2, times 2^31 */
   -5136199, -823228, 48128999, 11551971, -217592337, -93043611, 730944751, 1180156758,
   553405108, -78879768, -41332104, 74614820, 5783591, -22705008, -459985, 2869890,
-  /* high-pass taps: the same backwards, every second one negative */
-  2869890, 459985, -22705008, -5783591, 74614820, 41332104, -78879768, -553405108, 1180156758,
-  -730944751, -93043611, 217592337, 11551971, -48128999, -823228, 5136199,
   /* synthesis taps, times 2^15, two to a word: low-pass + 65536 * high-pass, backwards */
   5111852, -786439, -48038234, 11534424, 217580659, -92996215, -730924212, 1180180732,
   -553367976, -78894190, 41417332, 74707720, -5766992, -22674722, 524275, 2949042,
@@ -111,7 +110,7 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   /* flags that make a rate not valid; beside the usual ones thermal_settling, denoiser_filling, input_missing, drift_outdated */
   4929415,
   /* CRC-32 of the words above */
-  -139138996,
+  1379349746,
 };
 
 #endif

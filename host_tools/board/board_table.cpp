@@ -23,6 +23,9 @@ namespace {
 
 constexpr double kStuckSeconds = 0.5;     // equal counts for longer than this ...
 constexpr double kMinStuckSamples = 100;  // ... and for at least this many samples
+// As many samples of white noise differ by five standard deviations. One may be gone with what
+// shook the gyro in training, and some more with a bandwidth below the sample rate's.
+constexpr double kStuckShareOfNoise = 0.25;
 
 struct Timing {
   std::int64_t period_us = 0;
@@ -56,6 +59,9 @@ void write_calibration(TableWriter& out, const model::Model& model,
                        const recording::GyroLimits& limits, const Timing& timing) {
   out.note(format("sample period, us (%.6g Hz)", 1e6 / static_cast<double>(timing.period_us)));
   out.integer(timing.period_us, "the sample period");
+  const std::uint32_t part = sample_rate_part(model, timing.block_s);
+  out.note(format("by one part in how many the sample rate may be wrong (%.3g %%)", 100.0 / part));
+  out.integer(part, "the sample rate's part");
   out.note(format("samples per block (%.6g s)", timing.block_s));
   out.integer(timing.samples_per_block, "samples per block");
   out.note(
@@ -68,8 +74,12 @@ void write_calibration(TableWriter& out, const model::Model& model,
       format("largest step of the rate in a sample (%g deg/s^2)", limits.max_acceleration_dps2));
   out.integer(rate.step.raw(), "the step");
   const double stuck = kStuckSeconds * 1e6 / static_cast<double>(timing.period_us);
-  out.note("counts in a row within one LSB that mean a stuck gyro");
+  const double noise =
+      model.noise_dph_rthz / std::sqrt(timing.period_s) / 3600 * model.scale_factor;
+  const double band = std::max(std::floor(noise * kStuckShareOfNoise), 1.0);
+  out.note(format("counts in a row that mean a stuck gyro, within this band (noise %.4g)", noise));
   out.integer(std::llround(std::max(stuck, kMinStuckSamples)), "stuck samples");
+  out.integer(std::llround(band), "the stuck band");
 }
 
 void write_thermal(TableWriter& out, const model::Model& model, const Timing& timing) {

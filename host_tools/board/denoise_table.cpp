@@ -39,8 +39,6 @@ void write_filters(TableWriter& out, const std::vector<double>& filter) {
   const std::vector<std::int64_t> low = rounded_taps(filter, fog::kTapFraction);
   out.note("low-pass taps / sqrt 2, times 2^31");
   for (const std::int64_t tap : low) out.integer(tap, "a tap");
-  out.note("high-pass taps: the same backwards, every second one negative");
-  for (const std::int64_t tap : mirrored(low)) out.integer(tap, "a tap");
   out.note("synthesis taps, times 2^15, two to a word: low-pass + 65536 * high-pass, backwards");
   const std::vector<std::int64_t> coarse = rounded_taps(filter, fog::kSynthesisTapFraction);
   const std::vector<std::int64_t> coarse_high = mirrored(coarse);
@@ -82,13 +80,13 @@ void check_noise_fits(const BoardTable& table, std::size_t first,
   fog::DenoiseParameters denoise;
   denoise.rule = static_cast<fog::ThresholdRule>(*next++);
   denoise.mode = static_cast<fog::ThresholdMode>(*next++);
-  denoise.filters = {next, 3 * taps};
-  denoise.thresholds = {next + 3 * taps, levels};
+  denoise.filters = {next, 2 * taps};
+  denoise.thresholds = {next + 2 * taps, levels};
   if (fog::noise_shift(denoise) >= 0) return;
   const double threshold_dph = std::ldexp(denoise.thresholds[0], -fog::kDetailFraction);
   std::size_t fewer = levels - 1;
   for (; fewer > 0; --fewer) {
-    denoise.thresholds = {next + 3 * taps, fewer};
+    denoise.thresholds = {next + 2 * taps, fewer};
     if (fog::noise_shift(denoise) >= 0) break;
   }
   throw InputError(

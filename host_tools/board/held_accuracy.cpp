@@ -14,10 +14,15 @@ constexpr double kSinceStartS = 3600;
 constexpr double kSlowestDegcPerMin = 0.05;  // slower ones do not change the result
 constexpr std::uint32_t kLongestSoakBlocks = 3600;
 
+constexpr std::uint32_t kLeastPart = 50;
+constexpr double kPartSpan = 4;  // from the least part to the largest
+
 /// Drift of every block on a way up and down through the trained range.
 class RoundTrip {
  public:
-  RoundTrip(const model::Model& model, double block_s) : model_(model, block_s) {
+  /// A block lasts `block_s`, and the model takes it for `believed_s`.
+  RoundTrip(const model::Model& model, double block_s, double believed_s)
+      : model_(model, believed_s) {
     const model::Range& rate = *model.rate_range_degc_per_min;
     const double fastest = std::max({std::abs(rate.min), std::abs(rate.max), kSlowestDegcPerMin});
     const double step_degc = fastest * block_s / 60;
@@ -41,15 +46,19 @@ class RoundTrip {
     }
   }
 
-  double largest_change_dph(std::size_t blocks) const {
+  double largest_change_dph(std::size_t blocks) const { return largest_difference(*this, blocks); }
+  /// `other`: the same way.
+  double largest_error_dph(const RoundTrip& other) const { return largest_difference(other, 0); }
+
+ private:
+  // Between the drift of a block and that of `other`, `blocks` before it.
+  double largest_difference(const RoundTrip& other, std::size_t blocks) const {
     double largest = 0;
     for (std::size_t i = blocks; i < drift_dph_.size(); ++i) {
-      largest = std::max(largest, std::abs(drift_dph_[i] - drift_dph_[i - blocks]));
+      largest = std::max(largest, std::abs(drift_dph_[i] - other.drift_dph_[i - blocks]));
     }
     return largest;
   }
-
- private:
   void step() {
     model_.step(block_);
     drift_dph_.push_back(model_.drift_dph());
@@ -65,12 +74,23 @@ class RoundTrip {
 std::uint32_t accurate_hold_blocks(const model::Model& model, double block_s,
                                    std::uint32_t hold_blocks) {
   if (!model.rate_range_degc_per_min) return hold_blocks;
-  const RoundTrip trip(model, block_s);
+  const RoundTrip trip(model, block_s, block_s);
   std::uint32_t blocks = 0;
   while (blocks < hold_blocks && trip.largest_change_dph(blocks + 1) <= model.residual_rms_dph) {
     ++blocks;
   }
   return blocks;
+}
+
+std::uint32_t sample_rate_part(const model::Model& model, double block_s) {
+  if (!model.rate_range_degc_per_min) return kLeastPart;
+  const double slow_s = block_s * (1 + 1.0 / kLeastPart);
+  const RoundTrip right(model, slow_s, slow_s);
+  const RoundTrip believed(model, slow_s, block_s);
+  const double error = right.largest_error_dph(believed);
+  if (error <= model.residual_rms_dph) return kLeastPart;
+  const double parts = std::min(error / model.residual_rms_dph, kPartSpan);
+  return static_cast<std::uint32_t>(std::ceil(kLeastPart * parts));
 }
 
 }  // namespace fogcomp::board

@@ -13,4 +13,9 @@ namespace fogcomp::board {
 std::uint32_t accurate_hold_blocks(const model::Model& model, double block_s,
                                    std::uint32_t hold_blocks);
 
+/// One part in how many of the sample rate may be wrong: so much that the drift is off by no more
+/// than the fit's residual on the same way. From 50 (2 %: the RC oscillator of a demodulator is
+/// good to 1 %) to 200 (0.5 %: the board measures over 10 s, and a sample may wait to be read).
+std::uint32_t sample_rate_part(const model::Model& model, double block_s);
+
 }  // namespace fogcomp::board

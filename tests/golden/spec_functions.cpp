@@ -262,7 +262,7 @@ void print_sequence() {
 
 // Samples at the rate of the table, then 3 % too fast, then right again, then far too slow.
 void print_sample_rate() {
-  fog::SampleRateMonitor monitor(5000);
+  fog::SampleRateMonitor monitor(5000, 50);
   std::uint32_t us = 0;
   for (int i = 0; i < 400; ++i) {
     us += i < 120 ? 250'000 : i < 200 ? 242'500 : i < 330 ? 250'500 : 400'000;

@@ -110,7 +110,7 @@ inline void append_counted(std::vector<std::int32_t>& words,
 
 inline std::vector<std::int32_t> acquisition_words() {
   constexpr std::int32_t kOne = 65536;
-  std::vector<std::int32_t> words{200000, 5, 1 << 30, 30, 40'000'000, 1'000'000, 6};
+  std::vector<std::int32_t> words{200000, 80, 5, 1 << 30, 30, 40'000'000, 1'000'000, 6, 1000};
   append(words, {70402888, 33001354, -5 * kOne, 45 * kOne, 6, 3, 8});
   append(words, {5, -70 * kOne, 130 * kOne, 2 * kOne, -400 * kOne, 400 * kOne, 50 * kOne});
   append(words, {0, 2000 * kOne, 10 * kOne, 0, 12 * kOne, kOne, 0, 40 * kOne, 8 * kOne});
@@ -130,8 +130,8 @@ inline std::vector<std::int32_t> network_words() {
 }  // namespace detail
 
 inline std::vector<std::int32_t> spec_filters() {
-  return {-196508392, 340362520, 1270250216, 733379304, 733379304,   -1270250216,
-          340362520,  196508392, 196488118,  340413366, -1270213558, 733410378};
+  return {-196508392, 340362520, 1270250216,  733379304,
+          196488118,  340413366, -1270213558, 733410378};
 }
 
 /// The whole table.

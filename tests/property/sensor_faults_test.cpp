@@ -66,17 +66,33 @@ class SensorFaults : public testing::Test {
 };
 
 TEST_F(SensorFaults, AStuckGyroIsInvalidWithinHalfASecond) {
-  for (const int toggle : {0, 1}) {
+  for (const unsigned values : {1U, 2U, 7U}) {  // the last: a converter with 2 counts rms
     run(10 * kSecond);
-    int turn = 0;
     const int samples = samples_until(Status::gyro_stuck, kSecond, [&](SensorSample& sample) {
-      sample.rate_counts = 777 + toggle * (++turn % 2);
+      sample.rate_counts = 777 + static_cast<std::int32_t>(random_() % values);
     });
-    std::printf("stuck gyro, toggling by %d LSB: not valid after %.3f s\n", toggle,
+    std::printf("stuck gyro, %u values: not valid after %.3f s\n", values,
                 (samples - 1) / double{kSecond});
     EXPECT_LE(samples - 1, kSecond / 2);
     EXPECT_FALSE(has_any(run(1).status, Status::gyro_stuck));
   }
+}
+
+// At 120 deg/s; the gyro turns on at 1 deg/s^2 meanwhile.
+TEST_F(SensorFaults, SignFlips_InvalidUntilItIsBack) {
+  run(kSecond);
+  const auto turn = [&](double rate) {
+    SensorSample sample = healthy();
+    sample.rate_counts += static_cast<std::int32_t>(rate * kCountsPerDegPerS);
+    return send(sample);
+  };
+  for (int i = 0; i < kSecond; ++i) EXPECT_TRUE(turn(120.0 * i / kSecond).compensated_valid());
+  for (int i = 0; i < 60 * kSecond; ++i) {
+    const OutputSample out = turn(-120 - i / double{kSecond});
+    EXPECT_TRUE(has_any(out.status, Status::rate_jump)) << i;
+    EXPECT_FALSE(out.compensated_valid());
+  }
+  EXPECT_TRUE(turn(180).compensated_valid());
 }
 
 TEST_F(SensorFaults, ARampBeyondTheRangeIsFlaggedAndNeverWrapsAround) {

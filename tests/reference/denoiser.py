@@ -18,7 +18,6 @@ class DenoiserTable(NamedTuple):
     rule: int
     mode: int
     low: tuple
-    high: tuple
     sl: tuple
     sh: tuple
     expected: tuple
@@ -26,6 +25,10 @@ class DenoiserTable(NamedTuple):
     @property
     def taps(self):
         return len(self.low)
+
+    @property
+    def high(self):
+        return tuple((-1)**i * self.low[-1 - i] for i in range(self.taps))
 
     @property
     def delay(self):

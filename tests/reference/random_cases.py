@@ -52,9 +52,8 @@ def filters(r):
 def denoiser_words(r):
     levels, low, sl = filters(r)
     k = len(low)
-    high = [(-1)**i * low[k - 1 - i] for i in range(k)]
     sh = [(-1)**(i + 1) * sl[k - 1 - i] for i in range(k)]
-    words = [levels, k, r.randrange(3), r.randrange(2)] + low + high
+    words = [levels, k, r.randrange(3), r.randrange(2)] + low
     words += [i32((b << 16) | (a & 0xFFFF)) for a, b in zip(sl, sh)]
     scale = r.choice([0, 300, 20000, 200000, 3000000, 40000000])
     return words + [min(int(scale * 0.7**j * r.uniform(0.5, 1.5)), 2**27) for j in range(levels)]
@@ -144,9 +143,9 @@ def table_words(r, period):
     def blocks():
         return r.choice([0, 1, 2, 3, 6, 12, 60])
     head = [0x464F474D, table.TABLE_LAYOUT, 0, 123, 0x31, 0, 0, 0, 0, 0, 0]
-    calibration = [period, r.choice([1, 2, 3, 5, 8, 20]), 2**30, r.choice([29, 30, 30]),
+    calibration = [period, r.randrange(1, 1001), r.choice([1, 2, 3, 5, 8, 20]), 2**30, r.choice([29, 30, 30]),
                    r.choice([40000000, 2 * 10**9, BIG]),
-                   r.choice([500, 20000, 1000000, 10**8, BIG]), r.choice([0, 4, 6])]
+                   r.choice([500, 20000, 1000000, 10**8, BIG]), r.choice([0, 4, 6]), r.choice([0, 1, 9, 200, BIG])]
     thermal = [r.randrange(1, 2**28), r.randrange(1, 2**26), temperature(r, -15, 10), temperature(r, 12, 45),
                blocks(), blocks(), blocks()]
     if r.random() < 0.15:
@@ -164,7 +163,7 @@ def table_words(r, period):
 
 def needed(r, effects, expressions, network):
     """As a board finds them: with a table that has words for none."""
-    words = [0x464F474D, table.TABLE_LAYOUT, 0, 0] + [0] * 7 + [5000, 1, 2**30, 30, 1, 1, 0, 1, 1, 0, 0, 0, 0, 0, 0]
+    words = [0x464F474D, table.TABLE_LAYOUT, 0, 0] + [0] * 7 + [5000, 1, 1, 2**30, 30, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0]
     words += effects + expressions + network + [0, 0, 0, 0, 0, 0x00432487]
     words[2] = len(words) + 1
     words.append(i32(crc32(pack(words))))
@@ -197,7 +196,7 @@ class World:
 
     FAULTS = ("gyro", "temperature", "stuck", "range", "jump", "spike", "frozen", "warm", "85", "inputs", "bad_input",
               "gap", "big_gap", "late", "renumber", "repeat", "cut", "damage", "cold", "hot", "both", "bad_sample",
-              "85_on", "burst",
+              "85_on", "burst", "sign",
               "reserved", "reserved", "reserved")  # the last: frames that are none though their CRC is right
 
     def next(self):
@@ -246,6 +245,8 @@ class World:
         if f != "stuck":
             self.counts = int(self.rate + r.gauss(0, self.noise))
         counts = self.counts
+        if f == "sign":
+            counts = -counts
         if f == "range":
             counts = r.choice([BIG, -2**31, 39500000, 38000000])
         if f == "jump" and self.left == 0:

@@ -59,8 +59,9 @@ class Sequence:
 # Sample rate
 
 class SampleRate:
-    def __init__(self, period):
+    def __init__(self, period, part):
         self.period = period
+        self.part = part
         self.since = UNKNOWN
         self.count = 0
         self.off = False
@@ -73,7 +74,7 @@ class SampleRate:
         if counted:
             self.count += elapsed
             passed = u32(now - self.since) * 1000
-            wrong = 50 * abs(self.count * self.period - passed) > max(passed, 10_000_000)
+            wrong = self.part * abs(self.count * self.period - passed) > max(passed, 10_000_000)
             if wrong:
                 self.off = True
             elif passed >= 10_000_000:
@@ -88,24 +89,19 @@ class SampleRate:
 # Stuck
 
 class Stuck:
-    def __init__(self, stuck_samples):
-        self.stuck_samples = stuck_samples
-        self.run = 0
-        self.lowest = 0
-        self.both = False                  # lowest + 1 has come, too
+    def __init__(self, samples, band):
+        self.samples = samples
+        self.band = band
+        self.run = []                      # lowest and highest of it
+        self.length = 0
 
     def judge(self, counts):
-        above = u32(counts - self.lowest)
-        if self.run == 0 or (above > 1 and (self.both or above < 2**32 - 1)):
-            self.run = 1
-            self.lowest = counts
-            self.both = False
-        else:
-            self.run = min(self.run + 1, max(self.run, self.stuck_samples))
-            self.both = self.both or above != 0
-            if above > 1:
-                self.lowest = counts
-        return flags.GYRO_STUCK if self.stuck_samples != 0 and self.run >= self.stuck_samples else 0
+        self.run = [min([*self.run, counts]), max([*self.run, counts])]
+        if self.run[1] - self.run[0] > self.band:
+            self.run = [counts, counts]
+            self.length = 0
+        self.length = min(self.length + 1, self.samples)
+        return flags.GYRO_STUCK if 0 < self.samples == self.length else 0
 
 
 # Range and rate of change
@@ -124,6 +120,7 @@ class Rate:
         self.last = 0
         self.since = self.unseen = 0
         self.turned = False
+        self.mirrored = False
 
     def judge(self, rate, elapsed, trusted):
         judged = flags.RATE_OUT_OF_RANGE if self._out_of_range(rate, elapsed) else 0
@@ -154,13 +151,19 @@ class Rate:
             if not jump and abs(rate) < self.set:
                 self.accepted = rate
                 self.since = 0
-                self.turned = False
+                self.turned = self.mirrored = False
         return jump
 
     def _too_far(self, rate, elapsed):
         far = abs(rate - self.accepted)
-        return far > self.step and ((far > self.range and not self.turned) or far > self.step * self.since
-                                    or abs(rate - self.last) > self.step * elapsed)
+        if far <= self.step:
+            return False
+        if 2 * abs(rate) <= self.step:
+            self.mirrored = False
+        leaps = far > self.step * self.since or abs(rate - self.last) > self.step * elapsed
+        if leaps and abs(rate + self.accepted) <= self.step:
+            self.mirrored = True
+        return leaps or ((far > self.range or self.mirrored) and not self.turned)
 
 
 # Readings
@@ -286,8 +289,8 @@ class Judge:
 
     def __init__(self, table):
         self.sequence = Sequence(table.period)
-        self.stuck = Stuck(table.stuck_samples)
-        self.sample_rate = SampleRate(table.period)
+        self.stuck = Stuck(table.stuck_samples, table.stuck_band)
+        self.sample_rate = SampleRate(table.period, table.sample_rate_part)
         self.rate = Rate(table.period, table.range, 2 * table.step)
         self.temperature = Reading(COIL, True, table.period)
 

@@ -12,7 +12,7 @@ from network import LAGGED, NetworkInput, NetworkTable, Neuron
 from samples import Limits
 
 TABLE_MAGIC = 0x464F474D
-TABLE_LAYOUT = 7
+TABLE_LAYOUT = 8
 SLOT_MAGIC = 0x53474F46
 SLOT_LAYOUT = 1
 
@@ -40,12 +40,14 @@ class Table(NamedTuple):
     processor: tuple
     # calibration
     period: int
+    sample_rate_part: int
     samples_per_block: int
     multiplier: int
     shift: int
     range: int
     step: int
     stuck_samples: int
+    stuck_band: int
     # thermal
     decay: int
     gain: int
@@ -158,8 +160,9 @@ def _header(r):
 
 
 def _calibration(r):
-    return (r.next("sample period", 1), r.next("samples per block", 1), r.next("multiplier", 2**30),
-            r.next("shift", 0, 62), r.next("range", 1), r.next("largest step", 1), r.next("stuck samples", 0))
+    return (r.next("sample period", 1), r.next("part of the sample rate", 1, 1000), r.next("samples per block", 1),
+            r.next("multiplier", 2**30), r.next("shift", 0, 62), r.next("range", 1), r.next("largest step", 1),
+            r.next("stuck samples", 0), r.next("stuck band", 0))
 
 
 def _thermal(r):
@@ -249,10 +252,9 @@ def _denoiser(r):
     levels, taps = r.next("levels", 0, 10), r.next("taps", 0, 30)
     r.require(taps % 2 == 0 and (taps == 0) == (levels == 0), "number of taps")
     rule, mode = r.next("rule", 0, 2), r.next("mode", 0, 1)
-    low, high = r.several(taps, "low-pass taps"), r.several(taps, "high-pass taps")
-    synthesis = r.several(taps, "synthesis taps")
+    low, synthesis = r.several(taps, "low-pass taps"), r.several(taps, "synthesis taps")
     sl, sh = tuple(i16(word) for word in synthesis), tuple(word >> 16 for word in synthesis)
-    table = DenoiserTable(levels, rule, mode, low, high, sl, sh, r.several(levels, "thresholds", 0))
+    table = DenoiserTable(levels, rule, mode, low, sl, sh, r.several(levels, "thresholds", 0))
     if levels > 0:
         _check_filters(r, table)
         r.require(noise_shift(table) is not None, "there is no noise shift for the thresholds")
@@ -260,10 +262,9 @@ def _denoiser(r):
 
 
 def _check_filters(r, table):
-    taps, low, high, sl, sh = range(table.taps), table.low, table.high, table.sl, table.sh
+    taps, low, sl, sh = range(table.taps), table.low, table.sl, table.sh
     r.require(sum(low[0::2]) == sum(low[1::2]) == 2**30, "sums of the low-pass taps")
     r.require(sum(map(abs, low)) < 2**32 - 1, "magnitudes of the low-pass taps")
-    r.require(all(high[i] == (-1)**i * low[-1 - i] for i in taps), "high-pass taps")
     r.require(sum(sl[0::2]) == sum(sl[1::2]) == 2**14, "sums of the synthesis taps")
     r.require(all(sh[i] == (-1)**(i + 1) * sl[-1 - i] for i in taps), "synthesis taps")
 

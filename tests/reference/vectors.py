@@ -118,7 +118,7 @@ class FunctionVectors:
         self.play_of_20.reset(self.START << 22)
         self.monitor = Reading(COIL, True, 200000)
         self.sequences = Sequence(5000), Sequence(5000)
-        self.rate_monitor = SampleRate(5000)
+        self.rate_monitor = SampleRate(5000, 50)
 
     def result(self, name, arguments):
         if name.startswith("denoise_"):

@@ -53,7 +53,7 @@ Status RateMonitor::judge(Rate measured, bool trusted, std::uint32_t elapsed) {
       has_accepted_ = true;
       accepted_ = measured;
       since_accepted_ = 0;
-      may_have_reversed_ = false;
+      mirrored_ = may_have_reversed_ = false;
     }
   }
   return status_if(out_of_range, Status::rate_out_of_range) | status_if(jump, Status::rate_jump);
@@ -78,12 +78,17 @@ bool RateMonitor::judge_range(Rate measured, std::uint32_t elapsed) {
 // one. A new steady rate is accepted as soon as the gyro can have reached it and two samples in a
 // row agree; so an alternating rate is never accepted. A change by more than the range between two
 // consecutive samples is a fold: the rate left the range at one end and reappeared at the other. It
-// is right again once it has folded back.
-bool RateMonitor::jumped(Rate measured, std::uint32_t elapsed) const {
+// is right again once it has folded back. So is one that leaps to its mirror image: the sign has
+// flipped. Where one step is enough to turn the other way nobody can tell.
+bool RateMonitor::jumped(Rate measured, std::uint32_t elapsed) {
   const std::int64_t step = distance(measured, accepted_);
   if (!has_accepted_ || step <= max_step_) return false;
-  if (step > range_.raw() && !may_have_reversed_) return true;
-  return step > max_step_ * since_accepted_ || distance(measured, last_) > max_step_ * elapsed;
+  const std::int64_t raw = measured.raw();
+  if (2 * magnitude(raw) <= max_step_) mirrored_ = false;
+  const bool leaps =
+      step > max_step_ * since_accepted_ || distance(measured, last_) > max_step_ * elapsed;
+  if (leaps && magnitude(raw + accepted_.raw()) <= max_step_) mirrored_ = true;
+  return leaps || ((step > range_.raw() || mirrored_) && !may_have_reversed_);
 }
 
 }  // namespace fog

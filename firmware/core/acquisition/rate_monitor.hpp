@@ -16,8 +16,8 @@ struct RateLimits {
   RateStep step = RateStep::highest();  ///< largest change of the rate per sample; > 0
 };
 
-/// Finds rates that the gyro cannot have measured: too near its full scale, folded, or reached
-/// faster than the vehicle can turn.
+/// Finds rates that the gyro cannot have measured: too near its full scale, folded, of the other
+/// sign, or reached faster than the vehicle can turn.
 class RateMonitor {
  public:
   /// `sample_period_us` >= 1.
@@ -29,7 +29,7 @@ class RateMonitor {
 
  private:
   bool judge_range(Rate measured, std::uint32_t elapsed);
-  bool jumped(Rate measured, std::uint32_t elapsed) const;
+  bool jumped(Rate measured, std::uint32_t elapsed);
 
   Rate range_;
   Rate set_at_;    // out of range from this |rate| on
@@ -43,6 +43,7 @@ class RateMonitor {
   Rate accepted_{};
   std::uint32_t since_accepted_ = 0;  // samples, at most kMaxElapsedSamples
   std::uint32_t unseen_samples_ = 0;  // samples since the last trusted one, same limit
+  bool mirrored_ = false;             // the sign has flipped since the last accepted one
   bool may_have_reversed_ = false;    // the rate may have changed sign since the last accepted one
 };
 

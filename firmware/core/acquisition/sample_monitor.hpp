@@ -20,8 +20,9 @@ constexpr std::uint32_t kConfirmUs = 500'000;
 /// Limits of what a working gyro and its temperature sensor can send.
 struct AcquisitionParameters {
   std::uint32_t sample_period_us = 5000;  ///< used without a model, too, when samples stop
+  std::uint32_t sample_rate_part = 1;     ///< one part in this many of the sample rate may be wrong
   RateLimits rate;
-  std::uint32_t stuck_samples = 0;  ///< consecutive counts within an LSB of a stuck gyro; 0: never
+  StuckLimits stuck;
   Span<const std::int32_t> input_limits;  ///< of the extension inputs that the model needs
 };
 
@@ -35,8 +36,8 @@ class SampleMonitor {
 
   explicit SampleMonitor(const AcquisitionParameters& parameters)
       : sequence_(parameters.sample_period_us),
-        sample_rate_(parameters.sample_period_us),
-        stuck_(parameters.stuck_samples),
+        sample_rate_(parameters.sample_period_us, parameters.sample_rate_part),
+        stuck_(parameters.stuck),
         rate_(parameters.rate, parameters.sample_period_us),
         temperature_(parameters.sample_period_us, kConfirmUs) {}
 

@@ -3,12 +3,8 @@
 namespace fog {
 namespace {
 
-// Tolerance 2 %: crystals are good to 0.01 %, the RC oscillators of demodulators to 1 %, and a
-// wrong setting is off by 20 % or more. 2 % of a temperature rate of 3 degC/min makes less than
-// 0.05 deg/h of drift. Over a window of 10 s the few milliseconds until a sample is read do not
-// matter.
+// Over this window the few milliseconds until a sample is read do not matter.
 constexpr std::int64_t kWindowUs = 10'000'000;
-constexpr std::int64_t kPartOff = 50;
 
 }  // namespace
 
@@ -20,7 +16,7 @@ Status SampleRateMonitor::judge(std::uint32_t elapsed, SampleTime now) {
     const std::int64_t passed_us = std::int64_t{now.ms - since_.ms} * 1000;
     const std::int64_t off_us = std::int64_t{samples_} * sample_period_us_ - passed_us;
     const std::int64_t judged_us = passed_us > kWindowUs ? passed_us : kWindowUs;
-    const bool off = (off_us < 0 ? -off_us : off_us) * kPartOff > judged_us;
+    const bool off = (off_us < 0 ? -off_us : off_us) * part_ > judged_us;
     if (off) off_ = true;
     if (!off && passed_us >= kWindowUs) off_ = false;
     counted = !off && passed_us < kWindowUs;

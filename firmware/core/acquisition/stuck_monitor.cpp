@@ -3,20 +3,17 @@
 namespace fog {
 
 bool StuckMonitor::judge(std::int32_t counts) {
-  const std::uint32_t above = static_cast<std::uint32_t>(counts) - min_;
-  // One below is possible, too, if all have been equal.
-  const std::uint32_t above_lowest = above + 1 - both_;
-  if (run_ == 0 || above_lowest > 2 - both_) {
-    run_ = 1;
-    both_ = 0;
-    min_ += above;
-  } else {
-    // Saturates: a gyro stuck for months must not wrap the count.
-    if (run_ < stuck_samples_) ++run_;
-    if (above != 0) both_ = 1;
-    if (above > 1) --min_;
+  if (counts < lowest_) lowest_ = counts;
+  if (counts > highest_) highest_ = counts;
+  const std::uint32_t span =
+      static_cast<std::uint32_t>(highest_) - static_cast<std::uint32_t>(lowest_);
+  if (span > limits_.band) {  // so it is at the first one
+    lowest_ = highest_ = counts;
+    run_ = 0;
   }
-  return stuck_samples_ != 0 && run_ >= stuck_samples_;
+  // Saturates: a gyro stuck for months must not wrap the count.
+  if (run_ < limits_.samples) ++run_;
+  return limits_.samples != 0 && run_ == limits_.samples;
 }
 
 }  // namespace fog

@@ -1,24 +1,31 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 namespace fog {
 
-/// Finds a gyro that has stopped measuring. The noise of a working gyro exceeds one LSB; a dead
-/// converter repeats one value or toggles between two neighbours.
+/// Counts of a gyro that has stopped measuring: a dead converter repeats one value or toggles
+/// between two neighbours, one behind a loop that stands whispers. A working gyro has its own noise
+/// even at rest.
+struct StuckLimits {
+  std::uint32_t samples = 0;  ///< consecutive counts of a stuck gyro; 0: never
+  std::uint32_t band = 1;     ///< largest difference of two of them, counts
+};
+
+/// Finds such a gyro.
 class StuckMonitor {
  public:
-  /// `stuck_samples` consecutive counts within one LSB are a stuck gyro; 0: never.
-  explicit StuckMonitor(std::uint32_t stuck_samples) : stuck_samples_(stuck_samples) {}
+  explicit StuckMonitor(const StuckLimits& limits) : limits_(limits) {}
 
   /// Whether the gyro is stuck, `counts` being the newest value.
   bool judge(std::int32_t counts);
 
  private:
-  std::uint32_t stuck_samples_;
-  std::uint32_t run_ = 0;   // consecutive counts within [min_, min_ + 1]
-  std::uint32_t min_ = 0;   // unsigned, so that differences wrap
-  std::uint32_t both_ = 0;  // 1: min_ + 1 has come, too
+  StuckLimits limits_;
+  std::uint32_t run_ = 0;  // consecutive counts from lowest_ to highest_, at most limits_.samples
+  std::int32_t lowest_ = std::numeric_limits<std::int32_t>::min();
+  std::int32_t highest_ = std::numeric_limits<std::int32_t>::max();
 };
 
 }  // namespace fog

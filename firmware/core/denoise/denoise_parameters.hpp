@@ -37,22 +37,21 @@ constexpr int kDetailFraction = 16;        ///< details and thresholds, deg/h
 /// A wavelet filter and its thresholds; level 1 is the finest. Without levels: no denoising, no
 /// delay. All taps are divided by sqrt 2, so that the low-pass filter sums to 1. `taps` is even.
 struct DenoiseParameters {
-  /// Three arrays of `taps` words, one after the other.
+  /// Two arrays of `taps` words, one after the other.
   ///   low:        2^31 * tap of the decomposition filter; low[i] multiplies the i-th sample
   ///               before the newest. Even and odd taps sum to 2^30 each, so that a constant
   ///               passes exactly.
-  ///   high:       high[i] = (-1)^i low[taps - 1 - i].
   ///   synthesis:  both filters reversed, 2^15 * tap, two per word: low[taps - 1 - i] in the
-  ///               lower half of word i, high[taps - 1 - i] in the upper half.
+  ///               lower half of word i, high[taps - 1 - i] in the upper half, where high[i] =
+  ///               (-1)^i low[taps - 1 - i].
   Span<const std::int32_t> filters;
   Span<const std::int32_t> thresholds;  ///< one per level, LSB 2^-16 deg/h, not negative
   ThresholdRule rule = ThresholdRule::fixed;
   ThresholdMode mode = ThresholdMode::soft;
 
-  std::size_t taps() const { return filters.size / 3; }
+  std::size_t taps() const { return filters.size / 2; }
   Span<const std::int32_t> low() const { return {filters.data, taps()}; }
-  Span<const std::int32_t> high() const { return {filters.data + taps(), taps()}; }
-  Span<const std::int32_t> synthesis() const { return {filters.data + 2 * taps(), taps()}; }
+  Span<const std::int32_t> synthesis() const { return {filters.data + taps(), taps()}; }
   std::size_t levels() const { return thresholds.size; }
 };
 

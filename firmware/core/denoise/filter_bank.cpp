@@ -160,7 +160,7 @@ template <std::size_t kTaps>
     level->hold(removed(found.second(), level->threshold.now));
   }
 
-  const std::int32_t* const synthesis = filters + 2 * kTaps;
+  const std::int32_t* const synthesis = filters + kTaps;
   while (level != coarser_) {
     --level;
     const RegisterPair pair(

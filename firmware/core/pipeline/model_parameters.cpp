@@ -31,12 +31,15 @@ std::size_t next_count(TableReader& table, std::size_t max) {
 
 void read_calibration(TableReader& table, ModelParameters& parameters) {
   parameters.acquisition.sample_period_us = static_cast<std::uint32_t>(table.next(1, kMax32));
+  parameters.acquisition.sample_rate_part =
+      static_cast<std::uint32_t>(table.next(1, SampleRateMonitor::kMaxPart));
   parameters.samples_per_block = static_cast<std::uint32_t>(table.next(1, kMax32));
   parameters.calibration.multiplier = table.next(1 << 30, kMax32);
   parameters.calibration.shift = table.next(0, 62);
   parameters.acquisition.rate.range = next_positive<Rate>(table);
   parameters.acquisition.rate.step = next_positive<RateStep>(table);
-  parameters.acquisition.stuck_samples = static_cast<std::uint32_t>(table.next(0, kMax32));
+  parameters.acquisition.stuck.samples = static_cast<std::uint32_t>(table.next(0, kMax32));
+  parameters.acquisition.stuck.band = static_cast<std::uint32_t>(table.next(0, kMax32));
 }
 
 void read_thermal(TableReader& table, ModelParameters& parameters) {
@@ -113,14 +116,13 @@ void read_network(TableReader& table, NetworkParameters& network) {
   table.require(network_fits(network));
 }
 
-// Whether the low-pass filter passes a constant exactly, the sums over its taps stay below 2^63,
-// and the other two arrays repeat the same filters.
+// Whether both filters pass a constant exactly, the sums over the taps stay below 2^63, and the
+// high-pass half of the synthesis belongs to its low-pass half.
 bool filters_fit(const DenoiseParameters& denoise) {
   constexpr std::int64_t kHalf = std::int64_t{1} << (kTapFraction - 1);
   constexpr std::int32_t kSynthesisHalf = std::int32_t{1} << (kSynthesisTapFraction - 1);
   const std::size_t taps = denoise.taps();
   const std::int32_t* const low = denoise.low().data;
-  const std::int32_t* const high = denoise.high().data;
   const std::int32_t* const synthesis = denoise.synthesis().data;
   std::int64_t phase_sum[2] = {0, 0};
   std::int32_t synthesis_sum[2] = {0, 0};
@@ -131,7 +133,6 @@ bool filters_fit(const DenoiseParameters& denoise) {
     const std::int64_t sign = i % 2 == 0 ? 1 : -1;
     phase_sum[i % 2] += tap;
     magnitude += tap < 0 ? -tap : tap;
-    same = same && high[i] == sign * low[taps - 1 - i];
     const auto word = static_cast<std::uint32_t>(synthesis[i]);
     const auto mirrored = static_cast<std::uint32_t>(synthesis[taps - 1 - i]);
     synthesis_sum[i % 2] += static_cast<std::int16_t>(word);
@@ -148,7 +149,7 @@ void read_denoise(TableReader& table, DenoiseParameters& denoise) {
   const std::size_t taps = next_count(table, kMaxTaps);
   denoise.rule = static_cast<ThresholdRule>(table.next(0, 2));
   denoise.mode = static_cast<ThresholdMode>(table.next(0, 1));
-  denoise.filters = table.next_words(3 * taps);
+  denoise.filters = table.next_words(2 * taps);
   denoise.thresholds = table.next_words(levels);
   table.require((levels == 0) == (taps == 0) && taps % 2 == 0);
   if (levels == 0 || !table.good()) return;

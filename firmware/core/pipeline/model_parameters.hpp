@@ -40,7 +40,7 @@ constexpr std::uint16_t kMinPeriodUs[] = {
     static_cast<std::uint16_t>(output_line_us(output_bytes(OutputSelection::both)))};
 
 constexpr std::int32_t kModelMagic = 0x464F474D;  ///< "FOGM"
-constexpr std::int32_t kModelLayout = 7;          ///< of the table; SPEC.md, "Model table"
+constexpr std::int32_t kModelLayout = 8;          ///< of the table; SPEC.md, "Model table"
 constexpr std::size_t kMaxModelWords = 4096;
 
 /// Capacity of an image, fixed by the header that it is built with.

@@ -190,7 +190,7 @@ TEST_F(TimedSequenceTest, WithoutATimeOfBothTheSequenceAloneCounts) {
 
 TEST(SampleRateMonitor, IsOffBeyondTwoPercentWithinTenSecondsAndOnAgainAfterTenMore) {
   for (const double rate_hz : {100.0, 190.0, 195.9, 196.1, 200.0, 203.9, 204.1, 210.0, 400.0}) {
-    fog::SampleRateMonitor monitor(kPeriodUs);
+    fog::SampleRateMonitor monitor(kPeriodUs, 50);
     const bool off = std::abs(rate_hz / 200 - 1) > 0.02;
     double time_ms = 4294967295.0 - 7000;  // wraps on the way
     const auto judge = [&](double hz) {
@@ -210,15 +210,29 @@ TEST(SampleRateMonitor, IsOffBeyondTwoPercentWithinTenSecondsAndOnAgainAfterTenM
   }
 }
 
+TEST(SampleRateMonitor, Part_OfTheTable_IsTheLimit) {
+  for (const int part : {50, 100, 200}) {
+    for (const bool beyond : {false, true}) {
+      fog::SampleRateMonitor monitor(kPeriodUs, static_cast<std::uint32_t>(part));
+      const double off = (beyond ? 1.1 : 0.9) / part;
+      Status seen = Status::none;
+      for (int i = 0; i < 15 * kSecond; ++i) {
+        seen |= monitor.judge(1, {true, static_cast<std::uint32_t>(i * 5 * (1 + off))});
+      }
+      EXPECT_EQ(seen, beyond ? Status::sample_rate : Status::none) << part;
+    }
+  }
+}
+
 TEST(SampleRateMonitor, TwiceTheRateIsFoundWithinHalfASecond) {
-  fog::SampleRateMonitor monitor(kPeriodUs);
+  fog::SampleRateMonitor monitor(kPeriodUs, 50);
   std::uint32_t i = 0;
   while (monitor.judge(1, {true, 1000 + i * 5 / 2}) == Status::none && i < 4000) ++i;
   EXPECT_LE(i, 200U);
 }
 
 TEST(SampleRateMonitor, LossesRepetitionsAndOutagesAreNoOtherRate) {
-  fog::SampleRateMonitor monitor(kPeriodUs);
+  fog::SampleRateMonitor monitor(kPeriodUs, 50);
   std::uint32_t now_ms = 0;
   EXPECT_EQ(monitor.judge(1, {true, now_ms}), Status::none);
   for (const std::uint32_t elapsed : {1U, 100U, 1U, 0U, 4000U, 1U, 131'072U, 1U, 2'000'000U, 1U}) {
@@ -229,17 +243,17 @@ TEST(SampleRateMonitor, LossesRepetitionsAndOutagesAreNoOtherRate) {
 }
 
 TEST(SampleRateMonitor, KnowsNothingWithoutAClock) {
-  fog::SampleRateMonitor monitor(kPeriodUs);
+  fog::SampleRateMonitor monitor(kPeriodUs, 50);
   for (int i = 0; i < 10'000; ++i) EXPECT_EQ(monitor.judge(1, {}), Status::none);
 }
 
 TEST(StuckMonitor, IsOffWithALimitOfNone) {
-  fog::StuckMonitor monitor(0);
+  fog::StuckMonitor monitor({0, 1});
   for (int i = 0; i < 1000; ++i) EXPECT_FALSE(monitor.judge(7));
 }
 
 TEST(StuckMonitor, CountsDriftingByAnLsbNowAndThenAreAlive) {
-  fog::StuckMonitor monitor(100);
+  fog::StuckMonitor monitor({100, 1});
   for (int i = 0; i < 5000; ++i) EXPECT_FALSE(monitor.judge(i / 49)) << i;
   for (int i = 5000; i > 0; --i) EXPECT_FALSE(monitor.judge(i / 49)) << i;
 }
@@ -247,7 +261,7 @@ TEST(StuckMonitor, CountsDriftingByAnLsbNowAndThenAreAlive) {
 TEST(StuckMonitor, CallsConstantAndTogglingCountsStuckAndNothingElse) {
   for (const std::int32_t toggle : {0, 1, -1}) {
     for (const std::int32_t at : {0, 12345, INT32_MAX, INT32_MIN}) {
-      fog::StuckMonitor monitor(100);
+      fog::StuckMonitor monitor({100, 1});
       if ((at == INT32_MAX && toggle > 0) || (at == INT32_MIN && toggle < 0)) continue;
       for (int i = 1; i < 100; ++i) {
         EXPECT_FALSE(monitor.judge(at + toggle * (i % 2))) << at << " " << i;
@@ -256,8 +270,32 @@ TEST(StuckMonitor, CallsConstantAndTogglingCountsStuckAndNothingElse) {
       EXPECT_FALSE(monitor.judge(at == INT32_MAX ? at - 2 : at + 2));
     }
   }
-  fog::StuckMonitor monitor(100);
+  fog::StuckMonitor monitor({100, 1});
   for (int i = 0; i < 10000; ++i) EXPECT_FALSE(monitor.judge(i % 3)) << i;
+}
+
+// A converter of 2 counts rms behind a loop that stands, and a gyro with 4000 counts.
+TEST(StuckMonitor, Whisper_WithinABandOfTheNoise_Stuck) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise;
+  fog::StuckMonitor monitor({100, 1000});
+  const auto judge = [&](double rms, double mean) {
+    return monitor.judge(static_cast<std::int32_t>(std::lround(mean + rms * noise(random))));
+  };
+  for (int i = 0; i < 1'000'000; ++i) EXPECT_FALSE(judge(4000, 0)) << i;
+  for (int i = 0; i < 1'000'000; ++i) EXPECT_FALSE(judge(1000, 12345)) << "a quieter one " << i;
+  int stuck = 0;
+  for (int i = 0; i < 1000; ++i) stuck += judge(2, 70'000);
+  EXPECT_EQ(stuck, 1000 - 99);
+  EXPECT_FALSE(judge(4000, -200'000));
+}
+
+TEST(StuckMonitor, Band_OfAllCounts_DoesNotWrap) {
+  fog::StuckMonitor monitor({3, INT32_MAX});
+  for (const std::int32_t counts : {INT32_MIN, 0, INT32_MIN, 1})
+    EXPECT_FALSE(monitor.judge(counts));
+  EXPECT_FALSE(monitor.judge(INT32_MAX));
+  EXPECT_TRUE(monitor.judge(0));
 }
 
 // Of a gyro that turns by 20,000 deg/s^2 at most.
@@ -366,6 +404,37 @@ TEST(RateMonitor, ANewSteadyRateIsAcceptedAsSoonAsItCanHaveBeenReached) {
   for (int i = 1; i < 4; ++i) EXPECT_EQ(monitor.judge(deg_per_s(399), true, 1), Status::rate_jump);
   EXPECT_EQ(monitor.judge(deg_per_s(399), true, 1), Status::none);
   EXPECT_EQ(monitor.judge(deg_per_s(-200), true, 6), Status::none);  // five samples were lost
+}
+
+// From 120 deg/s on; it may change by 100 deg/s in a sample.
+TEST(RateMonitor, SignFlips_FlaggedUntilItIsBack) {
+  fog::RateMonitor monitor = rate_monitor(deg_per_s(500), kPeriodUs);
+  const auto flagged = [&](double rate) {
+    return has_any(monitor.judge(deg_per_s(rate), true, 1), Status::rate_jump);
+  };
+  EXPECT_FALSE(flagged(60));
+  EXPECT_FALSE(flagged(120));
+  for (int i = 0; i < 60 * kSecond; ++i) EXPECT_TRUE(flagged(-120 - i % 7)) << i;
+  EXPECT_FALSE(flagged(119)) << "it is back";
+  for (int i = 119; i < 300; ++i) EXPECT_FALSE(flagged(i));
+  for (int i = 300; i > 50; --i) EXPECT_TRUE(flagged(-i)) << i;
+  for (int i = 50; i > 0; --i) EXPECT_FALSE(flagged(-i)) << "it may have turned " << i;
+}
+
+TEST(RateMonitor, SpikeOfTheOtherSign_FlaggedAlone) {
+  fog::RateMonitor monitor = rate_monitor(deg_per_s(500), kPeriodUs);
+  for (int i = 60; i < 1000; ++i) {
+    const double rate = std::min(i, 300);
+    const bool spike = i % 10 == 0 && i > 100;
+    const Status status = monitor.judge(deg_per_s(spike ? -rate : rate), true, 1);
+    EXPECT_EQ(status, spike ? Status::rate_jump : Status::none) << i;
+  }
+}
+
+TEST(RateMonitor, LostSamples_OtherSignBelieved) {
+  fog::RateMonitor monitor = rate_monitor(deg_per_s(500), kPeriodUs);
+  EXPECT_EQ(monitor.judge(deg_per_s(90), true, 1), Status::none);
+  EXPECT_EQ(monitor.judge(deg_per_s(-90), true, 2), Status::none);
 }
 
 TEST(RateMonitor, ARateThatLeapsToAndFroIsNeverBelieved) {

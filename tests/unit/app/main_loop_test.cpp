@@ -62,7 +62,7 @@ struct Board {
     if (now_ms % 5 == 0) ++sequence;  // of a sample, whether it is sent or lost
     if (!sends(now_ms)) return;
     const auto frame =
-        fog::encode_sensor_frame({sequence, 700 + sequence % 7, 25 << 16, true, true});
+        fog::encode_sensor_frame({sequence, 700 + sequence % 7 * 200, 25 << 16, true, true});
     line.insert(line.end(), frame.begin(), frame.end());
   }
 };

@@ -40,6 +40,25 @@ TEST(HeldAccuracy, IsNotKnownOfAModelThatKnowsNoRamps) {
   EXPECT_EQ(accurate_hold_blocks(model, 1, 60), 60U);
 }
 
+// 2 deg/h per degC/min in a ramp of 3: 0.12 deg/h at 2 %, and a tenth more while the derivative's
+// lags settle.
+TEST(SampleRatePart, RateTerm_ErrorOfTheResidual) {
+  model::Model model = model_of(0.05);
+  model.terms[1] = fog::test::natural_term("temperature_rate", {}, {2});
+  EXPECT_NEAR(sample_rate_part(model, 1), 50 * 1.1 * 0.12 / 0.05, 2);
+  model.residual_rms_dph = 0.14;
+  EXPECT_EQ(sample_rate_part(model, 1), 50U);
+  model.residual_rms_dph = 0;
+  EXPECT_EQ(sample_rate_part(model, 1), 200U) << "what a board can measure";
+}
+
+TEST(SampleRatePart, NoTermOfTime_TwoPercent) {
+  EXPECT_EQ(sample_rate_part(model_of(0.001), 1), 50U);
+  model::Model model = model_of(0);
+  model.rate_range_degc_per_min.reset();
+  EXPECT_EQ(sample_rate_part(model, 1), 50U);
+}
+
 TEST(HeldAccuracy, IsInTheTableOfTheBoard) {
   const BoardTable table = make_board_table(model_of(0.00501), {});
   EXPECT_EQ(read_board_table(table, "test").policy.accurate_blocks, 10U);

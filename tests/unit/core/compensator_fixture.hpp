@@ -28,10 +28,10 @@ class CompensatorTest : public testing::Test {
 
   OutputSample send(SensorSample sample) { return pipeline_->process(sample); }
 
-  /// A good sample of a gyro with some noise.
+  /// A good sample of a gyro with noise.
   SensorSample sample() {
     ++sequence_;
-    return {sequence_, 700 + (sequence_ * 37) % 11, 25 * kDegree, true, true};
+    return {sequence_, 700 + (sequence_ * 37) % 11 * 100, 25 * kDegree, true, true};
   }
   OutputSample run(int samples) {
     OutputSample last;

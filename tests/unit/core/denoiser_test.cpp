@@ -139,11 +139,11 @@ TEST_F(DenoiserTest, SubtractingWhatIsRemovedEqualsShrinkingTheCoefficients) {
 TEST(NoiseShift, IsTheSmallestWithWhichNoSumOfRemovedDetailsOverflows) {
   const std::int32_t half = 1 << 14;
   const std::int32_t lower_only[] = {half, half};
-  const std::int32_t filters[] = {0, 0, 0, 0, lower_only[0], lower_only[1]};
+  const std::int32_t filters[] = {0, 0, lower_only[0], lower_only[1]};
   const auto shift_of = [&](const std::vector<std::int32_t>& thresholds,
                             fog::ThresholdRule rule = fog::ThresholdRule::fixed) {
     fog::DenoiseParameters parameters;
-    parameters.filters = {filters, 6};
+    parameters.filters = {filters, 4};
     parameters.thresholds = {thresholds.data(), thresholds.size()};
     parameters.rule = rule;
     return fog::noise_shift(parameters);

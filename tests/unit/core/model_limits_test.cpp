@@ -68,8 +68,12 @@ Table table_begun() {
       .put("model", 0x11223344);
   table.put("serial 0", 0x2D474F46).put("serial 1", 0x31).put("serial 2", 0).put("serial 3", 0);
   table.put("processor 0", 7).put("processor 1", 8).put("processor 2", 9);
-  table.put("period", 5000).put("block", 200).put("multiplier", kHalf + 1).put("shift", 30);
-  table.put("range", 1 << 20).put("step", 77).put("stuck", 100);
+  table.put("period", 5000)
+      .put("part", 50)
+      .put("block", 200)
+      .put("multiplier", kHalf + 1)
+      .put("shift", 30);
+  table.put("range", 1 << 20).put("step", 77).put("stuck", 100).put("band", 9);
   table.put("decay", 1001).put("gain", 2002);
   table.put("min", -40 * kOneDegree)
       .put("max", 60 * kOneDegree)
@@ -97,7 +101,7 @@ Table good_table(std::int32_t neurons = 1) {
   }
   table.put("output bias", 60).put("linear", 0).put("centre", 70).put("amplitude", 80);
   table.put("levels", 1).put("taps", 2).put("rule", 0).put("mode", 0);
-  table.put("low 0", kHalf).put("low 1", kHalf).put("high 0", kHalf).put("high 1", -kHalf);
+  table.put("low 0", kHalf).put("low 1", kHalf);
   table.put("synthesis 0", halves(-kSynthesisHalf, kSynthesisHalf));
   table.put("synthesis 1", halves(kSynthesisHalf, kSynthesisHalf));
   table.put("threshold", 655).put("output", 2);
@@ -119,7 +123,9 @@ TEST(ModelLimits, EveryWordArrivesWhereItBelongs) {
   EXPECT_EQ(got.calibration.shift, 30);
   EXPECT_EQ(got.acquisition.rate.range.raw(), 1 << 20);
   EXPECT_EQ(got.acquisition.rate.step.raw(), 77);
-  EXPECT_EQ(got.acquisition.stuck_samples, 100U);
+  EXPECT_EQ(got.acquisition.sample_rate_part, 50U);
+  EXPECT_EQ(got.acquisition.stuck.samples, 100U);
+  EXPECT_EQ(got.acquisition.stuck.band, 9U);
   EXPECT_EQ(got.thermal.derivative.decay.raw(), 1001);
   EXPECT_EQ(got.thermal.derivative.rate_gain.raw(), 2002);
   EXPECT_EQ(got.thermal.min.raw(), -40 * kOneDegree);
@@ -154,7 +160,6 @@ TEST(ModelLimits, EveryWordArrivesWhereItBelongs) {
   EXPECT_EQ(got.denoise.rule, fog::ThresholdRule::heursure);
   EXPECT_EQ(got.denoise.mode, fog::ThresholdMode::hard);
   EXPECT_EQ(got.denoise.taps(), 2U);
-  EXPECT_EQ(got.denoise.high()[1], -kHalf);
   ASSERT_EQ(got.denoise.levels(), 1U);
   EXPECT_EQ(got.denoise.thresholds[0], 655);
   EXPECT_EQ(got.output, fog::OutputSelection::both);
@@ -213,7 +218,9 @@ TEST(ModelLimits, EveryNumberIsAcceptedUpToItsLimitsAndRefusedBeyond) {
       {"shift", 0, 62},
       {"range", 1, INT32_MAX},
       {"step", 1, INT32_MAX},
+      {"part", 1, 1000},
       {"stuck", 0, INT32_MAX},
+      {"band", 0, INT32_MAX},
       {"decay", 1, INT32_MAX},
       {"gain", 1, INT32_MAX},
       {"min", -70 * kOneDegree, 60 * kOneDegree},
@@ -419,9 +426,6 @@ TEST(ModelLimits, FiltersKeepTheirSumsWithin64Bits) {
     table.put("neurons", 0).put("levels", 1).put("taps", 4).put("rule", 0).put("mode", 0);
     const std::int32_t low[] = {tap, next_tap, kHalf - tap, kHalf - next_tap};
     for (int i = 0; i < 4; ++i) table.put("low " + std::to_string(i), low[i]);
-    for (int i = 0; i < 4; ++i) {
-      table.put("high " + std::to_string(i), i % 2 == 0 ? low[3 - i] : -low[3 - i]);
-    }
     const std::int32_t upper[] = {0, 0, -kSynthesisHalf, kSynthesisHalf};
     for (int i = 0; i < 4; ++i) {
       table.put("synthesis " + std::to_string(i), halves(upper[i], i < 2 ? kSynthesisHalf : 0));

@@ -52,7 +52,8 @@ void TimedBoard::receive_sample() {
   static std::uint16_t sequence = 0;
   ++sequence;
   ++samples;
-  const auto frame = fog::encode_sensor_frame({sequence, 700 + sequence % 7, 25 << 16, true, true});
+  const auto frame =
+      fog::encode_sensor_frame({sequence, 700 + sequence % 7 * 200, 25 << 16, true, true});
   if (line.size() + frame.size() <= kBuffer) line.insert(line.end(), frame.begin(), frame.end());
 }
 
