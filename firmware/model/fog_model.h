@@ -13,7 +13,7 @@
 #define FOG_MODEL_TAPS 16
 #define FOG_MODEL_LEVELS 5
 #define FOG_MODEL_OUTPUT 0 /* frames: 0 KVH, 1 compact, 2 both */
-#define FOG_MODEL_OUTPUT_OPTIONS 0x0u /* 4: delta angle, 8: KVH commands */
+#define FOG_MODEL_OUTPUT_OPTIONS 0x0u /* 4: delta angle, 8: KVH commands, 16: undelayed */
 #define FOG_MODEL_BOUND 0 /* 1: to one processor */
 #define FOG_MODEL_WORDS 144
 
@@ -105,7 +105,7 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   -553367976, -78894190, 41417332, 74707720, -5766992, -22674722, 524275, 2949042,
   /* thresholds, level 1 first (white noise 1.044 deg/h per sample) */
   150689, 106553, 75344, 53277, 37672,
-  /* output: 0 KVH format A, 1 compact, 2 both; + 4 delta angle, + 8 KVH commands */
+  /* output: 0 KVH format A, 1 compact, 2 both; + 4 delta angle, + 8 KVH commands, + 16 undelayed */
   0,
   /* flags that make a rate not valid; beside the usual ones thermal_settling, denoiser_filling, input_missing, drift_outdated */
   4929415,

@@ -294,10 +294,12 @@ void check_expressions(const BoardTable& table, std::size_t first) {
 void write_output(TableWriter& out, const BoardSettings& settings) {
   if (settings.output == fog::OutputSelection::compact && settings.output_options != 0) {
     throw InputError("--output compact",
-                     "has no KVH frames, of which --rotation and --kvh-commands are; give kvh or "
-                     "both, or leave them out");
+                     "has no KVH frames, of which --rotation, --kvh-rate and --kvh-commands are; "
+                     "give kvh or both, or leave them out");
   }
-  out.note("output: 0 KVH format A, 1 compact, 2 both; + 4 delta angle, + 8 KVH commands");
+  out.note(
+      "output: 0 KVH format A, 1 compact, 2 both; + 4 delta angle, + 8 KVH commands, + 16 "
+      "undelayed");
   out.integer(static_cast<std::uint32_t>(settings.output) | settings.output_options, "output");
   const bool none = settings.invalidating == fog::Status::none;
   out.note("flags that make a rate not valid; beside the usual ones " +

@@ -57,8 +57,10 @@ std::string header_text(const BoardTable& table, const std::string& model_name,
   text += format("#define FOG_MODEL_LEVELS %zu\n", parameters.denoise.levels());
   text += format("#define FOG_MODEL_OUTPUT %d /* frames: 0 KVH, 1 compact, 2 both */\n",
                  static_cast<int>(parameters.output));
-  text += format("#define FOG_MODEL_OUTPUT_OPTIONS 0x%xu /* 4: delta angle, 8: KVH commands */\n",
-                 static_cast<unsigned>(parameters.output_options));
+  text += format(
+      "#define FOG_MODEL_OUTPUT_OPTIONS 0x%xu /* 4: delta angle, 8: KVH commands, 16: undelayed "
+      "*/\n",
+      static_cast<unsigned>(parameters.output_options));
   const std::int32_t* const bound = &table.words[fog::kProcessorAt];
   text += format("#define FOG_MODEL_BOUND %d /* 1: to one processor */\n",
                  static_cast<int>(fog::is_bound_elsewhere(bound, {})));

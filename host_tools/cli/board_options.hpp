@@ -12,8 +12,8 @@ struct BoardOptions : OptionGroup {
   using OptionGroup::OptionGroup;
   board::BoardSettings value() const {
     board::BoardSettings settings{sample_rate.value(), output.value(), extension.given()};
-    settings.output_options =
-        rotation.value() | (kvh_commands.given() ? fog::kAnswersKvhCommands : 0U);
+    settings.output_options = rotation.value() | kvh_rate.value() |
+                              (kvh_commands.given() ? fog::kAnswersKvhCommands : 0U);
     settings.invalidating = board::parse_flags(invalid.value(), fog::kMayInvalidate, "--invalid");
     return settings;
   }
@@ -30,6 +30,11 @@ struct BoardOptions : OptionGroup {
       {"rotation", "KIND", "of KVH frames: rate, rad/s, or delta, the angle of a sample, rad",
        "rate", kRare},
       {{"rate", 0}, {"delta", fog::kRotationIsAngle}}};
+  Choice<fog::OutputOptions> kvh_rate{
+      this,
+      {"kvh-rate", "KIND", "of KVH frames: denoised, late by the denoiser's delay, or undelayed",
+       "denoised", kRare},
+      {{"denoised", 0}, {"undelayed", fog::kRotationIsUndelayed}}};
   Flag kvh_commands{this, "kvh-commands", "the board answers what KVH's drivers send at start-up",
                     true};
   Text invalid{

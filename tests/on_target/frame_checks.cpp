@@ -76,8 +76,9 @@ bool kvh_frame_is_byte_for_byte_format_a() {
   constexpr std::uint8_t kExpected[32] = {0xFE, 0x81, 0xFF, 0x55, 0,    0, 0,    0,    0,    0,   0,
                                           0,    0x3E, 0x86, 0x0A, 0x92, 0, 0,    0,    0,    0,   0,
                                           0,    0,    0,    0,    0,    0, 0x04, 0x7F, 0xFF, 0xD9};
-  const KvhFrame frame = encode_kvh_frame(
-      output_sample(), rate_as_radians_float(output_sample().denoised), 0x1FF, kIntactImage);
+  const KvhFrame frame =
+      encode_kvh_frame(output_sample().temperature, rate_as_radians_float(output_sample().denoised),
+                       true, 0x1FF, kIntactImage);
   for (std::size_t i = 0; i < sizeof kExpected; ++i) {
     if (frame[i] != kExpected[i]) return false;
   }

@@ -18,11 +18,14 @@ class Answer(NamedTuple):
     temperature: int           # the last good one
     status: int
     angle: int                 # the delta angle as a single; None where the model has not chosen it
+    undelayed: bool            # what the KVH frame has
 
 
 def kvh_frame(answer, frames_before):
-    rotation = rate_float(answer.denoised) if answer.angle is None else answer.angle
-    status = 0 if answer.status & flags.DENOISED_REFUSED else 1 << 2
+    rate, refused = ((answer.compensated, flags.RATE_REFUSED) if answer.undelayed else
+                     (answer.denoised, flags.DENOISED_REFUSED))
+    rotation = rate_float(rate) if answer.angle is None else answer.angle
+    status = 0 if answer.status & refused else 1 << 2
     head = struct.pack(">IIIIIIIBBh", 0xFE81FF55, 0, 0, rotation, 0, 0, 0, status, frames_before % 128,
                        round_shift(answer.temperature, 16))
     return head + struct.pack(">I", crc32(head))

@@ -143,7 +143,7 @@ class Pipeline:
     def _denoise(self, compensated, well, refused, lost):
         self.denoised = self.denoiser.denoise(compensated, well)
         if self.delta_angle:
-            self.angle = self.delta_angle.step(self.denoised[0])
+            self.angle = self.delta_angle.step(compensated if self.table.undelayed else self.denoised[0])
         if well and refused:
             self.doubtful_left = self.denoiser.delay + 1
         elif lost:
@@ -168,7 +168,7 @@ class Pipeline:
         if self.delta_angle:
             angle = 0 if late else self.angle
         answer = Answer(number, compensated, self.denoised[0], self.course.drift, self.last_temperature, status,
-                        angle)
+                        angle, self.table.undelayed)
         sent = b""
         if self.table.frames in (KVH, BOTH):
             sent += kvh_frame(answer, self.frames)

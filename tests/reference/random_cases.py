@@ -155,7 +155,7 @@ def table_words(r, period):
     effects, expressions, network = effect_words(r), expression_words(r), network_words(r)
     needs = needed(r, effects, expressions, network)
     inputs = [len(needs)] + [word for number in needs for word in limits[3 * number:3 * number + 3]]
-    output = [r.choice([0, 1, 2, 2, 2, 4, 6, 6]), 0x00432487 | (r.getrandbits(32) & 0x000CD378)]
+    output = [r.choice([0, 1, 2, 2, 2, 4, 6, 6, 16, 18, 20, 22]), 0x00432487 | (r.getrandbits(32) & 0x000CD378)]
     words = head + calibration + thermal + inputs + effects + expressions + network + denoiser_words(r) + output
     words[2] = len(words) + 1
     return words + [i32(crc32(pack(words)))], needs

@@ -69,6 +69,7 @@ class Table(NamedTuple):
     # output
     frames: int
     delta_angle: bool
+    undelayed: bool
     chosen: int
 
 
@@ -272,9 +273,9 @@ def _check_filters(r, table):
 # output
 
 def _output(r):
-    frames = r.next("frames", 0, 14)
+    frames = r.next("frames", 0, 30)
     r.require(frames % 4 <= 2, "frames")
     chosen = r.next("flags with which no rate is valid", 0)
     r.require(chosen & flags.BOLD == flags.BOLD and chosen & ~(flags.BOLD | flags.OF_CHOICE) == 0,
               "flags with which no rate is valid")
-    return frames % 4, bool(frames & 4), chosen
+    return frames % 4, bool(frames & 4), bool(frames & 16), chosen

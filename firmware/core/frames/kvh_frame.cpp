@@ -26,14 +26,14 @@ FOG_OPAQUE std::uint32_t frame_crc(const std::uint8_t* frame, std::uint32_t imag
 
 }  // namespace
 
-KvhFrame encode_kvh_frame(const OutputSample& sample, std::uint32_t rotation,
+KvhFrame encode_kvh_frame(Temperature temperature, std::uint32_t rotation, bool valid,
                           std::uint32_t frame_number, std::uint32_t image_crc) {
   KvhFrame frame{};
   store_be32(&frame[0], kHeader);
   store_be32(&frame[kRotationZ], rotation);
-  frame[kStatus] = sample.denoised_valid() ? kRotationZValid : std::uint8_t{0};
+  frame[kStatus] = valid ? kRotationZValid : std::uint8_t{0};
   frame[kSequence] = static_cast<std::uint8_t>(frame_number & kSequenceMask);
-  const auto whole_degrees = round_to<Fixed<std::int32_t, 0>>(sample.temperature);
+  const auto whole_degrees = round_to<Fixed<std::int32_t, 0>>(temperature);
   store_be16(&frame[kTemperature], static_cast<std::uint16_t>(whole_degrees.raw()));
   store_be32(&frame[kCrc], frame_crc(frame.data(), image_crc));
   return frame;

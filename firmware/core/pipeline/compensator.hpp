@@ -84,6 +84,7 @@ class Compensator {
         output_(parameters.output),
         invalidating_(parameters.invalidating),
         rotation_(parameters),
+        sends_undelayed_((parameters.output_options & kRotationIsUndelayed) != 0U),
         monitor_(parameters.acquisition),
         extension_monitor_(parameters.needs(), parameters.acquisition.input_limits,
                            parameters.acquisition.sample_period_us, kConfirmUs),
@@ -243,11 +244,6 @@ class Compensator {
     ended_block_ = false;
   }
 
-  void denoise(Rate compensated, bool measured_well) {
-    denoised_ = denoiser_.step(compensated, measured_well);
-    rotation_.step(denoised_.rate);
-  }
-
   // Collects the extension records and advances the time by one sample.
   void end_sample() {
     collector_.add_extension(pending_);
@@ -310,6 +306,16 @@ class Compensator {
     if (blocks > 0) drift_model_.hold(blocks);
   }
 
+  void denoise(Rate compensated, bool measured_well) {
+    denoised_ = denoiser_.step(compensated, measured_well);
+    rotation_.step(sends_undelayed() ? compensated : denoised_.rate);
+  }
+
+  // Whether the KVH frames have the undelayed rate.
+  bool sends_undelayed() const {
+    return (kOptions & kRotationIsUndelayed) != 0U && sends_undelayed_;
+  }
+
   bool sends(OutputSelection frame) const {
     return kOutput == frame || output_ == frame || output_ == OutputSelection::both;
   }
@@ -321,8 +327,11 @@ class Compensator {
     };
     if constexpr (kOutput != OutputSelection::compact) {
       if (sends(OutputSelection::kvh)) {
-        append(encode_kvh_frame(sample, rotation_.bits(sample.denoised), frames_,
-                                token_.for_frames()));
+        const bool undelayed = sends_undelayed();
+        append(encode_kvh_frame(sample.temperature,
+                                rotation_.bits(undelayed ? sample.compensated : sample.denoised),
+                                undelayed ? sample.compensated_valid() : sample.denoised_valid(),
+                                frames_, token_.for_frames()));
       }
     }
     if constexpr (kOutput != OutputSelection::kvh) {
@@ -341,6 +350,7 @@ class Compensator {
   OutputSelection output_;
   Status invalidating_;
   Rotation<(kOptions & kRotationIsAngle) != 0U> rotation_;
+  bool sends_undelayed_;
   StreamParser parser_;
   SampleMonitor monitor_;
   ExtensionMonitor<Drift::inputs & kAllExtensionInputs> extension_monitor_;

@@ -25,7 +25,9 @@ enum class OutputSelection : std::uint8_t { kvh = 0, compact = 1, both = 2 };
 using OutputOptions = std::uint8_t;
 constexpr OutputOptions kRotationIsAngle = 4;  ///< Z rotation is the angle of a sample, not a rate
 constexpr OutputOptions kAnswersKvhCommands = 8;
-constexpr OutputOptions kAllOutputOptions = kRotationIsAngle | kAnswersKvhCommands;
+constexpr OutputOptions kRotationIsUndelayed = 16;  ///< it is the undelayed rate, or its angle
+constexpr OutputOptions kAllOutputOptions =
+    kRotationIsAngle | kAnswersKvhCommands | kRotationIsUndelayed;
 
 /// Bytes sent for each sample.
 constexpr std::size_t output_bytes(OutputSelection output) {

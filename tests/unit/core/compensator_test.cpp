@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/bytes/byte_order.hpp"
 #include "model/drift_model.hpp"
 #include "support/overflow_guard.hpp"
 #include "unit/core/compensator_fixture.hpp"
@@ -229,6 +230,38 @@ TEST_F(CompensatorTest, LostSamples_KvhSequence_CountsThem) {
   EXPECT_EQ(sequence_of_next(), (before + 11) % 128);
 }
 
+// The frame of a user who closes a loop: the rate of the sample that it answers.
+TEST_F(CompensatorTest, KvhFrames_Undelayed_RateAndValidityOfTheSample) {
+  for (const fog::OutputOptions angle : {fog::OutputOptions{0}, fog::kRotationIsAngle}) {
+    settings_ = {};
+    settings_.output_options = static_cast<fog::OutputOptions>(fog::kRotationIsUndelayed | angle);
+    restart();
+    fog::DeltaAngle summed(parameters_.acquisition.sample_period_us);
+    std::array<std::uint8_t, fog::kMaxOutputBytes> frame{};
+    int valid = 0;
+    int denoised_valid = 0;
+    for (int i = 0; i < 200 * 215; ++i) {
+      SensorSample in = sample();
+      in.rate_counts += i % 1000 * 36'000;
+      in.gyro_valid = i % 777 != 0;
+      for (const std::uint8_t byte : fog::encode_sensor_frame(in))
+        pipeline_->feed(byte, frame.data());
+      const OutputSample out = pipeline_->last();
+      summed.step(out.compensated);
+      const std::uint32_t bits =
+          angle != 0 ? summed.bits() : fog::rate_as_radians_float(out.compensated);
+      std::array<std::uint8_t, 4> expected{};
+      fog::store_be32(expected.data(), bits);
+      ASSERT_TRUE(std::equal(expected.begin(), expected.end(), &frame[12])) << i;
+      ASSERT_EQ((frame[28] & 4U) != 0, out.compensated_valid()) << i;
+      valid += out.compensated_valid();
+      denoised_valid += out.denoised_valid();
+    }
+    EXPECT_GT(valid, 900) << "from 210 s on";
+    EXPECT_LT(denoised_valid, valid - 400) << "which come later";
+  }
+}
+
 // A turn of one sample looks like an outlier. What the denoiser leaves out it says; the sum of all
 // other outputs is that of the samples that they stand for.
 TEST_F(CompensatorTest, TurnOfOneSample_LeftOut_DenoisedMarked) {
@@ -306,9 +339,10 @@ TEST_F(CompensatorTest, NothingIsValidBeforeThereIsAMeasurement) {
   int first_denoised = 0;
   for (int i = 0; first_denoised == 0 && i < settled + 2000; ++i) {
     const OutputSample out = run(1);
-    const bool marked = (fog::encode_kvh_frame(out, fog::rate_as_radians_float(out.denoised), 0,
-                                               fog::kIntactImage)[28] &
-                         4U) != 0;
+    const bool marked =
+        (fog::encode_kvh_frame(out.temperature, fog::rate_as_radians_float(out.denoised),
+                               out.denoised_valid(), 0, fog::kIntactImage)[28] &
+         4U) != 0;
     ASSERT_EQ(marked, out.denoised_valid());
     if (out.compensated_valid() && first_rate == 0) first_rate = i;
     if (marked) first_denoised = i;

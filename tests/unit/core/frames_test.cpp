@@ -63,8 +63,9 @@ fog::OutputSample sample() {
 // Written by hand from the published format: header, six floats, status, sequence, degC,
 // CRC-32/MPEG-2. 15 deg/s = 0.2617994 rad/s = 3e860a92.
 TEST(KvhFrame, HasFormatAByteForByte) {
-  const fog::KvhFrame frame = fog::encode_kvh_frame(
-      sample(), fog::rate_as_radians_float(sample().denoised), 0x1FF, fog::kIntactImage);
+  const fog::KvhFrame frame =
+      fog::encode_kvh_frame(sample().temperature, fog::rate_as_radians_float(sample().denoised),
+                            true, 0x1FF, fog::kIntactImage);
   const std::string text = hex(frame.data(), 32);
   EXPECT_EQ(text,
             "fe81ff55"
@@ -91,8 +92,8 @@ TEST(KvhFrame, IsNotValidWhereTheDenoisedRateIsRefused) {
     fog::OutputSample faulty = sample();
     faulty.status = static_cast<fog::Status>(1U << bit);
     const bool refused = has_any(faulty.status, fog::kDenoisedInvalid);
-    EXPECT_EQ(fog::encode_kvh_frame(faulty, fog::rate_as_radians_float(faulty.denoised), 0,
-                                    fog::kIntactImage)[28],
+    EXPECT_EQ(fog::encode_kvh_frame(faulty.temperature, fog::rate_as_radians_float(faulty.denoised),
+                                    faulty.denoised_valid(), 0, fog::kIntactImage)[28],
               refused ? 0 : 4)
         << bit;
   }

@@ -128,11 +128,11 @@ TEST(Frames, OfADamagedImageAreRefusedOrSayNotValid) {
   for (int i = 0; i < 1000; ++i) {
     const std::uint32_t image_crc =
         i == 0 ? fog::kImageCrcStart : static_cast<std::uint32_t>(random());
-    const fog::KvhFrame wrong =
-        fog::encode_kvh_frame(good, fog::rate_as_radians_float(good.denoised), 0, image_crc);
+    const fog::KvhFrame wrong = fog::encode_kvh_frame({}, fog::rate_as_radians_float(good.denoised),
+                                                      good.denoised_valid(), 0, image_crc);
     EXPECT_NE(fog::crc32(wrong.data(), wrong.size()), 0U);
     const fog::KvhFrame right = fog::encode_kvh_frame(
-        admitted, fog::rate_as_radians_float(admitted.denoised), 0, image_crc);
+        {}, fog::rate_as_radians_float(admitted.denoised), admitted.denoised_valid(), 0, image_crc);
     EXPECT_EQ(fog::crc32(right.data(), right.size()), 0U);
     EXPECT_EQ(right[28], 0);
     const fog::CompactFrame compact = fog::encode_compact_frame(good, 465, image_crc);
