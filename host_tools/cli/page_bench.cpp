@@ -44,11 +44,11 @@ std::vector<std::string> recordings_of(const BenchInput& input) {
   return all;
 }
 
-// Masks change from state to state, and how a recording is read does not.
+// Masks and cuts change from state to state, and how a recording is read does not.
 void take_reading(WorkbenchSetup& setup, const RecordingOptions& recording) {
   const std::vector<std::string> words = recording.given_words();
   for (auto word = words.begin(); word != words.end(); ++word) {
-    if (*word != "--mask") {
+    if (*word != "--mask" && *word != "--cut") {
       setup.reading.push_back(*word);
     } else {
       setup.masks.insert(setup.masks.end(), word, word + 2);

@@ -28,8 +28,6 @@ cp "$example" mems.csv
 "$fogcomp" simulate -o other.csv --profile reversed --seed 2 >/dev/null
 "$fogcomp" workbench run.csv --holdout other.csv -o session.html >/dev/null
 effects=bias,bias_temperature:order=2,temperature_rate,temperature_rate_product
-"$fogcomp" fit run.csv -o steady.model --effects $effects >/dev/null
-"$fogcomp" workbench steady.model run.csv -o steady.html >/dev/null
 awk -F, -v OFS=, '/^[0-9]/ && $1 >= 26000 { $3 += 0.3 } { print }' run.csv >stepped.csv
 "$fogcomp" fit stepped.csv -o stepped.model --effects $effects >/dev/null
 "$fogcomp" workbench stepped.model stepped.csv -o stepped.html >/dev/null

@@ -48,15 +48,19 @@ class States {
 
 const states = new States();
 
-// A state has a model, runs that it is fitted to, holdouts, and masks: [run, from, to] in seconds since power-on.
+// A state has a model, runs that it is fitted to, holdouts, and masks: [run, from, to] in seconds since power-on. One
+// without an end is a cut, at which the bias begins anew.
 const files_of = ({ runs, holdouts }) => [...runs, ...holdouts];
 const mask_words = (state, masks = state.masks) =>
-  masks.flatMap(([run, from, to]) => ["--mask", (files_of(state).length > 1 ? run + ":" : "") + `${from}..${to}`]);
+  masks.flatMap(([run, from, to]) => [
+    to === null ? "--cut" : "--mask",
+    (files_of(state).length > 1 ? run + ":" : "") + (to === null ? from : `${from}..${to}`),
+  ]);
 const masks_from = (words, files) =>
   words.flatMap((word, i) => {
-    if (words[i - 1] !== "--mask") return [];
-    const [, run, from, to] = word.match(/^(?:(.*):)?([^:]*)\.\.([^:]*)$/);
-    return (run ? [run] : files).map((name) => [name, Number(from), Number(to)]);
+    if (words[i - 1] !== "--mask" && words[i - 1] !== "--cut") return [];
+    const [, run, from, to] = word.match(/^(?:(.*):)?([^:]*?)(?:\.\.([^:]*))?$/);
+    return (run ? [run] : files).map((name) => [name, Number(from), to === undefined ? null : Number(to)]);
   });
 
 // The command lines: recordings, holdouts, options for reading them, masks.
@@ -117,8 +121,6 @@ const diagnose_words = (state) => [
 ];
 
 const words_of_terms = (view) => view.terms.map((term) => term.words);
-// Sentences about the bias steps that were found.
-const steps_of = (view) => view.terms.map((term) => term.step).filter(Boolean);
 const effects_of = (view) =>
   view.terms
     .filter((term) => !term.is_expression)
@@ -145,7 +147,8 @@ const label_of = (state, before) => {
   const is_changed = (one) => changed.some((other) => effect_name(other) === effect_name(one));
   const names = (files) => files.map(base_name).join(", ");
   const less = (files, others) => files.filter((one) => !others.includes(one));
-  const bands = (masks) => masks.map(([, from, to]) => `${from} to ${to} s`).join(", ");
+  const bands = (masks) =>
+    masks.map(([, from, to]) => (to === null ? `cut at ${from} s` : `${from} to ${to} s`)).join(", ");
   const parts = [
     ...came.filter((one) => !is_changed(one)).map((one) => `+ ${one}`),
     ...gone.filter((one) => !is_changed(one)).map((one) => `− ${effect_name(one)}`),

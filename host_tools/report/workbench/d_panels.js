@@ -95,7 +95,7 @@ const about_term = (term, notes, change) => {
   return [
     make("table", {}, make("tbody", {}, ...rows)),
     ...(term.is_expression ? [] : shapes.map((one) => shape_control(term, one, change))),
-    ...[term.step, term.doubt, ...notes.filter((note) => note.includes(`‘${term.effect}’`))]
+    ...[term.doubt, ...notes.filter((note) => note.includes(`‘${term.effect}’`))]
       .filter(Boolean)
       .map((text) => make("p", { textContent: text })),
   ];
@@ -394,7 +394,9 @@ const fill_diagnosis = (place, state, actions) => {
       type: "button",
       className: "main",
       id: "add_missing",
-      textContent: add.expression ? `Add ${add.expression}` : `Add ${add.effects.join(" and ")}`,
+      textContent: add.cuts.length
+        ? `Let the bias begin anew at ${add.cuts[0].at_s} s`
+        : `Add ${add.expression || add.effects.join(" and ")}`,
       onclick: () => actions.judge(add),
     });
   place.replaceChildren(

@@ -61,15 +61,11 @@
     const before = states.now;
     const model = words[words.indexOf("-o") + 1];
     const answer = checked(await fitting.call(words));
-    const is_same = () =>
-      [masks, runs, holdouts].every((one, i) => one === [before.masks, before.runs, before.holdouts][i]) &&
-      String(words_of_terms(answer)) === String(words_of_terms(before.view));
-    if (answer.no_step && before && is_same()) throw new Error(answer.no_step);
     if (!answer.text) return { answer };
     keep_model(model, answer.text);
     states.reserve(model);
     const state = { model, words, masks, runs, holdouts };
-    state.notes = [...answer.remarks, answer.no_step, ...steps_of(answer)].filter(Boolean);
+    state.notes = answer.remarks;
     if (answer.add) state.judged = { good: answer.add.accepted, reason: answer.reason };
     state.view = await view_of(state);
     state.label = label_of(state, before);
@@ -243,8 +239,10 @@
   // Adds effects or an expression if `add` accepts them out of sample; `force`: in any case.
   const judge = (what, force = false) =>
     in_turn(async () => {
-      const words = [...add_words(states.now, what, states.next_model()), ...(force ? ["--force"] : [])];
-      const { answer, state } = await made_by(words, states.now);
+      const cuts = (what.cuts || []).map(({ run, at_s }) => [run || states.now.runs[0], at_s, null]);
+      const after = cuts.length ? { ...states.now, masks: [...states.now.masks, ...cuts] } : states.now;
+      const words = [...add_words(after, what, states.next_model()), ...(force ? ["--force"] : [])];
+      const { answer, state } = await made_by(words, after);
       if (state) {
         enter(state);
         return;
@@ -321,7 +319,7 @@
     const name = name_of_run();
     const other = byId("show_before").ariaPressed === "true" ? last_with(name) : null;
     draw_run(view, run, {
-      masks: masks.filter(([of]) => of === name).map(([, from, to]) => [from, to]),
+      masks: masks.filter(([of]) => of === name).map(([, from, to]) => [from, to === null ? from + 30 : to]),
       selected: masking() ? select_mask : null,
       before: other && other.values.residual_dph,
     });
@@ -408,9 +406,9 @@
           {},
           make("button", {
             type: "button",
-            title: "Remove this mask",
-            ariaLabel: `remove the mask ${base_name(one[0])} ${one[1]} to ${one[2]} s`,
-            textContent: `${base_name(one[0])} ${one[1]}..${one[2]} s ×`,
+            title: one[2] === null ? "Remove this cut" : "Remove this mask",
+            ariaLabel: `remove the ${one[2] === null ? "cut" : "mask"} ${base_name(one[0])} ${one[1]}${one[2] === null ? "" : ` to ${one[2]}`} s`,
+            textContent: `${base_name(one[0])} ${one[2] === null ? `cut at ${one[1]}` : `${one[1]}..${one[2]}`} s ×`,
             onclick: () => fit(({ masks }) => ({ masks: masks.filter((other) => other !== one) })),
           }),
         ),
