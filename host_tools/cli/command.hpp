@@ -71,6 +71,7 @@ CommandPointer info_command();
 CommandPointer load_command();
 CommandPointer man_command();
 CommandPointer paper_command();
+CommandPointer plan_command();
 CommandPointer replay_command();
 CommandPointer simulate_command();
 CommandPointer stream_command();

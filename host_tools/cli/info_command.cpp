@@ -36,12 +36,12 @@ int InfoCommand::run() const {
   workflow::InfoRequest request{arguments.front(), recording.value(), average.find()};
   request.reading.limits = limits.value();
   ReportFile page(report);
-  const auto [run, summary] = workflow::info(request, Watch().observer());
-  findings::Document document = findings::info_findings(run, summary);
+  const auto [run, summary, visible] = workflow::info(request, Watch().observer());
+  findings::Document document = findings::info_findings(run, summary, visible);
   document.read_with(recording.given_words());
   if (page.wanted()) page.write(document);
   if (json.given()) {
-    std::puts(findings::info_json(run, summary).text().c_str());
+    std::puts(findings::info_json(run, summary, visible).text().c_str());
   } else {
     std::fputs(report::terminal(document, true).c_str(), stdout);
   }

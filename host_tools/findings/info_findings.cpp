@@ -9,6 +9,7 @@
 #include "findings/figures.hpp"
 #include "findings/labels.hpp"
 #include "findings/run_plots.hpp"
+#include "findings/visible_table.hpp"
 #include "model/effect_list.hpp"
 #include "noise/input_rate.hpp"
 #include "noise/outlier_rows.hpp"
@@ -301,7 +302,8 @@ void add_over_inputs(Document& document, const compare::RunSummary& summary) {
 
 }  // namespace
 
-Document info_findings(const recording::Recording& recording, const compare::RunSummary& summary) {
+Document info_findings(const recording::Recording& recording, const compare::RunSummary& summary,
+                       const std::vector<planning::VisibleSize>& visible) {
   const Finding finding = find(recording, summary);
   Document document("fogcomp info " + recording.file, finding.found);
   document.next(finding.next, finding.command);
@@ -314,6 +316,10 @@ Document info_findings(const recording::Recording& recording, const compare::Run
   add_over_temperature(document, summary);
   add_over_inputs(document, summary);
   add_noise(document, summary);
+  if (!visible.empty()) {
+    document.heading("What it can show");
+    document.table(visible_table(visible, "these rows"));
+  }
   return document;
 }
 

@@ -68,7 +68,8 @@ Json capture_json(const recording::CaptureCounts& counts) {
 
 }  // namespace
 
-Json info_json(const recording::Recording& recording, const compare::RunSummary& summary) {
+Json info_json(const recording::Recording& recording, const compare::RunSummary& summary,
+               const std::vector<planning::VisibleSize>& visible) {
   Json object = Json::object();
   object.set("file", recording.file)
       .set("rows", recording.rows())
@@ -99,7 +100,8 @@ Json info_json(const recording::Recording& recording, const compare::RunSummary&
       .set("temperature_rate_sensitivity_cooling_dph_per_degc_per_min",
            sensitivity.cooling_dph_per_degc_per_min)
       .set("hysteresis_dph", sensitivity.hysteresis_dph)
-      .set("hysteresis_at_degc", sensitivity.hysteresis_at_degc);
+      .set("hysteresis_at_degc", sensitivity.hysteresis_at_degc)
+      .set("visible", visible_json(visible));
   return object;
 }
 

@@ -12,11 +12,14 @@
 #include "research/study.hpp"
 #include "support/json.hpp"
 #include "workflow/fit.hpp"
+#include "workflow/plan.hpp"
 
 /// Output of `--json`: every value of a finding, by stable names.
 namespace fogcomp::findings {
 
-Json info_json(const recording::Recording& recording, const compare::RunSummary& summary);
+Json info_json(const recording::Recording& recording, const compare::RunSummary& summary,
+               const std::vector<planning::VisibleSize>& visible = {});
+Json visible_json(const std::vector<planning::VisibleSize>& sizes);
 
 /// `output`: the model file that was written.
 Json fit_json(const workflow::FitOutcome& fit, const std::string& output);
@@ -34,6 +37,10 @@ Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files);
 
 /// `written`: the new model file, "" for none.
 Json add_json(const fit::Addition& addition, const std::string& written);
+
+/// `profile`: the file that was written.
+Json plan_json(const workflow::PlanOutcome& outcome, const std::string& profile);
+Json comparison_json(const workflow::PlanComparison& comparison);
 
 Json paper_json(const std::vector<research::Study>& studies);
 

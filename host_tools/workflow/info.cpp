@@ -1,7 +1,9 @@
 #include "workflow/info.hpp"
 
+#include "model/effect_list.hpp"
 #include "noise/white_noise.hpp"
 #include "recording/plausibility.hpp"
+#include "series/signal_series.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -9,12 +11,25 @@ namespace fogcomp::workflow {
 namespace {
 
 constexpr double kUsualAverageSeconds = 10;
+constexpr double kUsualDerivative_s = 30;  // as in FitRequest
+constexpr Eigen::Index kMinRows = 60;      // fewer show no noise beside the effects
+
+std::vector<planning::VisibleSize> visible_sizes(const compare::RunSummary& summary) {
+  model::Model settings;
+  settings.average_s = summary.average_s;
+  settings.derivative_tau_s = kUsualDerivative_s;
+  const series::BlockSeries blocks = series::make_blocks(summary.blocks);
+  series::SignalSeries series(settings, series::Phase::zero);
+  series.add(blocks);
+  if (series.rows().size() < kMinRows) return {};
+  return planning::visible_in(series, model::parse_effects(model::kFirstEffects), blocks.inputs);
+}
 
 }  // namespace
 
 InfoOutcome info(const InfoRequest& request, const Observer& observer) {
   InfoOutcome outcome{
-      recording::read_recording(request.run, observer.with_observer(request.reading)), {}};
+      recording::read_recording(request.run, observer.with_observer(request.reading)), {}, {}};
   const recording::Recording& run = outcome.recording;
   const double length_s = static_cast<double>(run.rows()) * run.period_s;
   if (request.average_s && 2 * *request.average_s > length_s) {
@@ -24,6 +39,7 @@ InfoOutcome info(const InfoRequest& request, const Observer& observer) {
   }
   observer.say(recording::doubts(run, noise::white_noise_dph_rthz(run)));
   outcome.summary = compare::summarize(run, request.average_s.value_or(kUsualAverageSeconds));
+  outcome.visible = visible_sizes(outcome.summary);
   return outcome;
 }
 

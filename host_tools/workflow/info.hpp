@@ -2,8 +2,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "compare/run_summary.hpp"
+#include "planning/information.hpp"
 #include "recording/recording.hpp"
 #include "workflow/observer.hpp"
 
@@ -19,6 +21,8 @@ struct InfoRequest {
 struct InfoOutcome {
   recording::Recording recording;
   compare::RunSummary summary;
+  /// From which size on it shows each effect beside model::kFirstEffects; empty if it is too short.
+  std::vector<planning::VisibleSize> visible;
 };
 
 /// Throws InputError like read_recording(), and for a recording without two means of average_s.

@@ -98,6 +98,7 @@ everything = read("*/*.cpp", "*/*.hpp")
 writers = {"add": ["findings/add_json.cpp"], "batch": ["findings/batch_json.cpp"], "fit": ["findings/fit_json.cpp"],
            "compare": ["findings/compare_json.cpp"], "info": ["findings/info_json.cpp"],
            "diagnose": ["findings/diagnosis_json.cpp"], "paper": ["findings/paper_json.cpp"],
+           "plan": ["findings/plan_json.cpp"],
            "effects": ["cli/effects_command.cpp", "cli/effects_text.cpp"]}
 for command in commands:
     section = sections.get(command, "")

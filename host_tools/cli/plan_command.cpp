@@ -1,0 +1,106 @@
+// fogcomp plan: effects, noise, chamber -> the programme that determines most.
+
+#include <cstdio>
+
+#include "cli/command.hpp"
+#include "cli/report_option.hpp"
+#include "cli/watch.hpp"
+#include "findings/json.hpp"
+#include "findings/plan_findings.hpp"
+#include "model/effect_list.hpp"
+#include "report/terminal.hpp"
+#include "simulation/embedded_files.hpp"
+#include "support/output_file.hpp"
+#include "workflow/plan.hpp"
+
+namespace fogcomp::cli {
+namespace {
+
+struct PlanCommand : Command {
+  Text output{this, {"o", "PROGRAMME", "profile to write, for simulate --profile"}};
+  Number hours{this, {"hours", "H", "length of the recording", "8"}, {0.5, 240}};
+  Text use{this,
+           {"use", "BOX",
+            "where a model is used: T:-40..60,ramp:3,rate:200 (degC, degC/min, deg/s; "
+            "default: as in its runs, or the chamber)"}};
+  Text chamber{this, {"chamber", "BOX", "what chamber and rate table do", "T:-40..85,ramp:3"}};
+  Text effects{this,
+               {"effects", "LIST", "to be determined, without a model", model::kFirstEffects}};
+  Texts noise{this,
+              {"noise", "k=v,...",
+               "white, flicker, random_walk as for simulate (default: the "
+               "model's, or of its preset paper)"}};
+  Flag compare{this, "compare", "programmes that exist, side by side"};
+  Text model{this, {"model", "MODEL", "the model of --compare", "", kRare}};
+  Integer<std::uint64_t> seed{this, {"seed", "N", "of the search", "1"}, 0, 1LL << 53};
+  ReportOption report{this};
+  Flag json{this, "json", "one JSON object on stdout"};
+
+  PlanCommand()
+      : Command("plan", {"[MODEL] [--compare PROGRAMME...]", 0, kAnyNumber},
+                "the chamber programme that determines most, and what it shows",
+                "fogcomp plan --use T:-40..60,ramp:1 --hours 6 -o six_hours.profile") {
+    needs = {{&output, &compare}};
+    for (const EmbeddedFile& file : simulation::ready_made_profiles()) words.push_back(file.name);
+  }
+  int run() const override;
+
+ private:
+  workflow::PlanRequest request() const;
+  int run_comparison() const;
+  int print(const findings::Document& document, const Json& object) const;
+};
+
+workflow::PlanRequest PlanCommand::request() const {
+  workflow::PlanRequest request;
+  request.model = model.find();
+  request.effects = effects.find();
+  request.noise = noise.value();
+  request.use = use.find();
+  request.chamber = chamber.value();
+  request.hours = hours.value();
+  request.seed = seed.value();
+  return request;
+}
+
+int PlanCommand::print(const findings::Document& document, const Json& object) const {
+  const std::string text = json.given() ? object.text() + "\n" : report::terminal(document, true);
+  std::fputs(text.c_str(), stdout);
+  return 0;
+}
+
+int PlanCommand::run_comparison() const {
+  if (arguments.empty()) fail("--compare needs programmes: files, or names of simulate --list");
+  if (output.given()) fail("--compare writes no programme; leave out -o");
+  ReportFile page(report);
+  const workflow::PlanComparison found = workflow::compare_programmes(request(), arguments);
+  const findings::Document document = findings::comparison_findings(found);
+  if (page.wanted()) page.write(document);
+  return print(document, findings::comparison_json(found));
+}
+
+int PlanCommand::run() const {
+  if (compare.given()) return run_comparison();
+  if (model.given()) fail("--model is for --compare; name the model without it");
+  if (arguments.size() > 1) fail("takes one model; --compare takes programmes");
+  OutputFile profile(output.required());
+  ReportFile page(report);
+  workflow::PlanRequest wanted = request();
+  if (!arguments.empty()) wanted.model = arguments.front();
+  const workflow::PlanOutcome found = workflow::plan(wanted, Watch().observer());
+  const findings::Document document = findings::plan_findings(found, output.value());
+  profile.write("# " + document.found().plain() + "\n# box of use " +
+                planning::box_text(found.question.use) + "\n" + planning::profile_text(found.plan));
+  if (page.wanted()) page.fill(document);
+  profile.commit();
+  page.commit();
+  return print(document, findings::plan_json(found, output.value()));
+}
+
+}  // namespace
+
+CommandPointer plan_command() {
+  return std::make_unique<PlanCommand>();
+}
+
+}  // namespace fogcomp::cli
