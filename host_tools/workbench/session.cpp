@@ -262,12 +262,11 @@ Json Session::diagnose(const Words& words) {
     next = Json::object()
                .set("effects", request_to_add.effects)
                .set("expression", request_to_add.expression)
-               .set("cuts", json_array(request_to_add.cuts,
-                                       [](const recording::Cut& cut) {
-                                         return Json::object()
-                                             .set("run", cut.run)
-                                             .set("at_s", cut.at_s);
-                                       }))
+               .set("cuts",
+                    json_array(request_to_add.cuts,
+                               [](const recording::Cut& cut) {
+                                 return Json::object().set("run", cut.run).set("at_s", cut.at_s);
+                               }))
                .set("run_offsets", request_to_add.run_offsets)
                .set("describes", ladder.next.describes);
   }
