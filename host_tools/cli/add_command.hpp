@@ -32,8 +32,7 @@ struct AddCommand : Command {
   MaskedRecordingOptions recording{this};
 
   AddCommand()
-      : Command("add",
-                {"MODEL {EFFECT[:k=v]... | --effect-expr ... | --cut ...} RUN...", 3, kAnyNumber},
+      : Command("add", {"MODEL {EFFECT[:k=v]...|--effect-expr|--cut} RUN...", 3, kAnyNumber},
                 "adds effects, refits all, keeps them if they help out of sample",
                 "fogcomp add gyro.model thermal_lag run.csv -o better.model") {
     stand_for_positional = {&expression, &recording.cuts};

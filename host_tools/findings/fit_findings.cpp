@@ -73,11 +73,13 @@ void add_turn_on(Document& document, const FitOutcome& fit) {
         "its own, of which a board has the mean");
     return;
   }
-  document.sentence(
-      words(format("each power-on, and each part of a cut run, has a bias of its own here (one "
-                   "sigma %.2g deg/h), so that the effects do not make up for it; a board has the "
-                   "mean of those with which the power-ons end",
-                   fit.result.identified.turn_on_repeatability_dph)));
+  const bool is_cut = fit.result.identified.masked > 0;
+  document.sentence(words(
+      format("each %s has a bias of its own here (one sigma %.2g deg/h), so that the effects do "
+             "not make up for it; a board has %s",
+             is_cut ? "power-on, and each part of a cut run," : "power-on",
+             fit.result.identified.turn_on_repeatability_dph,
+             is_cut ? "the mean of those with which the power-ons end" : "their mean")));
 }
 
 void add_model(Document& document, const FitOutcome& fit) {

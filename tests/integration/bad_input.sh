@@ -150,7 +150,7 @@ for cut in x 1..2 other.csv:; do
   refuses "^--cut '$cut': is not a time in seconds since power-on, as 3600, nor RUN:3600" \
     add good.model good.csv --cut "$cut" -o kept
 done
-refuses '^--cut 1e\+09: lies in none of the runs' add good.model good.csv --cut 1e9 -o kept
+refuses '^--cut 1000000000: lies in none of the runs' add good.model good.csv --cut 1e9 -o kept
 refuses '^--cut: names other\.csv, which is none of the runs' add good.model good.csv --cut other.csv:60 -o kept
 refuses '^-o kept: is the model at the loop.s end; give --max-effects' diagnose good.model good.csv -o kept
 refuses '^good\.model: -o would overwrite the input good\.model; ' diagnose good.model good.csv --max-effects 2 \
@@ -253,7 +253,7 @@ refuses '^good\.csv: is sampled at 0\.1 Hz but the header is for 200 Hz' replay 
 # Recordings without information, or without new information.
 awk -F, -v OFS=, 'NR > 1 { $3 = 0.5 } 1' good.csv >still.csv
 awk -F, -v OFS=, 'NR > 1 { $3 = $3 "e0" } 1' good.csv >copy.csv
-awk -F, -v OFS=, 'NR > 1 { $1 += 900000000 } 1' good.csv >long_on.csv
+awk -F, -v OFS=, 'NR > 1 { $1 += 30000000 } 1' good.csv >long_on.csv
 awk -F, -v OFS=, 'NR > 1 { $1 += 1709625600 } 1' good.csv >since_1970.csv
 "$fogcomp" simulate -o rest.csv --profile static --seed 13 >/dev/null
 "$fogcomp" fit good.csv copy.csv -o twice.model --effects bias,temperature_rate >/dev/null 2>twice
@@ -275,7 +275,8 @@ refuses '^copy\.csv: has the same samples as good\.csv, .*--static must be anoth
 refuses '^glass_transition: these recordings do not determine tg' fit rest.csv -o kept --effects bias,glass_transition
 refuses '^aging: these recordings do not determine t0 .*is it since power-on' \
   fit long_on.csv -o kept --effects bias,bias_temperature,aging
-refuses '^aging: these recordings do not determine t0' add good.model aging long_on.csv -o kept
+"$fogcomp" fit good.csv -o shape.model --effects bias,bias_temperature >/dev/null
+refuses '^aging: these recordings do not determine t0' add shape.model aging long_on.csv -o kept
 # Calendar times are counted from the first sample, and a fit says what that means.
 "$fogcomp" fit since_1970.csv -o since_1970.model --effects bias,temperature_rate >/dev/null 2>unix
 grep -q '^since_1970\.csv: read as UNIX times, counted from the first sample: power-on is not known$' unix ||

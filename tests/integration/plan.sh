@@ -59,7 +59,7 @@ refused 'needs input rates' --effects bias,scale_factor
 refused 'white' --noise white=0
 refused 'has effects' paper.model --effects bias
 refused 'does not exist|cannot|no such' absent.model
-refused 'one model' paper.model plan.profile.model
+refused 'is a model, where plan expects' paper.model plan.profile.model
 refused 'without it' --model paper.model
 status=0
 "$fogcomp" plan --compare papr 2>refused.txt || status=$?
