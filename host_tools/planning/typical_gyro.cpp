@@ -9,7 +9,7 @@
 namespace fogcomp::planning {
 namespace {
 
-constexpr double kStep_s = 5;  // of heat flow: the slow temperatures need no finer one
+constexpr double kStep_s = 20;  // of heat flow: rows of a minute need no finer one
 
 // One move of the day: where in the range of temperatures it ends, at which part of the fastest
 // ramp, how long the soak is, and which part of the largest input rate acts meanwhile.
