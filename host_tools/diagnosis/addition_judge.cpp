@@ -61,21 +61,23 @@ AdditionJudge::AdditionJudge(const model::Model& model, const runs::Runs& runs, 
 
 void AdditionJudge::share_bias(series::BiasOf of) {
   bias_of_ = of;
-  refitted_.reset();
-  failure_.clear();
+  forget();
 }
 
 void AdditionJudge::go_on_with(runs::Runs runs) {
   cut_runs_ = std::move(runs);
   runs_ = &*cut_runs_;
   series_.reset();
-  refitted_.reset();
-  failure_.clear();
+  forget();
 }
 
 void AdditionJudge::go_on_from(const model::Model& model) {
   model_ = model;
   model_.network = {};
+  forget();
+}
+
+void AdditionJudge::forget() {
   refitted_.reset();
   failure_.clear();
 }

@@ -80,6 +80,7 @@ class AdditionJudge {
   bool may_help(const AdditionRequest& request);
 
  private:
+  void forget();  // the refit, which is of another model, other biases or other runs
   bool has_own_biases() const { return bias_of_ == series::BiasOf::power_on; }
   // The verdict, without a model. `addition`: nothing if it could not be fitted.
   TriedAddition tried(AdditionRequest request, const runs::Runs& runs,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 #include <utility>
 
 #include "fit/turn_on_bias.hpp"
@@ -160,8 +161,8 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
   Ladder ladder;
   ladder.model = model;
   AdditionJudge judge(model, runs, settings.run_offsets);
-  DiagnosisData seen = data;
-  Look look = look_at(model, seen, judge, each, Wanted::next_step);
+  std::optional<DiagnosisData> cut;  // instead of `data`, once a run is cut
+  Look look = look_at(model, data, judge, each, Wanted::next_step);
   ladder.first = std::move(look.diagnosis);
   ladder.next = std::move(look.next);
   ladder.last = ladder.first;
@@ -173,11 +174,11 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
     if (!addition.request.refines) ++added;
     if (!addition.request.cuts.empty()) {
       judge.go_on_with(judge.runs().with(addition.request.cuts));
-      seen = seen.with_runs(judge.runs().training);
+      cut = data.with_runs(judge.runs().training);
     }
     ladder.model = with_network(ladder.model, addition, judge.runs());
     ladder.is_cut_off = !is_network && added == max_steps;
-    look = look_at(ladder.model, seen, judge, each,
+    look = look_at(ladder.model, cut ? *cut : data, judge, each,
                    is_network          ? Wanted::diagnosis
                    : ladder.is_cut_off ? Wanted::refinement
                                        : Wanted::next_step);
