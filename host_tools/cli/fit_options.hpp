@@ -7,8 +7,8 @@
 #include "cli/denoise_options.hpp"
 #include "cli/gyro_limit_options.hpp"
 #include "cli/training_options.hpp"
-#include "fit/network_inputs.hpp"
 #include "model/catalogue.hpp"
+#include "network/network_inputs.hpp"
 #include "support/text.hpp"
 #include "workflow/fit_presets.hpp"
 

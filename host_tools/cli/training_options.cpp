@@ -4,14 +4,14 @@ namespace fogcomp::cli {
 
 std::string TrainingOptions::trainer_summaries() {
   std::string text;
-  for (const fit::Trainer& trainer : fit::trainers()) {
+  for (const network::Trainer& trainer : network::trainers()) {
     text += (text.empty() ? "" : "; ") + std::string(trainer.name) + ": " + trainer.summary;
   }
   return text;
 }
 
-fit::TrainerSettings TrainingOptions::value() const {
-  fit::TrainerSettings settings;
+network::TrainerSettings TrainingOptions::value() const {
+  network::TrainerSettings settings;
   settings.seed = seed.value();
   settings.epochs = epochs.value();
   settings.goal = goal.value();

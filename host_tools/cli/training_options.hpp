@@ -10,14 +10,14 @@ namespace fogcomp::cli {
 /// --network, --trainer and their options.
 struct TrainingOptions : OptionGroup {
   using OptionGroup::OptionGroup;
-  fit::TrainerSettings value() const;
+  network::TrainerSettings value() const;
 
   Integer<int> network{this,
                        {"network", "N", "hidden neurons, 0 for none, at most 32", "0"},
                        0,
-                       fit::kMaxTrainedHidden};
+                       network::kMaxTrainedHidden};
   Choice<std::string> trainer{
-      this, {"trainer", "NAME", trainer_summaries(), "lm"}, as_named(fit::trainer_names())};
+      this, {"trainer", "NAME", trainer_summaries(), "lm"}, as_named(network::trainer_names())};
   Integer<std::uint64_t> seed{
       this, {"seed", "N", "of all that training draws", "1", kRare}, 0, 1LL << 53};
   Choice<fog::Activation> activation{

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <optional>
 
-#include "fit/perceptron.hpp"
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "model/shape_parameter.hpp"
+#include "network/perceptron.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -63,9 +63,10 @@ std::optional<int> hidden_of(const std::string& effect) {
   const bool is_setting = given.rfind(setting, 0) == 0;
   const std::optional<double> hidden =
       is_setting ? parse_number(given.substr(setting.size())) : std::nullopt;
-  if (!hidden || *hidden < 1 || *hidden > kMaxTrainedHidden || *hidden != std::floor(*hidden)) {
-    throw InputError("'" + effect + "'",
-                     format("is no network; write network:hidden=N, 1 to %d", kMaxTrainedHidden));
+  if (!hidden || *hidden < 1 || *hidden > network::kMaxTrainedHidden ||
+      *hidden != std::floor(*hidden)) {
+    throw InputError("'" + effect + "'", format("is no network; write network:hidden=N, 1 to %d",
+                                                network::kMaxTrainedHidden));
   }
   return static_cast<int>(*hidden);
 }

@@ -26,7 +26,8 @@ void denoise_rows(const series::Rows& rows, const denoise::DenoiseMethod& method
   denoise::denoise_parts(parts, method, "--denoise-rows");
 }
 
-model::RealNetwork as_model(const TrainedNetwork& trained, std::vector<model::RealInput> inputs) {
+model::RealNetwork as_model(const network::TrainedNetwork& trained,
+                            std::vector<model::RealInput> inputs) {
   model::RealNetwork network;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     inputs[i].centre = trained.inputs[i].centre;

@@ -13,8 +13,8 @@ namespace fogcomp::fit {
 
 struct FitSettings {
   IdentifySettings identify;
-  NetworkSettings network;     ///< hidden 0: no network
-  bool force_network = false;  ///< kept even if it does not help out of sample
+  network::NetworkSettings network;  ///< hidden 0: no network
+  bool force_network = false;        ///< kept even if it does not help out of sample
   std::vector<model::RealInput> network_inputs{{fog::NetworkInput::temperature},
                                                {fog::NetworkInput::temperature_rate}};
   /// Denoising of the network's target before training; nothing: none.
@@ -26,7 +26,7 @@ struct FitResult {
   /// Residual of the effects. With the network: Model::residual_rms_dph.
   double effects_rms_dph = 0;
   Identification identified;
-  std::optional<TrainerResult> training;      ///< of the network, kept or not
+  std::optional<network::TrainerResult> training;  ///< of the network, kept or not
   std::optional<OutOfSample> network_judged;  ///< nothing without a network, or if it is forced
 };
 

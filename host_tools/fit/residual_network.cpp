@@ -7,12 +7,12 @@ namespace fogcomp::fit {
 
 ResidualNetwork train_on_residual(const series::Rows& rows, const Eigen::MatrixXd& inputs,
                                   const Eigen::VectorXd& target_dph,
-                                  const Identification& identified, const NetworkSettings& settings,
-                                  bool judge) {
+                                  const Identification& identified,
+                                  const network::NetworkSettings& settings, bool judge) {
   constexpr double kParts = 5;
   const double trainings = judge ? 1 + kParts : 1;
   double done_before = 0;
-  NetworkSettings training = settings;
+  network::NetworkSettings training = settings;
   if (settings.training.go_on) {
     training.training.go_on = [&](double done) {
       return settings.training.go_on((done_before + done) / trainings);
@@ -20,9 +20,11 @@ ResidualNetwork train_on_residual(const series::Rows& rows, const Eigen::MatrixX
   }
   const auto train = [&](const Eigen::VectorXd& weights) {
     const noise::Whitening whitening(identified.noise, rows, weights);
-    const Whiten whiten = [&](const Eigen::MatrixXd& values) { return whitening.apply(values); };
-    TrainedNetwork trained =
-        train_network({inputs, target_dph, weights, rows.run_starts, whiten}, training);
+    const network::Whiten whiten = [&](const Eigen::MatrixXd& values) {
+      return whitening.apply(values);
+    };
+    network::TrainedNetwork trained =
+        network::train_network({inputs, target_dph, weights, rows.run_starts, whiten}, training);
     ++done_before;
     return trained;
   };
@@ -31,7 +33,7 @@ ResidualNetwork train_on_residual(const series::Rows& rows, const Eigen::MatrixX
   if (!judge || network.trained.result.interrupted) return network;
   bool interrupted = false;
   const auto learn = [&](const Eigen::VectorXd& weights) {
-    const TrainedNetwork trained = train(weights);
+    const network::TrainedNetwork trained = train(weights);
     interrupted = interrupted || trained.result.interrupted;
     return trained.drift_dph(inputs);
   };

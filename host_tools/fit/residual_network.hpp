@@ -4,15 +4,15 @@
 #include <optional>
 
 #include "fit/identify.hpp"
-#include "fit/network_training.hpp"
 #include "fit/out_of_sample.hpp"
+#include "network/network_training.hpp"
 #include "series/signal_series.hpp"
 
 namespace fogcomp::fit {
 
 /// A network on the residual of effects, and whether it helps.
 struct ResidualNetwork {
-  TrainedNetwork trained;
+  network::TrainedNetwork trained;
   /// Comparison with the effects alone. Nothing if not requested or interrupted.
   std::optional<OutOfSample> judged;
 
@@ -26,7 +26,7 @@ struct ResidualNetwork {
 /// it there. Effects and input ranges are those of all rows.
 ResidualNetwork train_on_residual(const series::Rows& rows, const Eigen::MatrixXd& inputs,
                                   const Eigen::VectorXd& target_dph,
-                                  const Identification& identified, const NetworkSettings& settings,
-                                  bool judge);
+                                  const Identification& identified,
+                                  const network::NetworkSettings& settings, bool judge);
 
 }  // namespace fogcomp::fit

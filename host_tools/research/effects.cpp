@@ -44,7 +44,7 @@ class EffectsComparator : public Comparator {
 
  private:
   model::Model model_;
-  fit::NetworkSettings training_;
+  network::NetworkSettings training_;
   fit::ResidualNetwork network_;
 };
 

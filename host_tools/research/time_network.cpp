@@ -1,6 +1,6 @@
 #include "research/time_network.hpp"
 
-#include "fit/network_training.hpp"
+#include "network/network_training.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::research {
@@ -12,7 +12,7 @@ class TimeNetwork : public Comparator {
  public:
   TimeNetwork(const char* trainer, const ComparatorSettings& settings) {
     settings_.hidden = settings.hidden;
-    settings_.scaling = fit::TargetScaling::min_max;
+    settings_.scaling = network::TargetScaling::min_max;
     settings_.trainer = trainer;
     settings_.training.seed = settings.seed;
     settings_.training.epochs = settings.epochs;
@@ -22,8 +22,8 @@ class TimeNetwork : public Comparator {
 
   void fit(const series::SignalSeries& series, const Eigen::VectorXd& denoised_dph) override {
     const series::Rows& rows = series.rows();
-    network_ = fit::train_network({time_and_temperature_of(rows), denoised_dph, rows.weights, {0}},
-                                  settings_);
+    network_ = network::train_network(
+        {time_and_temperature_of(rows), denoised_dph, rows.weights, {0}}, settings_);
   }
   Eigen::VectorXd drift_dph(const series::SignalSeries& series) const override {
     return network_.drift_dph(time_and_temperature_of(series.rows()));
@@ -34,8 +34,8 @@ class TimeNetwork : public Comparator {
   }
 
  private:
-  fit::NetworkSettings settings_;
-  fit::TrainedNetwork network_;
+  network::NetworkSettings settings_;
+  network::TrainedNetwork network_;
 };
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "compare/board_delay.hpp"
-#include "fit/network_inputs.hpp"
 #include "fit/turn_on_bias.hpp"
+#include "network/network_inputs.hpp"
 #include "recording/recording_writer.hpp"
 #include "runs/runs.hpp"
 #include "support/text.hpp"
@@ -45,7 +45,7 @@ Plan plan_of(const FitRequest& request) {
   settings.row_denoising = row_denoising(request);
   settings.network = plan.wanted.network;
   settings.force_network = plan.wanted.network_is_the_model || request.force_network;
-  settings.network_inputs = fit::parse_network_inputs(request.network_inputs);
+  settings.network_inputs = network::parse_network_inputs(request.network_inputs);
   plan.model.serial = request.serial;
   plan.model.terms = wanted_terms(request);
   plan.model.average_s = request.average_s;

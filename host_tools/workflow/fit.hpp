@@ -32,7 +32,7 @@ struct FitRequest {
   std::optional<int> hidden;           ///< neurons, 0 to kMaxTrainedHidden; nothing: the preset's
   std::optional<std::string> trainer;  ///< one of trainer_names(); nothing: the preset's, or lm
   fog::Activation activation = fog::Activation::logsig;
-  fit::TrainerSettings training;  ///< go_on is replaced by the observer's
+  network::TrainerSettings training;  ///< go_on is replaced by the observer's
   bool force_network = false;
   std::string network_inputs = "temperature,temperature_rate";
   /// Rule for denoising the network's training rows, with the board's wavelet; nothing: no

@@ -55,7 +55,7 @@ bool takes_effects(const std::optional<std::string>& preset) {
 
 WantedModel wanted_model(const FitRequest& request) {
   WantedModel model;
-  fit::NetworkSettings& network = model.network;
+  network::NetworkSettings& network = model.network;
   network.hidden = request.hidden.value_or(0);
   network.hidden_activation = request.activation;
   network.trainer = request.trainer.value_or(network.trainer);

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "fit/network_training.hpp"
+#include "network/network_training.hpp"
 #include "series/signal_series.hpp"
 #include "workflow/fit.hpp"
 
@@ -19,7 +19,7 @@ bool takes_effects(const std::optional<std::string>& preset);
 /// The effects and the network of a request.
 struct WantedModel {
   std::string effects;
-  fit::NetworkSettings network;       ///< 0 hidden neurons: none
+  network::NetworkSettings network;   ///< 0 hidden neurons: none
   bool network_is_the_model = false;  ///< there is nothing to compare it with
   bool order_by_validation = false;   ///< of bias_temperature
 };

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "fit/network_training.hpp"
-#include "fit/uniform.hpp"
+#include "network/network_training.hpp"
+#include "network/uniform.hpp"
 
 namespace {
 
@@ -15,9 +15,9 @@ constexpr int kHidden = 10;
 constexpr double kGoal = 0.0004;  // the paper's, of the normalised target
 
 // As smooth and as long as the paper's denoised run; the remaining noise is a tenth of the goal.
-fogcomp::fit::NetworkTask paper_like_task() {
-  fogcomp::fit::Uniform uniform(1);
-  fogcomp::fit::NetworkTask task;
+fogcomp::network::NetworkTask paper_like_task() {
+  fogcomp::network::Uniform uniform(1);
+  fogcomp::network::NetworkTask task;
   task.inputs.resize(kRows, 2);
   task.target_dph.resize(kRows);
   task.weights.setOnes(kRows);
@@ -32,25 +32,25 @@ fogcomp::fit::NetworkTask paper_like_task() {
   return task;
 }
 
-fogcomp::fit::NetworkSettings paper_settings(const char* trainer) {
-  fogcomp::fit::NetworkSettings settings;
+fogcomp::network::NetworkSettings paper_settings(const char* trainer) {
+  fogcomp::network::NetworkSettings settings;
   settings.hidden = kHidden;
-  settings.scaling = fogcomp::fit::TargetScaling::min_max;
+  settings.scaling = fogcomp::network::TargetScaling::min_max;
   settings.trainer = trainer;
   return settings;
 }
 
 struct Rows {
-  fogcomp::fit::Batch batch;
-  fogcomp::fit::Perceptron shape;
+  fogcomp::network::TrainingRows batch;
+  fogcomp::network::Perceptron shape;
   Eigen::VectorXd weights;
 };
 
 Rows paper_rows() {
-  const fogcomp::fit::NetworkTask task = paper_like_task();
+  const fogcomp::network::NetworkTask task = paper_like_task();
   return {{task.inputs, task.target_dph, task.weights},
           {2, kHidden, fog::Activation::logsig, fog::Activation::tansig},
-          fogcomp::fit::Perceptron{2, kHidden}.first_weights(1)};
+          fogcomp::network::Perceptron{2, kHidden}.first_weights(1)};
 }
 
 void epoch(benchmark::State& state) {
@@ -72,10 +72,10 @@ void swarm_iteration(benchmark::State& state) {
 }
 
 void whole_training(benchmark::State& state, const char* trainer) {
-  const fogcomp::fit::NetworkTask task = paper_like_task();
-  const fogcomp::fit::NetworkSettings settings = paper_settings(trainer);
-  fogcomp::fit::TrainedNetwork network;
-  for (auto _ : state) network = fogcomp::fit::train_network(task, settings);
+  const fogcomp::network::NetworkTask task = paper_like_task();
+  const fogcomp::network::NetworkSettings settings = paper_settings(trainer);
+  fogcomp::network::TrainedNetwork network;
+  for (auto _ : state) network = fogcomp::network::train_network(task, settings);
   state.counters["epochs"] = network.result.epochs;
   state.counters["mean_square"] = network.result.mean_square;
   state.counters["below_goal"] = network.result.mean_square <= kGoal ? 1 : 0;

@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "${1:?usage: host_dependencies.sh ROOT}/host_tools"
 status=0
-order=(support recording simulation model denoise series noise runs judge compare fit planning diagnosis board research batch \
+order=(support recording simulation model network denoise series noise runs judge compare fit planning diagnosis board research batch \
   workflow findings report cli workbench)
 known=
 for folder in "${order[@]}"; do

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "fit/uniform.hpp"
+#include "network/uniform.hpp"
 #include "research/anfis.hpp"
 #include "research/cross_validation.hpp"
 #include "research/polynomial.hpp"
@@ -23,7 +23,7 @@ struct Rows {
 
 // A surface over temperature and rate such as a gyro has, with uniform noise of +-`noise`.
 Rows gyro_like(Index rows, double noise, std::uint64_t seed) {
-  fit::Uniform uniform(seed);
+  network::Uniform uniform(seed);
   Rows result{MatrixXd(rows, 2), VectorXd(rows)};
   for (Index i = 0; i < rows; ++i) {
     const double t = 10 + uniform.within(50);
@@ -52,7 +52,7 @@ TEST(Polynomial, ReproducesAPolynomialInAnyNumberOfVariables) {
 }
 
 TEST(Polynomial, CrossValidationFindsTheOrder) {
-  fit::Uniform uniform(2);
+  network::Uniform uniform(2);
   MatrixXd t(1000, 1);
   VectorXd target(1000);
   for (Index i = 0; i < 1000; ++i) {

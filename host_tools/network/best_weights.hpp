@@ -2,9 +2,9 @@
 
 #include <limits>
 
-#include "fit/trainer.hpp"
+#include "network/trainer.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 
 /// Stores the best weights of a training, judged by the held-out rows if there are any, else by the
 /// training rows.
@@ -42,4 +42,4 @@ class BestWeights {
   Eigen::VectorXd weights_;
 };
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "fit/batch.hpp"
+#include "network/training_rows.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 
 /// Data of a training. All rows are normalised to about +-1.
 struct TrainingProblem {
   Perceptron shape;
-  const Batch* rows = nullptr;
-  const Batch* held_out = nullptr;  ///< other runs: training stops at its smallest error
+  const TrainingRows* rows = nullptr;
+  const TrainingRows* held_out = nullptr;  ///< other runs: training stops at its smallest error
 };
 
 struct TrainerSettings {
@@ -60,4 +60,4 @@ std::vector<std::string> trainer_names();
 /// `name` is one of trainer_names().
 const Trainer& find_trainer(const std::string& name);
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

@@ -1,10 +1,10 @@
-#include "fit/perceptron.hpp"
+#include "network/perceptron.hpp"
 
 #include <cmath>
 
-#include "fit/uniform.hpp"
+#include "network/uniform.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -48,4 +48,4 @@ VectorXd Perceptron::first_weights(std::uint64_t seed) const {
   return weights;
 }
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

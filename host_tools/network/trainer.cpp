@@ -1,10 +1,10 @@
-#include "fit/trainer.hpp"
+#include "network/trainer.hpp"
 
 #include <algorithm>
 
 #include "support/input_error.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 
 const std::vector<Trainer>& trainers() {
   static const std::vector<Trainer> all{
@@ -31,4 +31,4 @@ const Trainer& find_trainer(const std::string& name) {
   return *found;
 }
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

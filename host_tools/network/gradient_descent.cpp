@@ -1,8 +1,8 @@
-#include "fit/gradient_descent.hpp"
+#include "network/gradient_descent.hpp"
 
-#include "fit/best_weights.hpp"
+#include "network/best_weights.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 namespace {
 
 constexpr double kRateUp = 1.05;       // lr_inc
@@ -56,4 +56,4 @@ TrainerResult train_gradient_descent(const TrainingProblem& problem,
   return descend(problem, settings, problem.shape.first_weights(settings.seed));
 }
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

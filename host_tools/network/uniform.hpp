@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <random>
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 
 /// Random numbers of the trainers. The distributions of the standard libraries differ; this does
 /// not.
@@ -25,4 +25,4 @@ class Uniform {
   std::mt19937_64 bits_;
 };
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

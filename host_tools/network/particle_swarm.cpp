@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "fit/gradient_descent.hpp"
-#include "fit/uniform.hpp"
+#include "network/gradient_descent.hpp"
+#include "network/uniform.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 namespace {
 
 using Eigen::Index;
@@ -78,4 +78,4 @@ TrainerResult train_particle_swarm(const TrainingProblem& problem,
   return descend(problem, settings, leader_of(swarm).best_place);
 }
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

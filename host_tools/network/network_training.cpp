@@ -1,4 +1,4 @@
-#include "fit/network_training.hpp"
+#include "network/network_training.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "support/input_error.hpp"
 #include "support/least_squares.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 namespace {
 
 using Eigen::Index;
@@ -89,9 +89,10 @@ TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& set
   const Index rows = target.size();
   const Index trained = trained_rows(task);
   const Index rest = rows - trained;
-  const Batch batch(inputs.topRows(trained), target.head(trained), task.weights.head(trained),
-                    whiten_normalised(task, network.amplitude_dph));
-  std::optional<Batch> held_out;
+  const TrainingRows batch(inputs.topRows(trained), target.head(trained),
+                           task.weights.head(trained),
+                           whiten_normalised(task, network.amplitude_dph));
+  std::optional<TrainingRows> held_out;
   if (rest > 0) {
     held_out.emplace(inputs.bottomRows(rest), target.tail(rest), task.weights.tail(rest));
   }
@@ -115,4 +116,4 @@ TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& set
   return network;
 }
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

@@ -1,13 +1,13 @@
-#include "fit/trainer.hpp"
+#include "network/trainer.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "support/input_error.hpp"
-#include "unit/fit/network_data.hpp"
+#include "unit/network/network_data.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 namespace {
 
 NetworkSettings settings_for(const std::string& trainer) {
@@ -124,4 +124,4 @@ TEST(Trainers, UnknownNameIsRefused) {
 }
 
 }  // namespace
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

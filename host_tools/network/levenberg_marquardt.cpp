@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/best_weights.hpp"
-#include "fit/trainer.hpp"
+#include "network/best_weights.hpp"
+#include "network/trainer.hpp"
 #include "support/decompositions.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 namespace {
 
 using Eigen::MatrixXd;
@@ -110,7 +110,7 @@ double step(const TrainingProblem& problem, const Evidence& evidence, State& sta
 
 Start train_from(const TrainingProblem& problem, const TrainerSettings& settings, int start) {
   const Perceptron& shape = problem.shape;
-  const Batch& rows = *problem.rows;
+  const TrainingRows& rows = *problem.rows;
   State state;
   state.w = shape.first_weights(settings.seed * kStarts + static_cast<std::uint64_t>(start));
   state.look(problem);
@@ -158,4 +158,4 @@ TrainerResult train_levenberg_marquardt(const TrainingProblem& problem,
   return best.result;
 }
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

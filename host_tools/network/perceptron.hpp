@@ -5,7 +5,7 @@
 
 #include "model/network.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 
 constexpr int kMaxTrainedHidden = 32;
 
@@ -32,4 +32,4 @@ struct Perceptron {
   Eigen::VectorXd first_weights(std::uint64_t seed) const;
 };
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

@@ -2,16 +2,16 @@
 
 #include <cmath>
 
-#include "fit/network_training.hpp"
-#include "fit/uniform.hpp"
+#include "network/network_training.hpp"
+#include "network/uniform.hpp"
 
 namespace fog::test {
 
 /// Rows of a smooth surface over two inputs within the unit square, with uniform noise.
-inline fogcomp::fit::NetworkTask smooth_task(Eigen::Index rows, double noise_dph,
-                                             std::uint64_t seed) {
-  fogcomp::fit::Uniform uniform(seed);
-  fogcomp::fit::NetworkTask task;
+inline fogcomp::network::NetworkTask smooth_task(Eigen::Index rows, double noise_dph,
+                                                 std::uint64_t seed) {
+  fogcomp::network::Uniform uniform(seed);
+  fogcomp::network::NetworkTask task;
   task.inputs.resize(rows, 2);
   task.target_dph.resize(rows);
   task.weights.setOnes(rows);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "fit/gradient_descent.hpp"
-#include "fit/uniform.hpp"
+#include "network/gradient_descent.hpp"
+#include "network/uniform.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 namespace {
 
 using Eigen::Index;
@@ -76,4 +76,4 @@ TrainerResult train_genetic(const TrainingProblem& problem, const TrainerSetting
   return descend(problem, settings, population.front().genes);
 }
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

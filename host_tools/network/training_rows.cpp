@@ -1,11 +1,11 @@
-#include "fit/batch.hpp"
+#include "network/training_rows.hpp"
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <utility>
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 namespace {
 
 using Eigen::ArrayXd;
@@ -153,14 +153,15 @@ class ChunkLoop {
 
 }  // namespace
 
-Batch::Batch(const MatrixXd& inputs, const VectorXd& target, const VectorXd& weights, Whiten whiten)
+TrainingRows::TrainingRows(const MatrixXd& inputs, const VectorXd& target, const VectorXd& weights,
+                           Whiten whiten)
     : inputs_(inputs),
       target_(target),
       weights_(weights),
       total_weight_(weights.sum()),
       whiten_(std::move(whiten)) {}
 
-double Batch::mean_square(const Perceptron& shape, const VectorXd& weights) const {
+double TrainingRows::mean_square(const Perceptron& shape, const VectorXd& weights) const {
   double cost = 0;
   for (ChunkLoop walk(shape, weights, inputs_); walk.next();) {
     const Values error = walk.part(target_) - walk.output();
@@ -169,8 +170,8 @@ double Batch::mean_square(const Perceptron& shape, const VectorXd& weights) cons
   return cost / total_weight_;
 }
 
-double Batch::mean_square(const Perceptron& shape, const VectorXd& weights,
-                          VectorXd& gradient) const {
+double TrainingRows::mean_square(const Perceptron& shape, const VectorXd& weights,
+                                 VectorXd& gradient) const {
   double cost = 0;
   gradient.setZero(shape.size());
   for (ChunkLoop walk(shape, weights, inputs_); walk.next();) {
@@ -184,8 +185,8 @@ double Batch::mean_square(const Perceptron& shape, const VectorXd& weights,
   return cost / total_weight_;
 }
 
-void Batch::errors(const Perceptron& shape, const VectorXd& weights, VectorXd& errors,
-                   MatrixXd* jacobian) const {
+void TrainingRows::errors(const Perceptron& shape, const VectorXd& weights, VectorXd& errors,
+                          MatrixXd* jacobian) const {
   const ArrayXd roots = whitens() ? ArrayXd::Ones(rows()) : ArrayXd(weights_.sqrt());
   errors.resize(rows());
   if (jacobian != nullptr) jacobian->resize(rows(), shape.size());
@@ -201,4 +202,4 @@ void Batch::errors(const Perceptron& shape, const VectorXd& weights, VectorXd& e
   if (jacobian != nullptr) *jacobian = whiten_(*jacobian);
 }
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "fit/trainer.hpp"
+#include "network/trainer.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 
 /// Training data of a network, row by row, in physical units, from any source.
 struct NetworkTask {
@@ -55,4 +55,4 @@ struct TrainedNetwork {
 /// serve for that, because they share noise and history. Throws InputError if no row counts.
 TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& settings);
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

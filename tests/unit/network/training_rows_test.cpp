@@ -1,12 +1,12 @@
-#include "fit/batch.hpp"
+#include "network/training_rows.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "fit/uniform.hpp"
+#include "network/uniform.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 namespace {
 
 using Eigen::Index;
@@ -51,18 +51,19 @@ class Shapes : public testing::TestWithParam<Perceptron> {};
 TEST_P(Shapes, MeanSquareIsThatOfTheDefinition) {
   const Perceptron& shape = GetParam();
   const Rows rows = random_rows(101, shape.inputs);
-  const Batch batch(rows.inputs, rows.target, rows.weights);
+  const TrainingRows training(rows.inputs, rows.target, rows.weights);
   const VectorXd weights = shape.first_weights(1);
-  EXPECT_NEAR(batch.mean_square(shape, weights), direct_mean_square(shape, weights, rows), 1e-14);
+  EXPECT_NEAR(training.mean_square(shape, weights), direct_mean_square(shape, weights, rows),
+              1e-14);
 }
 
 TEST_P(Shapes, GradientIsThatOfFiniteDifferences) {
   const Perceptron& shape = GetParam();
   const Rows rows = random_rows(101, shape.inputs);
-  const Batch batch(rows.inputs, rows.target, rows.weights);
+  const TrainingRows training(rows.inputs, rows.target, rows.weights);
   const VectorXd weights = shape.first_weights(2);
   VectorXd gradient;
-  EXPECT_EQ(batch.mean_square(shape, weights, gradient), batch.mean_square(shape, weights));
+  EXPECT_EQ(training.mean_square(shape, weights, gradient), training.mean_square(shape, weights));
   ASSERT_EQ(gradient.size(), shape.size());
   constexpr double kStep = 1e-5;
   for (Index i = 0; i < shape.size(); ++i) {
@@ -77,19 +78,19 @@ TEST_P(Shapes, GradientIsThatOfFiniteDifferences) {
 TEST_P(Shapes, JacobianGivesTheSameGradient) {
   const Perceptron& shape = GetParam();
   const Rows rows = random_rows(64, shape.inputs);
-  const Batch batch(rows.inputs, rows.target, rows.weights);
+  const TrainingRows training(rows.inputs, rows.target, rows.weights);
   const VectorXd weights = shape.first_weights(3);
   VectorXd gradient;
-  const double mean_square = batch.mean_square(shape, weights, gradient);
+  const double mean_square = training.mean_square(shape, weights, gradient);
   VectorXd errors;
   MatrixXd jacobian;
-  batch.errors(shape, weights, errors, &jacobian);
+  training.errors(shape, weights, errors, &jacobian);
   EXPECT_NEAR(errors.squaredNorm() / rows.weights.sum(), mean_square, 1e-14);
   const VectorXd from_jacobian = 2 * jacobian.transpose() * errors / rows.weights.sum();
   EXPECT_LT((from_jacobian - gradient).cwiseAbs().maxCoeff(), 1e-14);
 }
 
-INSTANTIATE_TEST_SUITE_P(Batch, Shapes,
+INSTANTIATE_TEST_SUITE_P(Training, Shapes,
                          testing::Values(Perceptron{2, 10, Activation::logsig, Activation::tansig},
                                          Perceptron{1, 1, Activation::tansig, Activation::linear},
                                          Perceptron{3, 32, Activation::tansig, Activation::tansig},
@@ -100,9 +101,9 @@ VectorXd activation_values(Activation activation, const VectorXd& x) {
   const Perceptron shape{1, 1, activation, Activation::linear};
   VectorXd weights(4);
   weights << 1, 0, 1, 0;
-  const Batch batch(x, VectorXd::Zero(x.size()), VectorXd::Ones(x.size()));
+  const TrainingRows training(x, VectorXd::Zero(x.size()), VectorXd::Ones(x.size()));
   VectorXd errors;
-  batch.errors(shape, weights, errors, nullptr);
+  training.errors(shape, weights, errors, nullptr);
   return -errors;
 }
 
@@ -132,4 +133,4 @@ TEST(Activations, FarArgumentsSaturate) {
 }
 
 }  // namespace
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "fit/trainer.hpp"
+#include "network/trainer.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 
 /// Gradient descent with momentum and adaptive learning rate, starting at `first`: rules and
-/// constants of MATLAB's traingdx (fit/TRAINING.md).
+/// constants of MATLAB's traingdx (network/TRAINING.md).
 TrainerResult descend(const TrainingProblem& problem, const TrainerSettings& settings,
                       const Eigen::VectorXd& first);
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

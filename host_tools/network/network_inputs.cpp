@@ -1,11 +1,11 @@
-#include "fit/network_inputs.hpp"
+#include "network/network_inputs.hpp"
 
 #include <algorithm>
 
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 namespace {
 
 constexpr const char* kWhere = "--inputs";
@@ -61,4 +61,4 @@ std::vector<model::RealInput> parse_network_inputs(const std::string& list) {
   return inputs;
 }
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network

@@ -3,22 +3,22 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include "fit/perceptron.hpp"
+#include "network/perceptron.hpp"
 
-namespace fogcomp::fit {
+namespace fogcomp::network {
 
 /// Whitens rows x any number of columns: turns rows with dependent noise into rows of independent
 /// noise with variance 1. Linear; the first rows do not depend on later ones.
 using Whiten = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
 
 /// The rows for training or judging a network, all at once ("full batch").
-class Batch {
+class TrainingRows {
  public:
   /// `inputs`: rows x inputs; `target`: one value per row; both normalised to about +-1. `weights`:
   /// weight of each row, not negative. `whiten` (may be empty) is used by errors() and includes the
   /// rows' weights.
-  Batch(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& target,
-        const Eigen::VectorXd& weights, Whiten whiten = {});
+  TrainingRows(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& target,
+               const Eigen::VectorXd& weights, Whiten whiten = {});
 
   Eigen::Index rows() const { return inputs_.rows(); }
   Eigen::Index inputs() const { return inputs_.cols(); }
@@ -45,4 +45,4 @@ class Batch {
   Whiten whiten_;
 };
 
-}  // namespace fogcomp::fit
+}  // namespace fogcomp::network
