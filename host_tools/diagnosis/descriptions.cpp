@@ -10,6 +10,7 @@
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "model/shape_limits.hpp"
+#include "model/shape_parameter.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::diagnosis {
@@ -206,15 +207,26 @@ LikelyFormulas likely_formulas(const model::Model& model, const Diagnosis& diagn
   likely.show_something =
       offered.verdict != Verdict::none && !offered.faint && !offered.may_be_noise();
   if (!diagnosis.experiment) likely.experiment = offered.experiment;
-  double explained_fraction = 1;
+  std::vector<const CandidateFinding*> described;
   for (const CandidateFinding& finding : offered.candidates) {
     if (!finding.is_expression() || finding.lead < rules::kConfusable) continue;
-    const AdditionRequest request = *request_of(offered, {finding.effect});
-    likely.forms.push_back({form_text(finding.term().expression->expression), request.expression,
+    likely.forms.push_back({form_text(finding.term().expression->expression),
+                            request_of(offered, {finding.effect})->expression,
                             meanings[finding.effect], finding.lead});
-    // a parameter more always explains a little more
-    explained_fraction = std::min(explained_fraction, finding.explained_fraction);
-    likely.descriptions.push_back({request, explained_fraction});
+    described.push_back(&finding);
+  }
+  // Fewest parameters first: one more always explains a little more, and has to gain clearly more.
+  const auto parameters = [](const CandidateFinding* finding) {
+    return model::shape_parameters({finding->term()}).size();
+  };
+  std::stable_sort(described.begin(), described.end(),
+                   [&](const CandidateFinding* a, const CandidateFinding* b) {
+                     return parameters(a) < parameters(b);
+                   });
+  double explained_fraction = 1;
+  for (const CandidateFinding* const finding : described) {
+    explained_fraction = std::min(explained_fraction, finding->explained_fraction);
+    likely.descriptions.push_back({*request_of(offered, {finding->effect}), explained_fraction});
   }
   return likely;
 }

@@ -88,12 +88,24 @@ void take_fast(const FastFinding& fast, double slow_excess, Diagnosis& diagnosis
   if (fast.excess > slow_excess) diagnosis.variable = "time_s";
 }
 
+// Whether no more is left than the noise that the recordings show from row to row. A random walk
+// may explain more as well as an effect does; then one recording cannot tell.
+bool leaves_noise(const Diagnosis& diagnosis) {
+  return diagnosis.has_static ||
+         diagnosis.residual_rms_dph <= (1 + rules::kMuchAboveWhite) * diagnosis.noise_floor_dph;
+}
+
+// How probably the likeliest effect is the largest of what is missing.
+double lead_of_first(const Diagnosis& diagnosis) {
+  return diagnosis.candidates.empty() ? 0 : diagnosis.candidates.front().lead;
+}
+
 void decide(Diagnosis& diagnosis) {
   if (diagnosis.fast_kind != FastKind::none) {
     diagnosis.verdict = Verdict::unknown;
   } else if (diagnosis.nothing >= judge::kMissingBefore[0]) {
-    diagnosis.verdict = Verdict::none;
-  } else if (diagnosis.mostly_something_else >= rules::kMainPart) {
+    diagnosis.verdict = leaves_noise(diagnosis) ? Verdict::none : Verdict::unknown;
+  } else if (diagnosis.mostly_something_else >= lead_of_first(diagnosis)) {
     diagnosis.verdict = Verdict::unknown;
   } else if (diagnosis.may_be_noise()) {
     diagnosis.verdict = Verdict::unknown;

@@ -5,7 +5,13 @@
 #include <string>
 #include <string_view>
 
+#include "diagnosis/decision_rules.hpp"
+#include "fit/expression_survey.hpp"
+#include "fit/reference_values.hpp"
+#include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
+#include "model/shape_parameter.hpp"
+#include "support/least_squares.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::diagnosis {
@@ -198,6 +204,39 @@ void add_products(Formulas& formulas, const VaryingSignal& a, const VaryingSigna
   formulas.add(FormMeaning::late, name + other + "_late", lag_text(x + "*" + y));
 }
 
+// The spans on these rows of the catalogue's effects that have one shape, each with a constant.
+std::vector<Eigen::MatrixXd> spans_of_catalogue(const series::SignalSeries& series,
+                                                fog::InputMask inputs) {
+  std::vector<Eigen::MatrixXd> spans;
+  for (const model::CatalogueEntry& entry : model::catalogue()) {
+    if (entry.description.event || (entry.description.needs & ~inputs) != 0) continue;
+    std::vector<model::EffectTerm> terms = model::parse_effects(entry.description.name);
+    if (!model::shape_parameters(terms).empty()) continue;
+    fit::set_references(terms, series);
+    const Eigen::MatrixXd columns = series.regressors(terms[0]);
+    const Eigen::MatrixXd constant = Eigen::MatrixXd::Ones(columns.rows(), 1);
+    spans.push_back(orthonormal(side_by_side({constant, columns}, columns.rows())));
+  }
+  return spans;
+}
+
+// A formula that an effect of the catalogue contains is that effect, and no rival of its name.
+void remove_those_of_catalogue(const series::SignalSeries& series, fog::InputMask inputs,
+                               std::vector<Formula>& formulas) {
+  const std::vector<Eigen::MatrixXd> spans = spans_of_catalogue(series, inputs);
+  const auto is_known = [&](const Formula& formula) {
+    std::vector<model::EffectTerm> terms{formula.term};
+    if (!model::shape_parameters(terms).empty()) return false;
+    fit::set_expression_ranges(terms, series);
+    const Eigen::MatrixXd column = series.regressors(terms[0]);
+    const double size = (column.array() - column.mean()).matrix().norm();
+    return std::any_of(spans.begin(), spans.end(), [&](const Eigen::MatrixXd& span) {
+      return projected_out(span, column).norm() < rules::kMinVisible * size;
+    });
+  };
+  formulas.erase(std::remove_if(formulas.begin(), formulas.end(), is_known), formulas.end());
+}
+
 }  // namespace
 
 std::vector<Formula> formulas_over(const series::SignalSeries& series, fog::InputMask inputs) {
@@ -213,7 +252,9 @@ std::vector<Formula> formulas_over(const series::SignalSeries& series, fog::Inpu
       add_products(formulas, signals[i], signals[j]);
     }
   }
-  return formulas.take();
+  std::vector<Formula> all = formulas.take();
+  remove_those_of_catalogue(series, inputs, all);
+  return all;
 }
 
 std::string form_text(const model::Expression& expression) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "diagnosis/decision_rules.hpp"
 #include "fit/turn_on_bias.hpp"
 #include "support/parallel.hpp"
 
@@ -35,6 +36,21 @@ model::Model with_network(const model::Model& before, const TriedAddition& addit
   return try_to_add(before, addition.request, runs).model;
 }
 
+// Of what is certainly missing, the part that is proposed leads; of several, what explains most
+// alone.
+void lead_with_addition(const NextStep& next, Diagnosis& diagnosis) {
+  if (!next.addition || next.describes || diagnosis.verdict != Verdict::missing_effect) return;
+  const CandidateFinding* first = nullptr;
+  for (const std::string& name : next.addition->request.names()) {
+    const CandidateFinding* const finding = diagnosis.find(name);
+    if (finding == nullptr || finding->probability < rules::kNamed) continue;
+    if (first == nullptr || finding->explained_fraction > first->explained_fraction) {
+      first = finding;
+    }
+  }
+  if (first != nullptr) diagnosis.effect = first->effect;
+}
+
 // A diagnosis of a model and, if that is wanted, what to do next.
 struct Look {
   Diagnosis diagnosis;
@@ -63,6 +79,7 @@ Look look_once(const model::Model& model, const DiagnosisData& given, AdditionJu
   look.next = find_next_step(model, look.diagnosis, data, judge, unheard);
   if (look.next.chance_of_forms) shown_by_formulas(look.diagnosis, *look.next.chance_of_forms);
   if (look.next.name_is != Refuted::no) withdraw_name(look.diagnosis, look.next.name_is);
+  lead_with_addition(look.next, look.diagnosis);
   return look;
 }
 

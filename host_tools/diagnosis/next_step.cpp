@@ -251,8 +251,7 @@ bool may_be_refined(const NextStep& next) {
 }
 
 // Whether the refusal of what the diagnosis names contradicts the name: it raises the error far
-// from the rows fitted, a description leaves far less out of sample or, without one, the only name
-// raises the error there.
+// from the rows fitted, a description leaves far less out of sample, or nothing is accepted at all.
 bool refutes_name(const Diagnosis& diagnosis, const std::vector<std::string>& named, bool described,
                   const NextStep& next) {
   const auto refused =
@@ -261,8 +260,7 @@ bool refutes_name(const Diagnosis& diagnosis, const std::vector<std::string>& na
   if (diagnosis.verdict == Verdict::unknown || refused == next.refused.end()) return false;
   if (refused->rms_before_dph <= 0) return false;
   if (refused->fails_far) return true;
-  if (!described) return diagnosis.verdict == Verdict::missing_effect && refused->score.harms();
-  return next.addition->is_clearly_better(*refused);
+  return !described || next.addition->is_clearly_better(*refused);
 }
 
 // Whether a network may learn what is missing. Within one run the inputs follow a single path, so
@@ -314,8 +312,8 @@ bool try_what_may_be_missing(const model::Model& model, const Diagnosis& diagnos
     if (try_higher_orders(diagnosis, named, judge, next)) return true;
     if (try_rivals(diagnosis, named, judge, next)) return true;
   }
-  if (!is_unknown && (try_sets(sets_of_effects(diagnosis, named), judge, next) ||
-                      try_sets(certain_ones(diagnosis, named), judge, next))) {
+  if (!is_unknown && (try_sets(certain_ones(diagnosis, named), judge, next) ||
+                      try_sets(sets_of_effects(diagnosis, named), judge, next))) {
     if (leaves_noise(*next.addition, diagnosis.noise_floor_dph, judge.runs())) return true;
   }
   if (!next.addition && try_named(diagnosis, events, judge, next)) return true;

@@ -114,18 +114,12 @@ void take_sets(const SetSearch& search, Explanations& found) {
       [](const Explanation& a, const Explanation& b) { return a.probability > b.probability; });
 }
 
-// The part without which the others explain least, and how much less that is. `others`: without
-// each part.
-std::pair<std::size_t, double> largest_part(const Shares& shares, const Columns& all,
-                                            const std::vector<Columns>& others,
-                                            bool with_something_else) {
-  const double of_all = shares.explained(all, with_something_else);
-  std::pair<std::size_t, double> largest{0, 0};
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    const double less = of_all - shares.explained(others[i], with_something_else);
-    if (less > largest.second) largest = {i, less};
-  }
-  return largest;
+// The part without which the others explain least. `others`: without each part.
+std::size_t largest_part(const Shares& shares, const std::vector<Columns>& others) {
+  std::vector<double> explained;
+  for (const Columns& rest : others) explained.push_back(shares.explained(rest, false));
+  return static_cast<std::size_t>(std::min_element(explained.begin(), explained.end()) -
+                                  explained.begin());
 }
 
 std::vector<Columns> without_each(const Rivals& rivals, const std::vector<Part>& parts) {
@@ -141,7 +135,8 @@ std::vector<Columns> without_each(const Rivals& rivals, const std::vector<Part>&
 }
 
 // What an explanation explains, and what of it is the largest: in the drift as it is, all rows
-// counting alike. Whether something else is more is asked beside the noise, which it would fit.
+// counting alike. Whether something else is more than all of it is asked beside the noise, which it
+// would fit.
 void set_shares(const Rivals& rivals, const Shares& shares, const Shares& of_drift, double excess,
                 Explanation& one) {
   one.mostly_something_else = one.parts.empty();
@@ -149,12 +144,10 @@ void set_shares(const Rivals& rivals, const Shares& shares, const Shares& of_dri
   one.largest = one.parts.front().effect;
   if (one.probability < kCounts) return;
   const Columns all(rivals, one.parts);
-  const std::vector<Columns> others = without_each(rivals, one.parts);
   const double explained = shares.explained(all, false);
   one.explained = std::clamp(explained / excess, 0.0, 1.0);
-  one.largest = one.parts[largest_part(of_drift, all, others, false).first].effect;
-  one.mostly_something_else =
-      shares.explained(all, true) - explained > largest_part(shares, all, others, true).second;
+  one.largest = one.parts[largest_part(of_drift, without_each(rivals, one.parts))].effect;
+  one.mostly_something_else = shares.explained(all, true) - explained > explained;
 }
 
 void add_effects(const Rivals& rivals, const SetSearch& search, const Shares& shares,

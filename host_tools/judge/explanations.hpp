@@ -18,7 +18,7 @@ struct Explanation {
   double something_else = 0;           ///< with it
   double explained = 0;                ///< share of what is above the noise, 0..1
   std::size_t largest = 0;             ///< effect that explains most of it
-  bool mostly_something_else = false;  ///< smooth functions beside it explain more than that
+  bool mostly_something_else = false;  ///< smooth functions beside it explain more than all of it
 
   bool has(std::size_t effect) const;
 };
@@ -31,7 +31,7 @@ struct Explanations {
   std::vector<Explanation> all;      ///< most probable first; the empty set is among them
   double nothing = 1;                ///< probability that the model is complete
   double something_else = 0;         ///< that something is missing that is none of the effects
-  double mostly_something_else = 0;  ///< that this is the largest of what is missing
+  double mostly_something_else = 0;  ///< that this is most of what is missing
   double excess = 0;                 ///< chi^2 above the noise that there is to explain
   double left_by_best = 0;           ///< share of it that the most probable set does not explain
   NoiseLevels noise_if_nothing;      ///< where the model is complete
