@@ -21,7 +21,7 @@ endif()
 
 # KVH's commands come several in a row while a frame is sent, at the same bit rate: 64 bytes hold what comes meanwhile.
 # A request for the health record has 6.
-file(STRINGS "${FOG_MODEL_HEADER}" output_options REGEX "^#define FOG_MODEL_OUTPUT_OPTIONS 0x[8c]")
+file(STRINGS "${FOG_MODEL_HEADER}" output_options REGEX "^#define FOG_MODEL_OUTPUT_OPTIONS 0x1?[8c]")
 # An image whose model is loaded takes a message of 140 (core/frames/load_message.hpp).
 set(FOG_REQUEST_BYTES 16)
 if(model_is_loaded)

@@ -11,6 +11,6 @@
 #define FOG_MODEL_TAPS fog::kGenericTaps
 #define FOG_MODEL_LEVELS fog::kGenericLevels
 #define FOG_MODEL_OUTPUT 2 /* frames: 0 KVH, 1 compact, 2 both */
-#define FOG_MODEL_OUTPUT_OPTIONS 0xcu /* 4: delta angle, 8: KVH commands */
+#define FOG_MODEL_OUTPUT_OPTIONS fog::kAllOutputOptions
 
 #endif
