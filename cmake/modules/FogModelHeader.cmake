@@ -29,3 +29,11 @@ if(model_is_loaded)
 elseif(output_options)
   set(FOG_REQUEST_BYTES 64)
 endif()
+
+# An image whose lines are both 8N1 has no code for parity and a second stop bit.
+file(STRINGS "${FOG_MODEL_HEADER}" plain_lines REGEX "_LINE [0-9]?[0-9]?[0-9]?[0-9]?[0-9]?[0-9]?[0-9]u")
+list(LENGTH plain_lines plain_lines)
+set(FOG_LINE_FORMATS 1)
+if(plain_lines EQUAL 2)
+  set(FOG_LINE_FORMATS 0)
+endif()

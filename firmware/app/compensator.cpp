@@ -6,6 +6,7 @@
 #include "app/health.hpp"
 #include "app/kept_state.hpp"
 #include "app/load.hpp"
+#include "app/loop_watchdog.hpp"
 #include "app/own_temperature.hpp"
 #include "app/pipeline.hpp"
 #include "build_identity.h"
@@ -133,6 +134,7 @@ constexpr std::uint32_t kGoodRunMs = 60'000;
 void start() {
   hal::start_watchdog(hal::kWatchdogStartMs);
   platform::start_board();
+  platform::open_lines(sensor_line(), output_line());
   hal::kick_watchdog();
   const hal::ResetReport& reset = hal::reset_report();
   if (reset.counts.faults >= kMaxFaults) answer_without_samples();
@@ -141,7 +143,7 @@ void start() {
   announce(platform::describe_board(), reset);
   resume_state(reset.cause);
   start_own_thermometer();
-  hal::start_watchdog(hal::kWatchdogLoopMs);
+  start_loop_watchdog();
 }
 
 }  // namespace

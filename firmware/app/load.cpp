@@ -3,6 +3,7 @@
 #ifdef FOG_MODEL_IN_SLOTS
 
 #include "app/kept_state.hpp"
+#include "app/loop_watchdog.hpp"
 #include "app/pipeline.hpp"
 #include "core/pipeline/slot_loader.hpp"
 #include "hal/clock.hpp"
@@ -15,7 +16,11 @@ namespace fog::app {
 namespace {
 
 struct ModelFlash {
-  static bool erase(std::size_t slot) { return hal::erase_model_memory(slot); }
+  static bool erase(std::size_t slot) {
+    const bool erased = hal::erase_model_memory(slot);
+    start_loop_watchdog();
+    return erased;
+  }
   static bool program(std::size_t slot, std::size_t at, const std::uint32_t* words,
                       std::size_t count) {
     return hal::program_model_memory(slot, at, words, count);

@@ -16,11 +16,16 @@ namespace fog::app {
 static_assert(FOG_MODEL_LAYOUT == kModelLayout,
               "fog_model.h is for another version of the firmware: run fogcomp export again");
 
+constexpr bool kHasUsualLines = SerialLine(FOG_MODEL_SENSOR_LINE).word() == SerialLine().word() &&
+                                SerialLine(FOG_MODEL_OUTPUT_LINE).word() == SerialLine().word();
+
 /// The pipeline with the capacity that the generated header needs.
 using Pipeline =
     Compensator<FOG_MODEL_EFFECTS, FOG_MODEL_EXPRESSIONS, FOG_MODEL_NETWORK_INPUTS, FOG_MODEL_TAPS,
                 FOG_MODEL_LEVELS, static_cast<OutputSelection>(FOG_MODEL_OUTPUT),
-                FOG_MODEL_OUTPUT_OPTIONS>;
+                FOG_MODEL_OUTPUT_OPTIONS,
+                kHasUsualLines ? usual_lines_error<static_cast<OutputSelection>(FOG_MODEL_OUTPUT)>
+                               : lines_error>;
 
 /// The model of the image, checked once and sealed: it is in RAM and must not change any more.
 struct Model : ModelTable {
@@ -52,6 +57,14 @@ inline Pipeline& pipeline() {
   static Pipeline instance(model().parameters,
                            SelfTest::new_token(model().parameters.acquisition.sample_period_us));
   return instance;
+}
+
+/// The lines of the model; the usual ones where there is none.
+inline SerialLine sensor_line() {
+  return kHasUsualLines ? SerialLine() : model().parameters.sensor_line();
+}
+inline SerialLine output_line() {
+  return kHasUsualLines ? SerialLine() : model().parameters.output_line();
 }
 
 inline SelfTest& self_test() {

@@ -18,7 +18,8 @@ std::array<ModelMemory, 2> model_memories();
 // and milliseconds; both inform the watchdog. They return false if the flash reports a failure. The
 // caller reads the contents back.
 
-/// Sets all words of a slot to -1. Takes up to 2.4 s.
+/// Sets all words of a slot to -1. Takes up to 2.4 s, for which it extends the watchdog: the caller
+/// starts it again.
 bool erase_model_memory(std::size_t slot);
 
 /// Writes `count` erased words of a slot, from word `at` on. Takes up to 0.4 ms per word.

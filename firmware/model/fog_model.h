@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-#define FOG_MODEL_LAYOUT 8
+#define FOG_MODEL_LAYOUT 9
 #define FOG_MODEL_EFFECTS 0x7u /* bit = effect id */
 #define FOG_MODEL_EXPRESSIONS 0x0u /* operations and signals; 0: none */
 #define FOG_MODEL_NETWORK_INPUTS 0x3u /* bit = input; 0: no network */
@@ -14,14 +14,16 @@
 #define FOG_MODEL_LEVELS 5
 #define FOG_MODEL_OUTPUT 0 /* frames: 0 KVH, 1 compact, 2 both */
 #define FOG_MODEL_OUTPUT_OPTIONS 0x0u /* 4: delta angle, 8: KVH commands, 16: undelayed */
+#define FOG_MODEL_SENSOR_LINE 921600u /* bit rate + 2^24 format */
+#define FOG_MODEL_OUTPUT_LINE 921600u
 #define FOG_MODEL_BOUND 0 /* 1: to one processor */
-#define FOG_MODEL_WORDS 144
+#define FOG_MODEL_WORDS 146
 
 static const int32_t fog_model[FOG_MODEL_WORDS] = {
   /* magic number, layout version */
-  1179600717, 8,
+  1179600717, 9,
   /* words in this table */
-  144,
+  146,
   /* CRC-32 of the model file */
   1725691702,
   /* serial number of the gyro: none */
@@ -109,8 +111,12 @@ static const int32_t fog_model[FOG_MODEL_WORDS] = {
   0,
   /* flags that make a rate not valid; beside the usual ones thermal_settling, denoiser_filling, input_missing, drift_outdated */
   4929415,
+  /* sensor line: 921600 (bit rate + 2^24 format) */
+  921600,
+  /* output line: 921600 (bit rate + 2^24 format) */
+  921600,
   /* CRC-32 of the words above */
-  1379349746,
+  -65841614,
 };
 
 #endif

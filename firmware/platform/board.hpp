@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "core/frames/serial_line.hpp"
+
 namespace fog::platform {
 
 /// Description of the board for the boot message.
@@ -13,9 +15,13 @@ struct BoardDescription {
   bool restarts_when_power_dips;  ///< the brown-out reset is enabled, as far as known
 };
 
-/// Starts clocks, ports and the millisecond tick; afterwards everything in hal/ works. Call once;
-/// before it only the watchdog may be started.
+/// Starts clocks, console and the millisecond tick; afterwards everything in hal/ works but the
+/// streams and requests. Call once; before it only the watchdog may be started.
 void start_board();
+
+/// Opens the lines of the sensor stream, and of the output stream and requests. Requires
+/// start_board(); call once.
+void open_lines(SerialLine sensor, SerialLine output);
 
 /// Requires start_board().
 BoardDescription describe_board();

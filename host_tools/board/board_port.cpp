@@ -11,6 +11,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "board/bit_rate.hpp"
+#include "board/line_text.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp::board {
@@ -44,28 +46,45 @@ int connect_to_socket(const std::string& path) {
 int open_device(const std::string& path) {
   const int device = open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   if (device < 0) fail(path, "cannot open");
-  termios line{};
-  if (tcgetattr(device, &line) != 0) {
+  if (isatty(device) == 0) {
     close(device);
     throw InputError(path, "is neither a serial device nor a socket; give the board's output port");
-  }
-  cfmakeraw(&line);
-  line.c_cflag |= static_cast<tcflag_t>(CLOCAL | CREAD);
-  if (cfsetspeed(&line, B921600) != 0 || tcsetattr(device, TCSANOW, &line) != 0) {
-    const int reason = errno;
-    close(device);
-    errno = reason;
-    fail(path, "cannot be set to 921600 baud");
   }
   return device;
 }
 
+// Sets all but the bit rate.
+bool set_format(int device, fog::SerialLine line) {
+  termios settings{};
+  if (tcgetattr(device, &settings) != 0) return false;
+  cfmakeraw(&settings);
+  settings.c_cflag &= ~static_cast<tcflag_t>(PARENB | PARODD | CSTOPB);
+  settings.c_cflag |= static_cast<tcflag_t>(CLOCAL | CREAD);
+  if (line.has_parity()) settings.c_cflag |= static_cast<tcflag_t>(PARENB);
+  if (line.has_odd_parity()) settings.c_cflag |= static_cast<tcflag_t>(PARODD);
+  if (line.has_two_stop_bits()) settings.c_cflag |= static_cast<tcflag_t>(CSTOPB);
+  return tcsetattr(device, TCSANOW, &settings) == 0;
+}
+
 }  // namespace
 
-BoardPort::BoardPort(const std::string& path) : path_(path) {
+BoardPort::BoardPort(const std::string& path, fog::SerialLine line) : path_(path) {
   struct stat about {};
   if (stat(path.c_str(), &about) != 0) fail(path, "cannot open (is the board connected?)");
   descriptor_ = S_ISSOCK(about.st_mode) ? connect_to_socket(path) : open_device(path);
+  try {
+    set_line(line);
+  } catch (...) {
+    close(descriptor_);
+    throw;
+  }
+}
+
+void BoardPort::set_line(fog::SerialLine line) {
+  if (isatty(descriptor_) == 0) return;
+  if (!set_format(descriptor_, line) || !set_bit_rate(descriptor_, line.baud())) {
+    fail(path_, "cannot be set to " + line_text(line));
+  }
 }
 
 BoardPort::~BoardPort() {

@@ -4,17 +4,22 @@
 #include <cstdint>
 #include <string>
 
+#include "core/frames/serial_line.hpp"
+
 namespace fogcomp::board {
 
 /// A connection to a board's output port: a serial device, a pseudo-terminal, or the socket of an
 /// emulator.
 class BoardPort {
  public:
-  /// Opens `path`; a serial device at 921600 baud, 8N1. Throws InputError.
-  explicit BoardPort(const std::string& path);
+  /// Opens `path`; a serial device is set to `line`. Throws InputError.
+  BoardPort(const std::string& path, fog::SerialLine line);
   ~BoardPort();
   BoardPort(const BoardPort&) = delete;
   BoardPort& operator=(const BoardPort&) = delete;
+
+  /// Sets a serial device to another line; nothing else has any. Throws InputError if it cannot.
+  void set_line(fog::SerialLine line);
 
   /// Throws InputError if the bytes cannot be sent within a second.
   void write(const std::uint8_t* bytes, std::size_t size);

@@ -5,10 +5,12 @@
 
 #include "board/expression_code.hpp"
 #include "board/held_accuracy.hpp"
+#include "board/line_text.hpp"
 #include "board/settling_time.hpp"
 #include "board/table_parts.hpp"
 #include "core/acquisition/extension_monitor.hpp"
 #include "core/bytes/crc.hpp"
+#include "core/frames/sensor_frame.hpp"
 #include "model/catalogue.hpp"
 #include "model/drift_model.hpp"
 #include "model/model_file.hpp"
@@ -305,22 +307,46 @@ void write_output(TableWriter& out, const BoardSettings& settings) {
   out.note("flags that make a rate not valid; beside the usual ones " +
            (none ? "none" : join(flag_names(settings.invalidating), ", ")));
   out.integer(static_cast<std::int32_t>(settings.invalidating | fog::kRateInvalid), "flags");
+  const auto write_line = [&](const char* name, fog::SerialLine line) {
+    out.note(name + line_text(line) + " (bit rate + 2^24 format)");
+    out.integer(static_cast<std::int32_t>(line.word()), "line");
+  };
+  write_line("sensor line: ", settings.sensor_line);
+  write_line("output line: ", settings.output_line);
+}
+
+// The sum behind "do not fit": what a sample has on a line against its period.
+std::string line_time_text(const char* what, std::size_t bytes, fog::SerialLine line,
+                           std::int64_t period_us) {
+  return format(
+      "%s %zu bytes of %u bits, which take %u us at %u Bd, and a sample period is %lld us", what,
+      bytes, line.bits_per_byte(), line.us_of(bytes), line.baud(),
+      static_cast<long long>(period_us));
 }
 
 // Details of the error "frames too long" of `read_model`.
-std::string line_time_text(fog::OutputSelection output, std::int64_t period_us) {
+std::string output_time_text(fog::OutputSelection output, fog::SerialLine line,
+                             std::int64_t period_us) {
   const std::size_t bytes = fog::output_bytes(output);
-  return format(
-      "the frames of a sample are %zu bytes, which take %u us of the output line at %u "
-      "Bd, and a sample period is %lld us; take fewer frames (--output) or at most %u Hz",
-      bytes, fog::output_line_us(bytes), fog::kOutputBaud, static_cast<long long>(period_us),
-      1'000'000 / fog::output_line_us(bytes));
+  return line_time_text("the frames of a sample are", bytes, line, period_us) +
+         format("; take fewer frames (--output), a faster line (--output-line) or at most %u Hz",
+                1'000'000 / line.us_of(bytes));
 }
 
 void require_line_time(const BoardSettings& settings, const Timing& timing) {
-  if (fog::output_line_us(fog::output_bytes(settings.output)) <= timing.period_us) return;
-  throw InputError("--sample-rate", format("%g Hz is too fast: ", settings.sample_rate_hz) +
-                                        line_time_text(settings.output, timing.period_us));
+  const auto period_us = static_cast<std::uint32_t>(timing.period_us);
+  const auto refuse = [&](const std::string& reason) {
+    throw InputError("--sample-rate",
+                     format("%g Hz is too fast: ", settings.sample_rate_hz) + reason);
+  };
+  if (!settings.output_line.carries(fog::output_bytes(settings.output), period_us)) {
+    refuse(output_time_text(settings.output, settings.output_line, timing.period_us));
+  }
+  if (!settings.sensor_line.carries(fog::kSensorFrameBytes, period_us)) {
+    refuse(line_time_text("a sample of the sensor stream is", fog::kSensorFrameBytes,
+                          settings.sensor_line, timing.period_us) +
+           "; take a faster line (--sensor-line)");
+  }
 }
 
 }  // namespace
@@ -383,11 +409,11 @@ fog::ModelParameters read_board_table(const BoardTable& table, const std::string
   const fog::ModelError error = fog::read_model(table.span(), fog::kAnyModel, parameters);
   if (error == fog::ModelError::frames_too_long) {
     constexpr std::size_t kPeriodAt = fog::kProcessorAt + fog::kProcessorWords;
-    const std::int32_t output = table.words[table.words.size() - 3];
-    throw InputError(file,
-                     "model table refused: " + line_time_text(static_cast<fog::OutputSelection>(
-                                                                  output & ~fog::kAllOutputOptions),
-                                                              table.words[kPeriodAt]));
+    const std::int32_t* const end = table.words.data() + table.words.size();
+    const auto output = static_cast<fog::OutputSelection>(end[-5] & ~fog::kAllOutputOptions);
+    const fog::SerialLine line(static_cast<std::uint32_t>(end[-2]));
+    throw InputError(
+        file, "model table refused: " + output_time_text(output, line, table.words[kPeriodAt]));
   }
   if (error != fog::ModelError::none) {
     throw InputError(

@@ -22,6 +22,8 @@ struct BoardSettings {
   fog::OutputOptions output_options = 0;  ///< of the KVH frames
   std::string serial{};                   ///< of the gyro; empty: the model's
   ProcessorNumber processor{};            ///< the only one that accepts the table; 0: any
+  fog::SerialLine sensor_line{};
+  fog::SerialLine output_line{};
 };
 
 /// A model in the integers of the firmware (firmware/SPEC.md, "Model table").

@@ -61,6 +61,9 @@ std::string header_text(const BoardTable& table, const std::string& model_name,
       "#define FOG_MODEL_OUTPUT_OPTIONS 0x%xu /* 4: delta angle, 8: KVH commands, 16: undelayed "
       "*/\n",
       static_cast<unsigned>(parameters.output_options));
+  text += format("#define FOG_MODEL_SENSOR_LINE %uu /* bit rate + 2^24 format */\n",
+                 parameters.sensor_line().word());
+  text += format("#define FOG_MODEL_OUTPUT_LINE %uu\n", parameters.output_line().word());
   const std::int32_t* const bound = &table.words[fog::kProcessorAt];
   text += format("#define FOG_MODEL_BOUND %d /* 1: to one processor */\n",
                  static_cast<int>(fog::is_bound_elsewhere(bound, {})));

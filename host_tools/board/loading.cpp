@@ -187,6 +187,7 @@ LoadedTable load_table(BoardPort& port, const BoardTable& table, const LoadReque
   if (refusal == LoadRefusal::none) refusal = send_words(port, slot, options, request);
   if (refusal == LoadRefusal::none) refusal = send_end(port);
   if (refusal != LoadRefusal::none) refuse(refusal, slot, target, request);
+  port.set_line(fog::SerialLine(static_cast<std::uint32_t>(*(table.words.end() - 2))));
   return await_restart(port, target.slot(), static_cast<std::uint32_t>(table.words.back()),
                        request);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "board/board_table.hpp"
+#include "board/line_text.hpp"
 #include "board/status_names.hpp"
 #include "cli/option.hpp"
 #include "support/text.hpp"
@@ -14,6 +15,10 @@ struct BoardOptions : OptionGroup {
     board::BoardSettings settings{sample_rate.value(), output.value(), extension.given()};
     settings.output_options = rotation.value() | kvh_rate.value() |
                               (kvh_commands.given() ? fog::kAnswersKvhCommands : 0U);
+    settings.sensor_line =
+        board::parse_line(sensor_line.value(), fog::kMaxSensorBaud, "--sensor-line");
+    settings.output_line =
+        board::parse_line(output_line.value(), fog::kMaxOutputBaud, "--output-line");
     settings.invalidating = board::parse_flags(invalid.value(), fog::kMayInvalidate, "--invalid");
     return settings;
   }
@@ -35,6 +40,13 @@ struct BoardOptions : OptionGroup {
       {"kvh-rate", "KIND", "of KVH frames: denoised, late by the denoiser's delay, or undelayed",
        "denoised", kRare},
       {{"denoised", 0}, {"undelayed", fog::kRotationIsUndelayed}}};
+  Text sensor_line{
+      this,
+      {"sensor-line", "BAUD[,8N1]",
+       "the demodulator's: 9600 to 2000000 Bd; 8N1, 8N2, 8E1, 8E2, 8O1 or 8O2", "921600", kRare}};
+  Text output_line{
+      this,
+      {"output-line", "BAUD[,8N1]", "of frames and requests: 9600 to 4147200 Bd", "921600", kRare}};
   Flag kvh_commands{this, "kvh-commands", "the board answers what KVH's drivers send at start-up",
                     true};
   Text invalid{
@@ -42,6 +54,18 @@ struct BoardOptions : OptionGroup {
       {"invalid", "FLAGS", "with any of these no rate is valid (firmware/SPEC.md); or none",
        join(board::flag_names(board::kDefaultInvalidating), ","), kRare}};
   Flag extension{this, "extension", "the demodulator sends extension records (firmware/SPEC.md)"};
+};
+
+/// The line of a board that is connected.
+struct BoardLineOption : Text {
+  explicit BoardLineOption(OptionGroup* group)
+      : Text(group, {"line", "BAUD[,8N1]",
+                     "that the board's output port has: as its table was "
+                     "exported with --output-line",
+                     "921600", kRare}) {}
+  fog::SerialLine value() const {
+    return board::parse_line(Text::value(), fog::kMaxOutputBaud, "--line");
+  }
 };
 
 /// Accepts a model despite too large a rounding error.

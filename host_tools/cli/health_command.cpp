@@ -8,6 +8,7 @@
 #include "board/health_verdict.hpp"
 #include "board/identity.hpp"
 #include "board/status_names.hpp"
+#include "cli/board_options.hpp"
 #include "cli/command.hpp"
 #include "core/pipeline/model_parameters.hpp"
 #include "support/json.hpp"
@@ -144,6 +145,7 @@ Json slots_json(const fog::SlotsRecord& record) {
 
 struct HealthCommand : Command {
   Number timeout{this, {"timeout", "S", "seconds to wait for an answer", "3"}, {0.1, 600}};
+  BoardLineOption line{this};
   Flag json{this, "json", "print one JSON object"};
 
   HealthCommand()
@@ -154,7 +156,7 @@ struct HealthCommand : Command {
   int run() const override {
     const std::string& path = arguments.front();
     const double patience_s = timeout.value();
-    board::BoardPort port(path);
+    board::BoardPort port(path, line.value());
     const fog::HealthRecord record = board::query_health(port, path, patience_s);
     const std::optional<fog::SlotsRecord> slots = board::query_slots(port);
     const std::vector<std::string> found = board::complaints(record, slots);

@@ -6,6 +6,7 @@
 #include "board/identity.hpp"
 #include "board/loading.hpp"
 #include "board/model_slot.hpp"
+#include "cli/board_options.hpp"
 #include "cli/command.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"
@@ -58,6 +59,7 @@ struct LoadCommand : Command {
                "that the table's gyro must have; needed for a board's first table", ""}};
   Flag another_gyro{this, "another-gyro",
                     "replace the table of another gyro: the board has been given to this one"};
+  BoardLineOption line{this};
   Flag json{this, "json", "print one JSON object"};
 
   LoadCommand()
@@ -72,7 +74,7 @@ struct LoadCommand : Command {
       throw InputError(file, "is of gyro '" + displayable(serial_of(table)) + "', not of '" +
                                  displayable(serial.value()) + "'");
     }
-    board::BoardPort port(path);
+    board::BoardPort port(path, line.value());
     const board::LoadedTable loaded =
         board::load_table(port, table, {path, file, another_gyro.given(), serial.given()});
     if (json.given()) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # core_dependencies.sh ROOT: who may include whom (firmware/DESIGN.md, "Dependencies"), by include scan:
 # core only core and the freestanding part of the standard library; hal nothing of ours; platform hal,
-# the CRC, the size of the output frames and the thermometers; the generated header only app and tests. Within the
+# the CRC, the size of the output frames, what a serial line is and the thermometers; the generated header only app and tests. Within the
 # core a folder includes those before it in a list. And no floating point in core; in denoise and network no shift
 # but those that fixed_point names.
 set -euo pipefail
@@ -26,7 +26,7 @@ forbid() {
 standard='<(array|cstddef|cstdint|initializer_list|limits|new|tuple|type_traits|utility)>'
 forbid core "\"core/|$standard"
 forbid hal "$standard"
-forbid platform "\"(core/bytes/crc.hpp|core/frames/output_bytes.hpp|core/thermometer/|hal/|platform/|wiring.hpp\")|$standard"
+forbid platform "\"(core/bytes/crc.hpp|core/frames/(output_bytes|serial_line).hpp|core/thermometer/|hal/|platform/|wiring.hpp\")|$standard"
 forbid app "\"(app|core|hal|platform)/|\"(fog_model|build_identity)\.h\"|$standard"
 
 # The folders of the core, each of which may know those before it and no other: so there is no circle.

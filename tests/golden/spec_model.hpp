@@ -152,7 +152,7 @@ inline std::vector<std::int32_t> spec_table() {
   detail::append(words, {3, 4, 2, 0});
   detail::append(words, spec_filters());
   detail::append(words, {50000000, 35355339, 25000000});
-  detail::append(words, {2 | kRotationIsAngle, 4929415, 0});
+  detail::append(words, {2 | kRotationIsAngle, 4929415, 921600, 921600, 0});
   words[2] = static_cast<std::int32_t>(words.size());
   words.back() = static_cast<std::int32_t>(model_table_crc({words.data(), words.size()}));
   return words;

@@ -15,7 +15,7 @@ printf 'time_s,temperature_degc,rate_dph\n0,20,1\n' >"$scratch/run.csv"
 status=0
 "$fogcomp" replay "$scratch/fog_model.h" "$scratch/run.csv" -o "$scratch/out.bin" 2>"$scratch/error" || status=$?
 ((status == 2)) || fail "replay: exit code $status: $(cat error)"
-says error "another layout version; export the header again"
+says error "another layout; export the header again"
 
 if "$source/tests/target/build_variant.sh" "$images" stm32f405 fogcomp "$scratch/fogcomp.elf" \
   -DFOG_MODEL_HEADER="$scratch/fog_model.h" >log; then

@@ -155,16 +155,21 @@ def table_words(r, period):
     effects, expressions, network = effect_words(r), expression_words(r), network_words(r)
     needs = needed(r, effects, expressions, network)
     inputs = [len(needs)] + [word for number in needs for word in limits[3 * number:3 * number + 3]]
-    output = [r.choice([0, 1, 2, 2, 2, 4, 6, 6, 16, 18, 20, 22]), 0x00432487 | (r.getrandbits(32) & 0x000CD378)]
+    output = [r.choice([0, 1, 2, 2, 2, 4, 6, 6, 16, 18, 20, 22]), 0x00432487 | (r.getrandbits(32) & 0x000CD378), *lines(r)]
     words = head + calibration + thermal + inputs + effects + expressions + network + denoiser_words(r) + output
     words[2] = len(words) + 1
     return words + [i32(crc32(pack(words)))], needs
 
 
+def lines(r):
+    """Sensor and output; the latter always fast enough."""
+    return [r.choice([921600, 2000000, 9600]) | r.randrange(6) << 24, r.choice([921600, 4147200]) | r.randrange(6) << 24]
+
+
 def needed(r, effects, expressions, network):
     """As a board finds them: with a table that has words for none."""
     words = [0x464F474D, table.TABLE_LAYOUT, 0, 0] + [0] * 7 + [5000, 1, 1, 2**30, 30, 1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0]
-    words += effects + expressions + network + [0, 0, 0, 0, 0, 0x00432487]
+    words += effects + expressions + network + [0, 0, 0, 0, 0, 0x00432487, 921600, 921600]
     words[2] = len(words) + 1
     words.append(i32(crc32(pack(words))))
     return pipeline.Pipeline(table.read(words)).course.block.needs

@@ -12,14 +12,15 @@ from network import LAGGED, NetworkInput, NetworkTable, Neuron
 from samples import Limits
 
 TABLE_MAGIC = 0x464F474D
-TABLE_LAYOUT = 8
+TABLE_LAYOUT = 9
 SLOT_MAGIC = 0x53474F46
 SLOT_LAYOUT = 1
 
 MISSING, OTHER_LAYOUT, DAMAGED, OUT_OF_RANGE, FRAMES_TOO_LONG = 1, 2, 3, 4, 8      # why a table is refused
 
 BYTES_OF_FRAMES = (36, 28, 64)         # of a sample: KVH, compact, both
-BITS_PER_SECOND = 921600               # of the output line; ten bits a byte
+FASTEST_SENSOR_LINE, FASTEST_OUTPUT_LINE = 2_000_000, 4_147_200         # bits per second
+BITS_OF_FORMATS = (10, 11, 11, 12, 11, 12)      # a byte: 8N1, 8N2, 8E1, 8E2, 8O1, 8O2
 
 
 class Refused(ValueError):
@@ -32,6 +33,11 @@ class EffectTable(NamedTuple):
     id: int
     constants: tuple
     coefficients: tuple
+
+
+class Line(NamedTuple):
+    bits_per_second: int
+    bits_per_byte: int
 
 
 class Table(NamedTuple):
@@ -71,6 +77,8 @@ class Table(NamedTuple):
     delta_angle: bool
     undelayed: bool
     chosen: int
+    sensor_line: Line
+    output_line: Line
 
 
 class Words:
@@ -133,8 +141,8 @@ def read(words):
     table = Table(*_header(r), *_calibration(r), *_thermal(r), _inputs(r), *_effects(r), *_expressions(r),
                   _network(r), _denoiser(r), *_output(r))
     r.require(r.position == len(r.words), "words are left over")
-    bits = 10 * BYTES_OF_FRAMES[table.frames]
-    if bits * 10**6 > table.period * BITS_PER_SECOND:
+    bits = table.output_line.bits_per_byte * BYTES_OF_FRAMES[table.frames]
+    if bits * 10**6 > table.period * table.output_line.bits_per_second:
         raise Refused(FRAMES_TOO_LONG, f"{bits} bits do not fit into a sample period of {table.period} us")
     return table
 
@@ -278,4 +286,11 @@ def _output(r):
     chosen = r.next("flags with which no rate is valid", 0)
     r.require(chosen & flags.BOLD == flags.BOLD and chosen & ~(flags.BOLD | flags.OF_CHOICE) == 0,
               "flags with which no rate is valid")
-    return frames % 4, bool(frames & 4), bool(frames & 16), chosen
+    return (frames % 4, bool(frames & 4), bool(frames & 16), chosen, _line(r, "sensor line", FASTEST_SENSOR_LINE),
+            _line(r, "output line", FASTEST_OUTPUT_LINE))
+
+
+def _line(r, what, fastest):
+    word = r.next(what, 0, 6 * 2**24 - 1)
+    r.require(9600 <= word % 2**24 <= fastest, f"bit rate of the {what}")
+    return Line(word % 2**24, BITS_OF_FORMATS[word >> 24])

@@ -56,10 +56,10 @@ class Rotation<true> {
 /// shows the order of the stages. Template parameters limit the model, so that an image contains
 /// only what it needs: effects `kEffects`, expressions `kExpressions`, a network of
 /// `kNetworkInputs`, filters up to `kTaps` x `kLevels`, frames `kOutput` (with both: any selection)
-/// and their options `kOptions`.
+/// and their options `kOptions`, lines that pass `kLinesError`.
 template <EffectMask kEffects, ExpressionMask kExpressions, NetworkInputMask kNetworkInputs,
           std::size_t kTaps, std::size_t kLevels, OutputSelection kOutput = OutputSelection::both,
-          OutputOptions kOptions = kAllOutputOptions>
+          OutputOptions kOptions = kAllOutputOptions, LinesCheck kLinesError = lines_error>
 class Compensator {
   using Drift = DriftModel<kEffects, kExpressions, kNetworkInputs>;
 
@@ -72,7 +72,8 @@ class Compensator {
                                        effect_fits<kEffects>,
                                        expression_check<kExpressions>(),
                                        kOutput,
-                                       kOptions};
+                                       kOptions,
+                                       kLinesError};
 
   /// `parameters` must have been read with this class's capacity. Parameters of a refused table
   /// make a pipeline that answers every sample and marks none valid. `token`: result of the image

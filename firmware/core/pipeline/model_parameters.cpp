@@ -179,11 +179,10 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& capacity,
   table.require(parameters.output <= OutputSelection::both);
   parameters.invalidating = static_cast<Status>(table.next());
   table.require((parameters.invalidating & ~kMayInvalidate) == kRateInvalid);
+  parameters.lines = table.next_words(2);
   if (!table.good() || !table.at_end()) return ModelError::out_of_range;
-  const auto frames = static_cast<std::size_t>(parameters.output);
-  if (parameters.acquisition.sample_period_us < kMinPeriodUs[frames]) {
-    return ModelError::frames_too_long;
-  }
+  const ModelError lines = capacity.lines_error(parameters);
+  if (lines != ModelError::none) return lines;
   if ((parameters.expressions.used & ~capacity.expressions) != 0U) return ModelError::not_in_image;
   if ((enabled & ~capacity.effects) != 0U ||
       (parameters.network.used() & ~capacity.network_inputs) != 0U ||
@@ -205,6 +204,16 @@ void reset(ModelParameters& parameters) {
 }  // namespace
 
 ModelParameters::ModelParameters() = default;
+
+ModelError lines_error(const ModelParameters& parameters) {
+  const SerialLine output = parameters.output_line();
+  if (!parameters.sensor_line().is_valid(kMaxSensorBaud) || !output.is_valid(kMaxOutputBaud)) {
+    return ModelError::out_of_range;
+  }
+  return output.carries(output_bytes(parameters.output), parameters.acquisition.sample_period_us)
+             ? ModelError::none
+             : ModelError::frames_too_long;
+}
 
 std::uint32_t model_table_crc(Span<const std::int32_t> table) {
   std::uint32_t crc = kCrc32Initial;
@@ -239,7 +248,7 @@ const char* describe(ModelError error) {
     case ModelError::not_a_model:
       return "missing";
     case ModelError::other_layout:
-      return "of another layout version";
+      return "of another layout";
     case ModelError::damaged:
       return "damaged (CRC)";
     case ModelError::out_of_range:

@@ -11,6 +11,7 @@
 #include "core/effects/effect_bank.hpp"
 #include "core/effects/effect_check.hpp"
 #include "core/frames/output_bytes.hpp"
+#include "core/frames/serial_line.hpp"
 #include "core/network/network.hpp"
 #include "core/signal/span.hpp"
 #include "core/signal/status.hpp"
@@ -35,15 +36,17 @@ constexpr std::size_t output_bytes(OutputSelection output) {
          (output == OutputSelection::kvh ? 0 : kCompactFrameBytes);
 }
 
-/// Shortest sample period in which the frames of a sample can be sent, us; by OutputSelection.
-constexpr std::uint16_t kMinPeriodUs[] = {
-    static_cast<std::uint16_t>(output_line_us(output_bytes(OutputSelection::kvh))),
-    static_cast<std::uint16_t>(output_line_us(output_bytes(OutputSelection::compact))),
-    static_cast<std::uint16_t>(output_line_us(output_bytes(OutputSelection::both)))};
-
 constexpr std::int32_t kModelMagic = 0x464F474D;  ///< "FOGM"
-constexpr std::int32_t kModelLayout = 8;          ///< of the table; SPEC.md, "Model table"
+constexpr std::int32_t kModelLayout = 9;          ///< of the table; SPEC.md, "Model table"
 constexpr std::size_t kMaxModelWords = 4096;
+
+struct ModelParameters;
+enum class ModelError : std::uint8_t;
+
+/// Checks the lines of a table, which are there, and whether the frames of a sample fit into its
+/// period.
+using LinesCheck = ModelError (*)(const ModelParameters& parameters);
+ModelError lines_error(const ModelParameters& parameters);
 
 /// Capacity of an image, fixed by the header that it is built with.
 struct ModelShape {
@@ -56,6 +59,7 @@ struct ModelShape {
   ExpressionCheck expressions_fit = fog::expressions_fit;
   OutputSelection output = OutputSelection::both;  ///< these frames; both: whatever
   OutputOptions output_options = kAllOutputOptions;
+  LinesCheck lines_error = fog::lines_error;
 };
 
 /// Capacity for any model.
@@ -101,12 +105,21 @@ struct ModelParameters {
   OutputSelection output = OutputSelection::kvh;
   OutputOptions output_options = 0;
   Status invalidating = kRateInvalid;  ///< any of these flags makes a rate invalid
+  Span<const std::int32_t> lines;      ///< sensor, output; empty: the usual ones
+
+  SerialLine sensor_line() const { return line(0); }
+  SerialLine output_line() const { return line(1); }
 
   /// Inputs that the model needs beside the coil temperature.
   InputMask needs() const {
     return beside_temperature(needs_of(effects.enabled()) |
                               inputs_of_expressions(expressions.used) |
                               inputs_of_network(network.used()));
+  }
+
+ private:
+  SerialLine line(std::size_t index) const {
+    return lines.size == 0 ? SerialLine() : SerialLine(static_cast<std::uint32_t>(lines[index]));
   }
 };
 
@@ -123,6 +136,18 @@ enum class ModelError : std::uint8_t {
   other_gyro,       ///< in the older slot, of another gyro than the newer one
   frames_too_long,  ///< the frames of a sample take longer on the output line than a sample period
 };
+
+/// The check of an image whose header has the usual lines, 921600 8N1: it takes less flash.
+template <OutputSelection kOutput>
+ModelError usual_lines_error(const ModelParameters& parameters) {
+  constexpr auto kUsual = static_cast<std::int32_t>(SerialLine().word());
+  if (((parameters.lines[0] ^ kUsual) | (parameters.lines[1] ^ kUsual)) != 0) {
+    return ModelError::not_in_image;
+  }
+  constexpr std::uint32_t kMinPeriodUs = SerialLine().us_of(output_bytes(kOutput));
+  return parameters.acquisition.sample_period_us < kMinPeriodUs ? ModelError::frames_too_long
+                                                                : ModelError::none;
+}
 
 /// The last word of a table: CRC-32 of the words before it.
 std::uint32_t model_table_crc(Span<const std::int32_t> table);

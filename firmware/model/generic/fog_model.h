@@ -12,5 +12,7 @@
 #define FOG_MODEL_LEVELS fog::kGenericLevels
 #define FOG_MODEL_OUTPUT 2 /* frames: 0 KVH, 1 compact, 2 both */
 #define FOG_MODEL_OUTPUT_OPTIONS fog::kAllOutputOptions
+#define FOG_MODEL_SENSOR_LINE 0 /* the table's */
+#define FOG_MODEL_OUTPUT_LINE 0
 
 #endif

@@ -29,9 +29,12 @@ void start_board() {
   report_reset(hal::ResetCause::unknown);
   start_tick(kClockHz);
   open_console_port();
-  open_output_port();
+}
+
+void open_lines(SerialLine sensor, SerialLine output) {
+  open_output_port(output);
   open_request_port();
-  open_sensor_port();
+  open_sensor_port(sensor);
 }
 
 BoardDescription describe_board() {

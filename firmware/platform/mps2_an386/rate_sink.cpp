@@ -12,8 +12,9 @@ namespace {
 // reader, so the bound is that of the watchdog, 100 ms.
 constexpr std::uint32_t kTransmitPolls = 500'000;
 
-void open(CmsdkUart& uart, std::uint32_t baud) {
-  uart.baud_divisor.write(kClockHz / baud);
+// This UART has neither parity nor a second stop bit.
+void open(CmsdkUart& uart, SerialLine line) {
+  uart.baud_divisor.write(kClockHz / line.baud());
   uart.control.write(CmsdkUart::kTransmitter);
 }
 
@@ -24,11 +25,11 @@ void send_byte(CmsdkUart& uart, std::uint8_t byte) {
 
 }  // namespace
 
-void open_output_port() {
-  open(output_uart(), kOutputBaud);
+void open_output_port(SerialLine line) {
+  open(output_uart(), line);
 }
 void open_console_port() {
-  open(console_uart(), kConsoleBaud);
+  open(console_uart(), SerialLine(kConsoleBaud));
 }
 
 }  // namespace platform

@@ -2,7 +2,6 @@
 
 #include "platform/cortex_m/event.hpp"
 #include "platform/cortex_m/system_control.hpp"
-#include "platform/line_rates.hpp"
 #include "platform/mps2_an386/peripherals.hpp"
 #include "platform/ports.hpp"
 #include "platform/ring_buffer.hpp"
@@ -15,8 +14,8 @@ RingBuffer<1024> received;
 
 }  // namespace
 
-void open_sensor_port() {
-  sensor_uart().baud_divisor.write(kClockHz / kSensorBaud);
+void open_sensor_port(SerialLine line) {
+  sensor_uart().baud_divisor.write(kClockHz / line.baud());
   sensor_uart().control.write(CmsdkUart::kReceiver | CmsdkUart::kReceiveInterrupt);
   enable_interrupt(kSensorInterrupt);
 }

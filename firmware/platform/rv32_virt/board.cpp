@@ -59,7 +59,10 @@ MachineTimer machine_timer() {
 void start_board() {
   report_reset(hal::ResetCause::unknown);
   start_tick();
-  open_sensor_port();
+}
+
+void open_lines(SerialLine sensor, SerialLine /*output*/) {
+  open_sensor_port(sensor);
 }
 
 BoardDescription describe_board() {

@@ -1,5 +1,6 @@
 #include "hal/sample_source.hpp"
 
+#include "platform/ports.hpp"
 #include "platform/ring_buffer.hpp"
 #include "platform/rv32/interrupts.hpp"
 #include "platform/rv32_virt/peripherals.hpp"
@@ -27,7 +28,8 @@ void take_received() {
 
 }  // namespace
 
-void open_sensor_port() {
+// The line is as fast as whoever writes to it.
+void open_sensor_port(SerialLine /*line*/) {
   interrupt_priority(kUartInterrupt).write(1);
   interrupts_enabled().write(1U << kUartInterrupt);
   interrupt_claim().threshold.write(0);

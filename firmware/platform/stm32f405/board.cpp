@@ -31,9 +31,12 @@ void start_board() {
   start_clock_tree(hal::reset_report().counts.clock_failures < kMaxClockFailures);
   start_tick(clock_tree().core_hz);
   open_console_port();
-  open_output_port();
+}
+
+void open_lines(SerialLine sensor, SerialLine output) {
+  open_output_port(output);
   open_request_port();
-  open_sensor_port();
+  open_sensor_port(sensor);
 }
 
 // The brown-out level is an option byte, set when the part is flashed (firmware/README.md).

@@ -1,13 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace fog::platform {
 
 struct ClockTree {
   std::uint32_t core_hz;
-  std::uint32_t apb1_hz;
-  std::uint32_t apb2_hz;
+  std::array<std::uint32_t, 2> apb_hz;  ///< by Bus
   const char* source;
   bool is_fallback;     ///< not the crystal at full speed
   bool has_full_speed;  ///< 144 MHz, from either source

@@ -9,7 +9,7 @@
 namespace fog {
 
 void platform::open_console_port() {
-  open_line(kConsoleUsart, kConsoleTx, Usart::kTransmitter, kConsoleBaud);
+  open_line(kConsoleUsart, kConsoleTx, Usart::kTransmitter, SerialLine(kConsoleBaud));
 }
 
 void hal::write_console(const char* text) {

@@ -6,7 +6,7 @@
 namespace fog::platform {
 
 void start_instruction_counter() {
-  enable_clock(rcc().apb1_enable, Rcc::kTimer2);
+  enable_clock(apb_enable(Bus::kApb1), Rcc::kTimer2);
   timer2().prescaler.write(0);
   timer2().auto_reload.write(0xFFFFFFFFU);
   timer2().event.write(Timer::kUpdate);

@@ -75,9 +75,7 @@ bool hal::erase_model_memory(std::size_t slot) {
   extend_watchdog(kEraseMs);
   flash().control.write(Flash::kEraseSector | Flash::sector(sector.number));
   flash().control.set(Flash::kStart);
-  const bool done = is_done();
-  start_watchdog(kWatchdogLoopMs);
-  return done;
+  return is_done();
 }
 
 bool hal::program_model_memory(std::size_t slot, std::size_t at, const std::uint32_t* words,

@@ -10,6 +10,9 @@
 namespace fog::platform {
 
 /// Reset and clock control: 7.3.
+/// The buses of slower peripherals: indices of what there is of each.
+enum class Bus : std::uint8_t { kApb1, kApb2 };
+
 struct Rcc {
   Register control;
   Register pll_configuration;
@@ -19,8 +22,7 @@ struct Rcc {
   std::array<Register, 7> unused_14;
   Register ahb1_enable;
   std::array<Register, 3> unused_34;
-  Register apb1_enable;
-  Register apb2_enable;
+  std::array<Register, 2> apb_enables;
   std::array<Register, 10> unused_48;
   Register backup_domain;
   Register status;
@@ -59,7 +61,7 @@ struct Rcc {
   // ahb1_reset (7.3.5): all that reads and writes memory by itself, DMA 1, DMA 2, Ethernet and USB
   static constexpr std::uint32_t kBusMasters = (3U << 21U) | (1U << 25U) | (1U << 29U);
 
-  // ahb1_enable (7.3.10), apb1_enable (7.3.13), apb2_enable (7.3.14)
+  // ahb1_enable (7.3.10), apb_enables (7.3.13, 7.3.14)
   static constexpr std::uint32_t kGpioA = 1U << 0U;  // and so on, by port
   static constexpr std::uint32_t kDma2 = 1U << 22U;
   static constexpr std::uint32_t kTimer2 = 1U << 0U;
@@ -82,7 +84,7 @@ struct Rcc {
   static constexpr std::uint32_t kWatchdogReset = 1U << 29U;
 };
 static_assert(offsetof(Rcc, ahb1_reset) == 0x10 && offsetof(Rcc, ahb1_enable) == 0x30 &&
-              offsetof(Rcc, apb1_enable) == 0x40 && offsetof(Rcc, backup_domain) == 0x70 &&
+              offsetof(Rcc, apb_enables) == 0x40 && offsetof(Rcc, backup_domain) == 0x70 &&
               offsetof(Rcc, status) == 0x74);
 
 /// Flash interface: 3.9.
@@ -156,7 +158,12 @@ struct Usart {
   static constexpr std::uint32_t kReceiver = 1U << 2U;
   static constexpr std::uint32_t kTransmitter = 1U << 3U;
   static constexpr std::uint32_t kReceiveInterrupt = 1U << 5U;
+  static constexpr std::uint32_t kOddParity = 1U << 9U;
+  static constexpr std::uint32_t kParity = 1U << 10U;
+  static constexpr std::uint32_t kNineBits = 1U << 12U;  // the parity bit among them
   static constexpr std::uint32_t kEnable = 1U << 13U;
+  // control2 (30.6.5)
+  static constexpr std::uint32_t kTwoStopBits = 2U << 12U;
   // control3 (30.6.6)
   static constexpr std::uint32_t kHalfDuplex = 1U << 3U;
   static constexpr std::uint32_t kTransmitByDma = 1U << 7U;
@@ -284,6 +291,9 @@ static_assert(offsetof(Timer, count) == 0x24);
 // Memory map: 2.3.
 inline Rcc& rcc() {
   return peripheral_at<Rcc>(0x40023800U);
+}
+inline Register& apb_enable(Bus bus) {
+  return rcc().apb_enables[static_cast<std::size_t>(bus)];
 }
 inline Flash& flash() {
   return peripheral_at<Flash>(0x40023C00U);

@@ -2,7 +2,6 @@
 
 #include "platform/cortex_m/event.hpp"
 #include "platform/cortex_m/system_control.hpp"
-#include "platform/line_rates.hpp"
 #include "platform/ports.hpp"
 #include "platform/ring_buffer.hpp"
 #include "platform/stm32f405/usart_line.hpp"
@@ -17,8 +16,8 @@ RingBuffer<1024> received;
 
 }  // namespace
 
-void open_sensor_port() {
-  open_line(kSensorUsart, kSensorRx, Usart::kReceiver | Usart::kReceiveInterrupt, kSensorBaud);
+void open_sensor_port(SerialLine line) {
+  open_line(kSensorUsart, kSensorRx, Usart::kReceiver | Usart::kReceiveInterrupt, line);
   enable_interrupt(kSensorUsart.interrupt);
 }
 

@@ -5,9 +5,9 @@
 namespace fog::platform {
 namespace {
 
-// A byte at 115200 baud takes 87 us, a poll at least 5 cycles: 0.6 ms of polls at any clock.
+// A byte at 9600 baud takes up to 1.25 ms, a poll at least 5 cycles: 2.4 ms of polls at any clock.
 std::uint32_t transmit_polls() {
-  return clock_tree().core_hz / 8192U;
+  return clock_tree().core_hz / 2048U;
 }
 
 // USART that did not become ready in that time: it is not waited for again, because the frames of
@@ -16,10 +16,16 @@ const Usart* stuck = nullptr;
 
 }  // namespace
 
-void open_line(Usart& usart, const Pin& pin, std::uint32_t control, std::uint32_t bus_hz,
-               std::uint32_t baud) {
+void open_line(const UsartPort& port, const Pin& pin, std::uint32_t control, SerialLine line) {
+  enable_clock(port);
+  Usart& usart = registers(port);
   connect(pin);
-  usart.baud_rate.write(baud_divisor(bus_hz, baud));
+  usart.baud_rate.write(baud_divisor(bus_hz(port), line.baud()));
+  if constexpr (FOG_LINE_FORMATS != 0) {
+    usart.control2.write(line.has_two_stop_bits() ? Usart::kTwoStopBits : 0U);
+    if (line.has_parity()) control |= Usart::kParity | Usart::kNineBits;
+    if (line.has_odd_parity()) control |= Usart::kOddParity;
+  }
   usart.control1.write(Usart::kEnable | control);
 }
 

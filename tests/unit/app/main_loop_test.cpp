@@ -157,6 +157,9 @@ namespace platform {
 void start_board() {
   board->calls.emplace_back("board");
 }
+void open_lines(SerialLine, SerialLine) {
+  board->calls.emplace_back("lines");
+}
 BoardDescription describe_board() {
   return {"test", 0, "test", false, true};
 }
@@ -181,7 +184,8 @@ TEST(MainLoop, StartsTheWatchdogBeforeAnythingElseAndTightensItBeforeTheLoop) {
   ASSERT_GE(here.calls.size(), 3U);
   EXPECT_EQ(here.calls[0], "watchdog 500");
   EXPECT_EQ(here.calls[1], "board");
-  EXPECT_EQ(here.calls.back(), "watchdog 100");
+  EXPECT_EQ(here.calls[2], "lines");
+  EXPECT_EQ(here.calls.back(), "watchdog 106");
 }
 
 TEST(MainLoop, AnswersEverySampleAtOnceAndNothingElse) {

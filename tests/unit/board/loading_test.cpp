@@ -144,7 +144,7 @@ class LoadTable : public testing::Test {
     return fogcomp::board::make_board_table(fog::test::paper_like_model(), with);
   }
   LoadedTable load(const BoardTable& table, bool another_gyro = false, bool serial_given = true) {
-    fogcomp::board::BoardPort port(path_);
+    fogcomp::board::BoardPort port(path_, fog::SerialLine());
     return fogcomp::board::load_table(port, table,
                                       {"PORT", "GYRO.bin", another_gyro, serial_given});
   }

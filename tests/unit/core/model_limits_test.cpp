@@ -38,15 +38,15 @@ class Table {
   void erase(std::size_t at) { words_.erase(words_.begin() + static_cast<int>(at)); }
   std::size_t size() const { return words_.size(); }
 
-  ModelError read(ModelParameters& parameters) {
+  ModelError read(ModelParameters& parameters, const fog::ModelShape& capacity = fog::kAnyModel) {
     words_[2] = static_cast<std::int32_t>(words_.size());
     const fog::Span<const std::int32_t> table{words_.data(), words_.size()};
     words_.back() = static_cast<std::int32_t>(fog::model_table_crc(table));
-    return fog::read_model(table, fog::kAnyModel, parameters);
+    return fog::read_model(table, capacity, parameters);
   }
-  ModelError read() {
+  ModelError read(const fog::ModelShape& capacity = fog::kAnyModel) {
     ModelParameters parameters;
-    return read(parameters);
+    return read(parameters, capacity);
   }
 
  private:
@@ -57,6 +57,12 @@ class Table {
 void put_input(Table& table, const std::string& name, std::int32_t signal, std::int32_t decay) {
   table.put(name + " signal", signal).put(name + " decay", decay).put(name + " centre", 7 + decay);
   table.put(name + " reach", 1000 + decay).put(name + " shift", 3 + signal);
+}
+
+// What stands behind the frames.
+void put_end(Table& table) {
+  table.put("invalidating", kInvalidating);
+  table.put("sensor line", 921600).put("output line", 921600).put("crc", 0);
 }
 
 // What stands before the effects.
@@ -105,7 +111,7 @@ Table good_table(std::int32_t neurons = 1) {
   table.put("synthesis 0", halves(-kSynthesisHalf, kSynthesisHalf));
   table.put("synthesis 1", halves(kSynthesisHalf, kSynthesisHalf));
   table.put("threshold", 655).put("output", 2);
-  table.put("invalidating", kInvalidating).put("crc", 0);
+  put_end(table);
   return table;
 }
 
@@ -289,6 +295,67 @@ TEST(ModelLimits, Period_ShorterThanItsFrames_Refused) {
   }
 }
 
+// 9600 to 2,000,000 Bd in and 4,147,200 out; formats 8N1, 8N2, 8E1, 8E2, 8O1, 8O2.
+TEST(ModelLimits, Line_BeyondItsRatesAndFormats_Refused) {
+  const struct {
+    const char* name;
+    std::int32_t fastest;
+  } lines[] = {{"sensor line", 2'000'000}, {"output line", 4'147'200}};
+  for (const auto& line : lines) {
+    for (std::int32_t format = 0; format < 8; ++format) {
+      Table table = good_table();
+      table["period"] = 1'000'000;
+      for (const std::int32_t baud : {9'600, line.fastest}) {
+        table[line.name] = baud + (format << 24);
+        EXPECT_EQ(table.read(), format < 6 ? ModelError::none : ModelError::out_of_range)
+            << line.name << " " << baud << " " << format;
+      }
+      for (const std::int32_t baud : {0, 9'599, line.fastest + 1}) {
+        table[line.name] = baud + (format << 24);
+        EXPECT_EQ(table.read(), ModelError::out_of_range) << line.name << " " << baud;
+      }
+    }
+    Table table = good_table();
+    table[line.name] = INT32_MIN | 921600;
+    EXPECT_EQ(table.read(), ModelError::out_of_range) << line.name;
+  }
+}
+
+// 36, 28 and 64 bytes: of 12 bits at 9600 Bd, of 10 at 4,147,200 Bd.
+TEST(ModelLimits, Period_OnAnotherLine_ShortestThatCarriesItsFrames) {
+  const struct {
+    std::int32_t line;
+    std::int32_t shortest_us[3];
+  } cases[] = {{9'600 + (5 << 24), {45'000, 35'000, 80'000}}, {4'147'200, {87, 68, 155}}};
+  for (const auto& each : cases) {
+    for (std::int32_t output = 0; output < 3; ++output) {
+      Table table = good_table();
+      table["output line"] = each.line;
+      table["output"] = output;
+      table["period"] = each.shortest_us[output];
+      EXPECT_EQ(table.read(), ModelError::none) << each.line << " " << output;
+      --table["period"];
+      EXPECT_EQ(table.read(), ModelError::frames_too_long) << each.line << " " << output;
+    }
+  }
+}
+
+// An image whose header has the usual lines decides as any other does.
+TEST(ModelLimits, UsualLines_CheckOfTheirOwn_Agrees) {
+  fog::ModelShape usual = fog::kAnyModel;
+  usual.lines_error = fog::usual_lines_error<fog::OutputSelection::both>;
+  for (const std::int32_t period_us : {694, 695, 5000}) {
+    Table table = good_table();
+    table["period"] = period_us;
+    EXPECT_EQ(table.read(usual), table.read()) << period_us;
+    for (const char* line : {"sensor line", "output line"}) {
+      Table other = table;
+      other[line] = 921'601;
+      EXPECT_EQ(other.read(usual), ModelError::not_in_image) << line;
+    }
+  }
+}
+
 TEST(ModelLimits, SignalsOfTheNetworkAreTheInputsAndTheLaggedTemperature) {
   constexpr auto kSignals = static_cast<std::int32_t>(fog::kInputs) + 1;
   for (std::int32_t signal = -1; signal <= kSignals; ++signal) {
@@ -315,7 +382,8 @@ TEST(ModelLimits, ANetworkHasUpTo32NeuronsAndNoneWithoutInputs) {
   Table without = table_begun();
   without.put("effects", 0).put("expressions", 0).put("program", 0).put("inputs", 0);
   without.put("neurons", 0).put("levels", 0).put("taps", 0).put("rule", 0).put("mode", 0);
-  without.put("output", 1).put("invalidating", kInvalidating).put("crc", 0);
+  without.put("output", 1);
+  put_end(without);
   ModelParameters got;
   ASSERT_EQ(without.read(got), ModelError::none);
   EXPECT_FALSE(got.network.present());
@@ -364,7 +432,7 @@ TEST(ModelLimits, AnEffectComesOnceWithItsOwnConstantsAndCoefficients) {
                            "mode", "output"}) {
     twice.put(name, 0);
   }
-  twice.put("invalidating", kInvalidating).put("crc", 0);
+  put_end(twice);
   ModelParameters got;
   ASSERT_EQ(twice.read(got), ModelError::none);
   EXPECT_EQ(got.effects.enabled(), 0x5U);
@@ -431,7 +499,7 @@ TEST(ModelLimits, FiltersKeepTheirSumsWithin64Bits) {
       table.put("synthesis " + std::to_string(i), halves(upper[i], i < 2 ? kSynthesisHalf : 0));
     }
     table.put("threshold", 655).put("output", 2);
-    table.put("invalidating", kInvalidating).put("crc", 0);
+    put_end(table);
     return table.read() == ModelError::none;
   };
   EXPECT_TRUE(fits(kHalf, kHalf));

@@ -2,7 +2,6 @@
 
 #include "core/frames/output_bytes.hpp"
 #include "hal/rate_sink.hpp"
-#include "platform/line_rates.hpp"
 #include "platform/ports.hpp"
 #include "platform/stm32f405/usart_line.hpp"
 #include "wiring.hpp"
@@ -20,11 +19,11 @@ static_assert(kOutputUsart.dma_channel != 0, "DMA 2, stream 7, serves USART 1 an
 constexpr std::size_t kHighFlags = 1;
 constexpr std::uint32_t kAllFlags = 0x3DU << 22U;
 
-// The frames of one sample, both selected. A byte at 921600 baud takes 1,563 cycles of 144 MHz, a
-// poll at least 5: twice the time that the buffer needs.
+// The frames of one sample, both selected.
 [[gnu::section(".dma_buffers")]] std::array<std::uint8_t, kMaxOutputBytes> outgoing;
-constexpr std::uint32_t kPolls = 50'000;
-static_assert(kPolls >= 2 * kMaxOutputBytes * 1563 / 5);
+
+// Twice the time that the buffer needs. A poll takes at least 5 cycles.
+std::uint32_t polls = 0;
 
 DmaStream& stream() {
   return dma2().stream[kStream];
@@ -34,9 +33,9 @@ DmaStream& stream() {
 // takes a few cycles: the rest of the buffer is lost, the next frames are not.
 void wait_until_idle() {
   Register& configuration = stream().configuration;
-  if (wait_for_bits(configuration, DmaStream::kEnable, 0, kPolls)) return;
+  if (wait_for_bits(configuration, DmaStream::kEnable, 0, polls)) return;
   configuration.clear(DmaStream::kEnable);
-  wait_for_bits(configuration, DmaStream::kEnable, 0, kPolls);
+  wait_for_bits(configuration, DmaStream::kEnable, 0, polls);
 }
 
 void send(std::size_t size) {
@@ -50,9 +49,11 @@ void send(std::size_t size) {
 
 }  // namespace
 
-void open_output_port() {
+void open_output_port(SerialLine line) {
   enable_clock(rcc().ahb1_enable, Rcc::kDma2);
-  open_line(kOutputUsart, kOutputTx, Usart::kTransmitter, kOutputBaud);
+  open_line(kOutputUsart, kOutputTx, Usart::kTransmitter, line);
+  constexpr std::uint32_t kBytes = kMaxOutputBytes;
+  polls = 2U * kBytes * line.bits_per_byte() * (clock_tree().core_hz / line.baud()) / 5U;
   registers(kOutputUsart).control3.set(Usart::kTransmitByDma);
   stream().peripheral_address.write(bus::address_of(&registers(kOutputUsart).data));
   stream().memory_address.write(bus::address_of(outgoing.data()));

@@ -1,5 +1,4 @@
 #include "hal/rate_sink.hpp"
-#include "platform/line_rates.hpp"
 #include "platform/ports.hpp"
 #include "platform/stm32f405/usart_line.hpp"
 #include "wiring.hpp"
@@ -7,8 +6,8 @@
 // The core writes every byte itself: 64 bytes at 921600 baud take 0.7 ms of the 5 ms of a sample.
 namespace fog {
 
-void platform::open_output_port() {
-  open_line(kOutputUsart, kOutputTx, Usart::kTransmitter, kOutputBaud);
+void platform::open_output_port(SerialLine line) {
+  open_line(kOutputUsart, kOutputTx, Usart::kTransmitter, line);
 }
 
 void hal::write_output_stream(const std::uint8_t* bytes, std::size_t size) {

@@ -14,7 +14,7 @@ static_assert(kHasClockCrystal, "FOG_RESET_CLOCK=lse is for a board with a cryst
 
 // The backup domain is write-protected after a reset.
 void open_backup_domain() {
-  enable_clock(rcc().apb1_enable, Rcc::kPower);
+  enable_clock(apb_enable(Bus::kApb1), Rcc::kPower);
   power().control.set(Power::kBackupDomainWritable);
 }
 

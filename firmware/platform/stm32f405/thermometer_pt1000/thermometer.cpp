@@ -38,7 +38,7 @@ using namespace platform;
 void start_thermometer() {
   static_assert(kPlatinumChannel >= 10 && kPlatinumChannel < 19);
   connect_analog(kPlatinum);
-  enable_clock(rcc().apb2_enable, Rcc::kAdc1);
+  enable_clock(apb_enable(Bus::kApb2), Rcc::kAdc1);
   adc_common().control.replace(AdcCommon::kPrescaler, AdcCommon::kPrescaleBy4);
   adc1().sample_time[0].write(Adc::k480Cycles << (3U * (kPlatinumChannel - 10U)));
   adc1().sequence[2].write(kPlatinumChannel);  // the only channel

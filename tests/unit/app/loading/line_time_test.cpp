@@ -9,6 +9,8 @@
 
 #include "board/model_slot.hpp"
 #include "core/frames/compact_frame.hpp"
+#include "core/frames/health_record.hpp"
+#include "core/frames/health_request.hpp"
 #include "core/frames/kvh_frame.hpp"
 #include "core/signal/status.hpp"
 #include "support/sample_models.hpp"
@@ -24,12 +26,14 @@ struct Case {
   OutputSelection output;
   bool sends_samples = true;
   std::uint32_t faults = 0;
+  fog::SerialLine output_line{};
 };
 
 void insert_table(const Case& run) {
   fogcomp::board::BoardSettings settings = fog::test::lenient_board();
   settings.sample_rate_hz = run.rate_hz;
   settings.output = run.output;
+  settings.output_line = run.output_line;
   const auto table = fogcomp::board::make_board_table(fog::test::paper_like_model(), settings);
   const std::string bytes = fogcomp::board::slot_bytes(table, 1, "test");
   std::memcpy(board.flash.slot(0).data(), bytes.data(), bytes.size());
@@ -89,6 +93,42 @@ TEST_P(LineTimeDeathTest, NoSamples_AtAnyPeriod_OneFramePerPeriod) {
 INSTANTIATE_TEST_SUITE_P(Rates, LineTimeDeathTest,
                          testing::Values(10, 200, 333, 500, 625, 750, 800, 1000, 1100, 1400, 1500,
                                          1900, 2300, 2400, 3000));
+
+constexpr fog::SerialLine kFastest(4'147'200);
+constexpr fog::SerialLine kSlowest(9'600 | 3U << fog::SerialLine::kStopBit);  // 8E2
+
+TEST(OtherLinesDeathTest, FiveKilohertz_OnTheFastestLine_Runs) {
+  for (const OutputSelection output : {OutputSelection::kvh, OutputSelection::both}) {
+    for (const bool sends_samples : {true, false}) {
+      expect_runs({5000, output, sends_samples, 0, kFastest});
+    }
+  }
+}
+
+TEST(OtherLinesDeathTest, SlowestLine_FramesThatJustFit_Runs) {
+  for (const bool sends_samples : {true, false}) {
+    expect_runs({12.4, OutputSelection::both, sends_samples, 0, kSlowest});
+    expect_runs({22, OutputSelection::kvh, sends_samples, 0, kSlowest});
+  }
+}
+
+// Requests without a pause, each of which is answered by 104 bytes: 130 ms.
+[[noreturn]] void run_requests() {
+  insert_table({12.4, OutputSelection::both, true, 0, kSlowest});
+  for (int i = 0; i < 10; ++i) {
+    board.requests.insert(board.requests.end(), fog::kHealthRequest.begin(),
+                          fog::kHealthRequest.end());
+  }
+  board.run_for(5000);
+  std::size_t records = 0;
+  for (const auto& sent : board.sent) records += sent.size() == fog::kHealthResponseBytes ? 1U : 0U;
+  std::fprintf(stderr, "%zu records, watchdog %u ms\n", records, board.patience_ms);
+  std::exit(records == 10 && !board.watchdog_bit ? 0 : 1);
+}
+
+TEST(OtherLinesDeathTest, Requests_OnTheSlowestLine_WatchdogLetsThemPass) {
+  EXPECT_EXIT(run_requests(), testing::ExitedWithCode(0), "");
+}
 
 TEST(SafeModeDeathTest, Frames_AnyTable_PeriodOfItsOwn) {
   for (const double rate_hz : {1.0, 200.0, 2400.0}) {

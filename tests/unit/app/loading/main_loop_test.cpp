@@ -86,6 +86,7 @@ TEST(MainLoopOfTheGenericImage, StopsTheRateWhileATableIsLoadedSaysSoAndRestarts
   ask_to_load(slot_of(2));
   board.run_for(1000);
   EXPECT_TRUE(board.stalled);
+  EXPECT_EQ(board.patience_ms, 106U) << "the watchdog is as tight as before";
   sent = what_was_sent();
   ASSERT_EQ(sent.answers.size(), 1U);
   EXPECT_EQ(sent.answers[0].refusal, LoadRefusal::none);

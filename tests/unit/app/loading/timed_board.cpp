@@ -115,7 +115,7 @@ std::size_t read_requests(std::uint8_t* destination, std::size_t capacity) {
 }
 void write_output_stream(const std::uint8_t* bytes, std::size_t size) {
   board.sent.emplace_back(bytes, bytes + size);
-  board.pass(size * 10'000'000 / kOutputBaud);  // polled: the processor waits
+  board.pass(board.output_line.us_of(size));  // polled: the processor waits
 }
 void kick_watchdog() {
   board.kicked_us = board.now_us;
@@ -145,7 +145,7 @@ std::array<ModelMemory, 2> model_memories() {
 }
 bool erase_model_memory(std::size_t slot) {
   board.stalled = true;  // milliseconds stand still as well
-  start_watchdog(kWatchdogLoopMs);
+  board.patience_ms = 6000;
   return board.flash.erase(slot);
 }
 bool program_model_memory(std::size_t slot, std::size_t at, const std::uint32_t* words,
@@ -158,6 +158,9 @@ bool program_model_memory(std::size_t slot, std::size_t at, const std::uint32_t*
 namespace platform {
 
 void start_board() {}
+void open_lines(SerialLine, SerialLine output) {
+  test::board.output_line = output;
+}
 BoardDescription describe_board() {
   return {"test", 0, "test", false, true};
 }

@@ -4,6 +4,7 @@
 #include <deque>
 #include <vector>
 
+#include "core/frames/serial_line.hpp"
 #include "support/cut_flash.hpp"
 
 namespace fog::test {
@@ -24,6 +25,7 @@ struct TimedBoard {
   std::uint32_t faults = 0;  // restarts before
   std::deque<std::uint8_t> line;
   std::deque<std::uint8_t> requests;
+  SerialLine output_line;
   std::vector<std::vector<std::uint8_t>> sent;
   std::uint64_t kicked_us = 0;
   std::uint32_t patience_ms = 500;  // the watchdog's

@@ -18,7 +18,7 @@ constexpr int kOutput = 1;
 
 void start() {
   fog::platform::start_clock_tree();
-  fog::platform::open_output_port();
+  fog::platform::open_output_port(fog::SerialLine());
 }
 
 void send(const Bytes& bytes) {

@@ -65,7 +65,7 @@ TEST_F(ModelFlash, IsErasedAndWrittenAtAnySupplyAndLockedAgain) {
     }
   }
   EXPECT_EQ(board_.flash.erases(), 4U);
-  EXPECT_NEAR(board_.watchdog_timeout_s(32'000), 0.1, 1e-9) << "as tight as before";
+  EXPECT_NEAR(board_.watchdog_timeout_s(32'000), 6, 1e-9) << "until the caller starts it again";
   expect_no_violations();
 }
 

@@ -60,8 +60,8 @@ TEST(Pins, ReachTheUsartsThatTheDriversOpen) {
   Stm32F405Model board;
   fog::platform::start_clock_tree();
   fog::platform::open_console_port();
-  fog::platform::open_output_port();
-  fog::platform::open_sensor_port();
+  fog::platform::open_output_port(fog::SerialLine());
+  fog::platform::open_sensor_port(fog::SerialLine());
   using namespace fog::platform;  // NOLINT: the names of the wiring
   EXPECT_EQ(connection(board, kOutputTx, kOutputUsart.address, true), "");
   EXPECT_EQ(connection(board, kSensorRx, kSensorUsart.address, false), "");
@@ -71,7 +71,7 @@ TEST(Pins, ReachTheUsartsThatTheDriversOpen) {
 TEST(Pins, OfAnotherFunctionOrUsartAreFound) {
   Stm32F405Model board;
   fog::platform::start_clock_tree();
-  fog::platform::open_output_port();
+  fog::platform::open_output_port(fog::SerialLine());
   using namespace fog::platform;  // NOLINT
   EXPECT_NE(connection(board, kOutputTx, kUsart2, true), "");
   EXPECT_NE(connection(board, kOutputTx, kOutputUsart.address, false), "");

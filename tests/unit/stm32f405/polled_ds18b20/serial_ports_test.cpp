@@ -32,12 +32,12 @@ Bytes read_all() {
   return all;
 }
 
-void start(const Stm32F405Model&) {
+void start(const Stm32F405Model&, fog::SerialLine sensor = {}, fog::SerialLine output = {}) {
   read_all();
   fog::platform::start_clock_tree();
   fog::platform::open_console_port();
-  fog::platform::open_output_port();
-  fog::platform::open_sensor_port();
+  fog::platform::open_output_port(output);
+  fog::platform::open_sensor_port(sensor);
 }
 
 void serve(Stm32F405Model& board) {
@@ -63,9 +63,48 @@ TEST(SerialPorts, HaveTheirBitRatesOnEveryClock) {
       return std::abs(double{1} * board.baud(usart) / baud - 1);
     };
     const double max = combination == 2 ? 0.025 : 0.002;  // of 16 MHz nothing better comes
-    EXPECT_LT(off(kSensor, fog::platform::kSensorBaud), max) << combination;
-    EXPECT_LT(off(kOutput, fog::platform::kOutputBaud), max) << combination;
+    EXPECT_LT(off(kSensor, fog::SerialLine().baud()), max) << combination;
+    EXPECT_LT(off(kOutput, fog::SerialLine().baud()), max) << combination;
     EXPECT_LT(off(kConsole, fog::platform::kConsoleBaud), max) << combination;
+    expect_no_violations(board);
+  }
+}
+
+fog::SerialLine line(std::uint32_t baud, std::uint32_t format = 0) {
+  return fog::SerialLine(baud | format << fog::SerialLine::kStopBit);
+}
+
+// The rates that README.md names, with what it says of them.
+TEST(SerialPorts, RatesOfATable_AtFullSpeed_AsNearAsReadmeSays) {
+  const auto off = [](int usart, std::uint32_t baud) {
+    Stm32F405Model board;
+    start(board, line(usart == kSensor ? baud : 921'600), line(usart == kOutput ? baud : 921'600));
+    expect_no_violations(board);
+    return double{1} * board.baud(usart) / baud - 1;
+  };
+  for (const std::uint32_t baud : {9'600U, 19'200U, 38'400U, 57'600U, 115'200U, 230'400U, 460'800U,
+                                   576'000U, 614'400U, 921'600U, 1'000'000U, 2'000'000U}) {
+    EXPECT_NEAR(off(kSensor, baud), 0, 0.008) << baud;
+    EXPECT_NEAR(off(kOutput, baud), 0, 0.003) << baud;
+  }
+  EXPECT_NEAR(off(kOutput, 1'843'200), 0, 0.003);
+  EXPECT_NEAR(off(kOutput, 3'000'000), 0, 0.001);
+  EXPECT_NEAR(off(kOutput, 4'000'000), 0, 0.001);
+  EXPECT_NEAR(off(kOutput, 4'147'200), 0.0212, 0.0002);
+}
+
+TEST(SerialPorts, ParityAndStopBits_OfATable_AreSet) {
+  constexpr std::uint32_t kUsart1 = 0x40011000, kUsart2 = 0x40004400;
+  constexpr std::uint32_t kControl1 = 0x0C, kControl2 = 0x10;
+  // RM0090, 30.6.4 and 30.6.5: M, PCE and PS; STOP.
+  const std::uint32_t parity[] = {0, 0x1400, 0x1600};
+  for (std::uint32_t format = 0; format < fog::SerialLine::kFormats; ++format) {
+    Stm32F405Model board;
+    start(board, line(115'200, format), line(230'400, format));
+    for (const std::uint32_t usart : {kUsart1, kUsart2}) {
+      EXPECT_EQ(board.read(usart + kControl1) & 0x1600U, parity[format / 2]) << format;
+      EXPECT_EQ(board.read(usart + kControl2) & 0x3000U, format % 2 == 0 ? 0U : 0x2000U) << format;
+    }
     expect_no_violations(board);
   }
 }

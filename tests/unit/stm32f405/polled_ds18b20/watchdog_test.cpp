@@ -59,7 +59,7 @@ TEST(Watchdog, IsNotMissedByFramesForATransmitterThatIsStuck) {
   faults.transmitters_stuck = true;
   Stm32F405Model board(faults);
   fog::platform::start_clock_tree();
-  fog::platform::open_output_port();
+  fog::platform::open_output_port(fog::SerialLine());
   fog::hal::start_watchdog(fog::hal::kWatchdogLoopMs);
   const std::vector<std::uint8_t> frames(4 * 64);
   for (int loop = 0; loop < 10; ++loop) {

@@ -25,9 +25,9 @@ void start(Stm32F405Model& board) {
   board.crystal_hz = 12'000'000;
   fog::platform::start_clock_tree();
   fog::platform::open_console_port();
-  fog::platform::open_output_port();
+  fog::platform::open_output_port(fog::SerialLine());
   fog::platform::open_request_port();
-  fog::platform::open_sensor_port();
+  fog::platform::open_sensor_port(fog::SerialLine());
 }
 
 void expect_no_violations(const Stm32F405Model& board) {
@@ -42,8 +42,8 @@ TEST(AnotherBoard, RunsAtFullSpeedFromItsOwnCrystal) {
   const auto off = [&](int usart, std::uint32_t baud) {
     return std::abs(double{1} * board.baud(usart) / baud - 1);
   };
-  EXPECT_LT(off(kSensor, fog::platform::kSensorBaud), 0.025);
-  EXPECT_LT(off(kOutput, fog::platform::kOutputBaud), 0.025);
+  EXPECT_LT(off(kSensor, fog::SerialLine().baud()), 0.025);
+  EXPECT_LT(off(kOutput, fog::SerialLine().baud()), 0.025);
   EXPECT_LT(off(kConsole, fog::platform::kConsoleBaud), 0.025);
   expect_no_violations(board);
 }
