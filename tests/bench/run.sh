@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # All benchmarks of the denoisers, of training, of two inner loops and of a tick of the workbench's page: speed on this
-# computer (Google Benchmark, Chromium), instructions on the board (QEMU), and the effect of streaming on noise and
-# rotation.
+# computer (Google Benchmark, Chromium), instructions on the board (QEMU), the effect of streaming on noise and rotation,
+# and the worst error of each function of the core.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source cmake/bootstrap/packages.sh
 require_packages "${build_packages[@]}" "${test_packages[@]}" "${bench_packages[@]}" || exit 2
 
 cmake --preset host -DFOG_TESTS=ON -DFOG_BENCH=ON -DFOG_WORKBENCH=ON >/dev/null
-cmake --build build/host --target wavelet_speed streaming_worth training_speed solver_speed fit_sweep fogcomp >/dev/null
+cmake --build build/host --target wavelet_speed streaming_worth training_speed solver_speed fit_sweep \
+  core_functions fogcomp >/dev/null
 cmake --preset stm32f405 >/dev/null
 cmake --build build/stm32f405 --target denoiser_speed >/dev/null
 
@@ -26,6 +27,9 @@ build/host/tests/fit_sweep --count 2000 --rows 400 | grep -v ^case
 echo
 echo "== board, sym8 x 5, instructions per sample"
 tests/target/denoiser_speed.sh netduinoplus2 build/stm32f405/denoiser_speed.elf
+echo
+echo "== the core's functions at all 2^32 arguments: worst error, where, time"
+build/host/tests/bench/core_functions
 echo
 echo "== streaming at 200 Hz"
 build/host/tests/bench/streaming_worth docs/examples/mems_chamber.csv

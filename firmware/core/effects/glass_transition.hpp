@@ -9,7 +9,7 @@ namespace fog::effects {
 
 /// Glass transition of adhesive, potting or coating: below Tg it is stiff, which shifts the bias
 /// and adds to the rate term. The glassy share s((Tg - T) / w) is the logistic function, within
-/// 1e-8. 1/w has 29 fractional bits and Tg has 22, which changes the share by less than 1e-7. It
+/// 2.51e-9. 1/w has 29 fractional bits and Tg has 22, which changes the share by less than 1e-7. It
 /// freezes late, because the structure takes its time to relax: a lag of the share.
 template <class N>
 class GlassTransition {

@@ -12,7 +12,7 @@ namespace fog::effects {
 /// period. Their birefringence is not linear in temperature: hence the chirp.
 ///
 /// (T - 20 degC) / P is exact but for 1/P, which has 31 fractional bits: 110 degC away, at the end
-/// of the range, an error of 2.6e-8 turns. With sine_cosine's 5e-9 the regressors are within
+/// of the range, an error of 2.6e-8 turns. With sine_cosine's 4.32e-9 the regressors are within
 /// 1.7e-7; with a chirp of 0.2 %/degC, whose product with the temperature has as many bits, within
 /// 4e-7.
 template <class N>
