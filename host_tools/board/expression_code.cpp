@@ -20,9 +20,9 @@ constexpr int kUsedBits = 30;  // bits used by a value; one is spare
 constexpr int kMaxFraction = 58;
 constexpr int kMaxPower = 16;
 // Errors of the core's functions, from their headers.
-constexpr double kSineError = 5e-9;
-constexpr double kDecayError = 3e-9;
-constexpr double kTanhError = 2.4e-7;
+constexpr double kSineError = 4.32e-9;
+constexpr double kDecayError = 1.54e-9;
+constexpr double kTanhError = 2.27e-7;
 constexpr int kWaveFraction = 30;   // output of sine, cosine, decay and tanh
 constexpr int kDecayFraction = 26;  // input of decay
 constexpr int kTanhFraction = 27;   // input of tanh
@@ -367,7 +367,7 @@ class Compiler {
     if (!(radius >= 0 && radius < 1e9)) refuse("a play's radius is below 0 or out of range");
     x = in_format(x, std::min(std::max(x.fraction, fraction_for(x.size())), fraction_for(radius)));
     emit(Op::play);
-    emit_word(std::ldexp(radius, x.fraction));
+    emit_word(std::min<double>(std::ldexp(radius, x.fraction), fog::kMaxPlayRadius));
     x.error += half_lsb(x.fraction);
     return x;
   }

@@ -115,7 +115,7 @@ class AxialGradient(Effect):
 
     @staticmethod
     def _difference(signals):
-        return i32(signals.means.inputs[T2] - signals.means.temperature)
+        return sat32(signals.means.inputs[T2] - signals.means.temperature)
 
     def reset(self, signals):
         self.derivative.reset(self._difference(signals))

@@ -92,7 +92,7 @@ def _operation_at(words, position):
     if len(further) < shape.words:
         raise BadProgram("it ends within an operation")
     if ((code == SIGNAL and further[0] > further[1]) or (code == LAG and further[0] <= 0)
-            or (code == PLAY and not 0 <= further[0] <= 2**30)):
+            or (code == PLAY and not 0 <= further[0] < 2**30)):
         raise BadProgram(f"out of range: what follows word {position}")
     return Operation(code, k, further)
 

@@ -11,8 +11,9 @@ namespace fog::effects {
 /// (which a quadrupolar winding cancels only to first order) and D itself (strain of the clamped
 /// ends).
 ///
-/// D is the difference of the measured block means, not clamped: |D| <= 200 degC, as sensors read
-/// -70 to 130. Its derivative has two lags, like every derivative here, with its own time constant.
+/// D is the difference of the measured block means, not clamped to the trained range. It saturates
+/// at 32768 degC, as a table may let the second sensor read anything. Its derivative has two lags,
+/// like every derivative here, with its own time constant.
 template <class N>
 class AxialGradient {
  public:
@@ -58,7 +59,8 @@ class AxialGradient {
 
  private:
   static typename N::Temperature difference(const Signals<N>& signals) {
-    return signals.block[Input::temperature2] - signals.block.temperature;
+    const typename N::Temperature second = signals.block[Input::temperature2];
+    return N::saturating_difference(second, signals.block.temperature);
   }
 
   FilteredDerivative<N> derivative_;

@@ -97,6 +97,7 @@ class ExpressionBank {
   static SineCosine wave(std::int32_t radians, int fraction) {
     // 2^32 / (2 pi); the test "SineTable" recomputes it.
     constexpr std::int64_t kTurnsPerRadian = 683565276;
+    static_assert(kTurnsPerRadian <= floor_shift(INT64_MAX, 31));
     return sine_cosine(
         static_cast<std::uint32_t>(round_shift(radians * kTurnsPerRadian, fraction)));
   }
@@ -111,7 +112,7 @@ class ExpressionBank {
   }
 
   std::int32_t play(State& state, std::int32_t x, std::int32_t radius, bool restart) {
-    constexpr auto kMax = Play::Value::from_raw(1 << 30);
+    constexpr auto kMax = Play::Value::from_raw(kMaxPlayInput);
     const auto input = clamp(Play::Value::from_raw(x), -kMax, kMax);
     if (restart) {
       state.play.set_radius(Play::Value::from_raw(radius));

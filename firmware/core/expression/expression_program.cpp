@@ -46,23 +46,22 @@ Effect effect_of(ExpressionOp op) {
 
 bool operands_fit(ExpressionOp op, const std::int32_t* words) {
   const std::int32_t bits = floor_shift(words[0], 8);
-  constexpr std::int32_t kMaxRadius = 1 << 30;
   switch (op) {
     case ExpressionOp::signal:
       return bits >= 0 && bits < static_cast<std::int32_t>(kInputs) && words[1] <= words[2];
     case ExpressionOp::shift:
     case ExpressionOp::output:
-      return bits >= -31 && bits <= 62;
+      return bits >= -kMaxLeftShift && bits <= kMaxRightShift;
     case ExpressionOp::multiply:
     case ExpressionOp::sine:
     case ExpressionOp::cosine:
-      return bits >= 0 && bits <= 62;
+      return bits >= 0 && bits <= kMaxRightShift;
     case ExpressionOp::divide:
-      return bits >= 0 && bits <= 30;
+      return bits >= 0 && bits <= kMaxDivideBits;
     case ExpressionOp::lag:
       return bits == 0 && words[1] > 0;
     case ExpressionOp::play:
-      return bits == 0 && words[1] >= 0 && words[1] <= kMaxRadius;
+      return bits == 0 && words[1] >= 0 && words[1] <= kMaxPlayRadius;
     default:
       return bits == 0;
   }

@@ -44,6 +44,18 @@ constexpr std::size_t kMaxExpressionStates = 8;  ///< lags and plays
 constexpr std::size_t kMaxExpressionStack = 16;
 constexpr std::size_t kMaxExpressionWords = 512;
 
+/// Arguments of operations: of a shift to the left, of any other one, and of a division. An int32
+/// shifted to the left fits 64 bits, and a dividend 63, as round_divide() needs.
+constexpr std::int32_t kMaxLeftShift = 31;
+constexpr std::int32_t kMaxRightShift = 62;
+constexpr std::int32_t kMaxDivideBits = 30;
+static_assert(31 + kMaxLeftShift <= 62 && 31 + kMaxDivideBits <= 61);
+
+/// A play's input is clipped to this, and a larger radius is refused, so that their sum fits.
+constexpr std::int32_t kMaxPlayInput = 1 << 30;
+constexpr std::int32_t kMaxPlayRadius = (1 << 30) - 1;
+static_assert(std::int64_t{kMaxPlayInput} + kMaxPlayRadius <= INT32_MAX);
+
 /// Operations and, in the bits above them, inputs of a program; 0: no expressions.
 using ExpressionMask = std::uint32_t;
 constexpr ExpressionMask bit_of(ExpressionOp op) {

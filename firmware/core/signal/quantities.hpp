@@ -48,8 +48,9 @@ struct BoardNumbers {
   using ScaleFactorError = Fixed<std::int32_t, 31>;
   using RateDrift = Fixed<std::int64_t, 41>;
   using ShareOf = fog::ShareOf;
-  static Rate saturating_difference(Rate a, Rate b) {
-    return Rate::from_raw(fog::saturating_difference(a.raw(), b.raw()));
+  template <class Value>
+  static Value saturating_difference(Value a, Value b) {
+    return Value::from_raw(fog::saturating_difference(a.raw(), b.raw()));
   }
   /// A constant as the model table stores it: the raw integer.
   using Constant = std::int32_t;

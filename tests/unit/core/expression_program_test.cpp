@@ -102,9 +102,9 @@ TEST(ExpressionProgram, WordsBehindAnOperationAreCheckedAndMustBeThere) {
   EXPECT_FALSE(fits_alone(ExpressionOp::signal, 0, 0, 1, {6, 5}));
   EXPECT_FALSE(fits_alone(ExpressionOp::lag, 0, 1, 1, {0}));
   EXPECT_TRUE(fits_alone(ExpressionOp::play, 0, 1, 1, {0}));
-  EXPECT_TRUE(fits_alone(ExpressionOp::play, 0, 1, 1, {1 << 30}));
+  EXPECT_TRUE(fits_alone(ExpressionOp::play, 0, 1, 1, {(1 << 30) - 1}));
   EXPECT_FALSE(fits_alone(ExpressionOp::play, 0, 1, 1, {-1}));
-  EXPECT_FALSE(fits_alone(ExpressionOp::play, 0, 1, 1, {(1 << 30) + 1}));
+  EXPECT_FALSE(fits_alone(ExpressionOp::play, 0, 1, 1, {1 << 30}));
   for (const Program& cut :
        {Program{word(ExpressionOp::signal), 0}, {word(ExpressionOp::constant)}}) {
     EXPECT_FALSE(fits(cut, 0));
