@@ -11,8 +11,10 @@ namespace fog {
 /// Scale factor of the gyro. rate = counts * multiplier / 2^shift.
 struct CalibrationParameters {
   std::int32_t multiplier = 0;  ///< 2^30 <= multiplier < 2^31: 30 significant bits
-  int shift = 0;                ///< 0 to 62
+  int shift = 0;                ///< 0 to kMaxCalibrationShift
 };
+
+constexpr int kMaxCalibrationShift = 62;  ///< rounded_product()'s
 
 /// Demodulator counts as a rate, deg/h: exact product (below 2^62), rounded once, clipped.
 inline Rate calibrated_rate(const CalibrationParameters& calibration, std::int32_t counts) {

@@ -19,20 +19,37 @@ std::uint32_t largest_gain(Span<const std::int32_t> synthesis) {
   return sum > other_sum ? sum : other_sum;
 }
 
+constexpr std::uint32_t kMaxGain = UINT16_MAX;
+constexpr std::uint32_t kMaxNoise = INT16_MAX;  // and the largest removed detail
+constexpr std::uint32_t kMaxThreshold = power_of_two<std::uint32_t>(30) - 1;
+
+// noise_fits(): a threshold that adapts, and gain * (noise + removed).
+static_assert(kMaxThreshold <= UINT32_MAX / kMaxThresholdScale);
+static_assert(2 * kMaxNoise + 1 <= UINT32_MAX / kMaxGain);
+// FilterBank::removed(): a threshold that passes, twice in 32 bits without a sign, and once with
+// half an LSB of noise in 32 bits with one.
+constexpr std::uint32_t kMaxRemoved = kMaxNoise * power_of_two<std::uint32_t>(kMaxNoiseShift);
+static_assert(kMaxRemoved <= kMaxThreshold);
+static_assert(kMaxRemoved + rounding_half<std::uint32_t>(kMaxNoiseShift) <= INT32_MAX);
+// merge(): before it is shifted, a noise that passes is below kMaxNoise * 2^14; and half an LSB.
+constexpr int kMergeShift = kSynthesisTapFraction - 1;
+static_assert((kMaxNoise + 1) * power_of_two<std::uint32_t>(kMergeShift) +
+                  rounding_half<std::uint32_t>(kMergeShift) <=
+              INT32_MAX);
+
 // From the coarsest level down to the finest: noise <= gain * (coarser noise + threshold). Each
 // rounding adds at most half an LSB; one LSB is allowed for. A `gain` below 2^16 keeps everything
 // within 32 bits.
 bool noise_fits(const DenoiseParameters& parameters, std::uint32_t gain, int shift) {
-  constexpr std::uint32_t kMax = INT16_MAX;
   std::uint32_t noise = 0;
   for (std::size_t level = parameters.levels(); level-- > 0;) {
     auto threshold = static_cast<std::uint32_t>(parameters.thresholds[level]);
-    if (threshold >= power_of_two<std::uint32_t>(30)) return false;
+    if (threshold > kMaxThreshold) return false;
     if (parameters.rule != ThresholdRule::fixed) threshold *= kMaxThresholdScale;
     const std::uint32_t removed = floor_shift(threshold, shift) + 1;
-    if (removed > kMax) return false;
+    if (removed > kMaxNoise) return false;
     noise = floor_shift(gain * (noise + removed), kSynthesisTapFraction - 1) + 1;
-    if (noise > kMax) return false;
+    if (noise > kMaxNoise) return false;
   }
   return true;
 }
@@ -41,7 +58,7 @@ bool noise_fits(const DenoiseParameters& parameters, std::uint32_t gain, int shi
 
 int noise_shift(const DenoiseParameters& parameters) {
   const std::uint32_t gain = largest_gain(parameters.synthesis());
-  if (gain > UINT16_MAX) return -1;
+  if (gain > kMaxGain) return -1;
   for (int shift = 0; shift <= kMaxNoiseShift; ++shift) {
     if (noise_fits(parameters, gain, shift)) return shift;
   }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/fixed_point/shift.hpp"
 #include "core/signal/span.hpp"
 
 namespace fog {
@@ -33,6 +34,11 @@ constexpr std::size_t kMaxLevels = 10;
 constexpr int kTapFraction = 31;           ///< of analysis taps
 constexpr int kSynthesisTapFraction = 15;  ///< of synthesis taps
 constexpr int kDetailFraction = 16;        ///< details and thresholds, deg/h
+
+/// Largest sum of the magnitudes of analysis taps: below 2. With it no sum over the taps leaves 64
+/// bits, whatever the samples; a detail's, in two parts, begins with a smaller half.
+constexpr std::int64_t kMaxTapSum = 2 * power_of_two<std::int64_t>(kTapFraction) - 2;
+static_assert(kMaxTapSum <= floor_shift(INT64_MAX - rounding_half<std::int64_t>(kTapFraction), 31));
 
 /// A wavelet filter and its thresholds; level 1 is the finest. Without levels: no denoising, no
 /// delay. All taps are divided by sqrt 2, so that the low-pass filter sums to 1. `taps` is even.

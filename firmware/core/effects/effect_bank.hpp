@@ -49,6 +49,17 @@ struct EffectParameters {
 constexpr int kMinCoefficientFraction = Rate::fractional_bits;
 constexpr int kMaxCoefficientFraction = 40;
 
+/// Largest product in a weighted_sum(), of any words of the table and any regressors.
+constexpr std::int64_t kMaxWeightedProduct = power_of_two<std::int64_t>(
+    62 - (kMinCoefficientFraction + Regressor::fractional_bits - DriftSum::fractional_bits));
+// All effects, and a network and the expressions beside them, sum up within 64 bits.
+static_assert(kMaxWeightedProduct <=
+              INT64_MAX / static_cast<std::int64_t>((kMaxEffects + 2) * kMaxRegressors));
+static_assert(kMaxCoefficientFraction + Regressor::fractional_bits - DriftSum::fractional_bits <=
+              62);  // rounded_product()'s
+// EffectBank::set(): any word in the format of a Coefficient.
+static_assert(31 + BoardNumbers::Coefficient::fractional_bits - kMinCoefficientFraction <= 63);
+
 struct EffectsParameters {
   std::array<EffectParameters, kMaxEffects> by_id{};
   int coefficient_fraction = 0;  ///< fractional bits of every coefficient, deg/h

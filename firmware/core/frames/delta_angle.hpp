@@ -26,6 +26,12 @@ class DeltaAngle {
   static constexpr std::uint64_t kAnglePerLsbUs = 5723669695U;
 
  private:
+  // The longest period and the largest rate: both words of their product, and what a float has left
+  // of the step before, which is below 2^(63 - kMantissaBits).
+  static_assert(kAnglePerLsbUs <= UINT64_MAX / INT32_MAX);
+  static_assert(floor_shift(INT32_MAX * kAnglePerLsbUs, 32) <=
+                floor_shift(std::uint64_t{INT64_MAX} - power_of_two<std::uint64_t>(41), 31));
+
   std::uint64_t per_lsb_;       // 2^-80 rad per sample and LSB of the rate; period below 2^31 us
   std::int64_t angle_ = 0;      // not sent yet, 2^-48 rad; one sample is below 2^62.5
   std::uint32_t fraction_ = 0;  // lower part of it, 2^-80 rad

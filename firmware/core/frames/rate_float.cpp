@@ -1,11 +1,14 @@
 #include "core/frames/rate_float.hpp"
 
+#include "core/fixed_point/shift.hpp"
+
 namespace fog {
 namespace {
 
 // 1 deg/h = pi / 648000 rad/s: round(2^49 * pi / 648000). The test RateFloat recomputes it.
 constexpr std::uint64_t kRadiansPerDegreePerHour = 2729258392U;
 constexpr int kConstantFraction = 49;
+static_assert(kRadiansPerDegreePerHour <= floor_shift(UINT64_MAX, 31));
 
 }  // namespace
 

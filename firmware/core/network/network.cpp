@@ -27,9 +27,16 @@ ActivationOutput linear(std::int64_t sum, int layer_shift) {
   return ActivationOutput::from_raw(shift_left(clip(upper_word(sum), max), shift));
 }
 
-// In raw units.
+// Largest sum of the magnitudes of a neuron's weights and, twice, its bias, in raw units. A sum
+// begins with bias * 2^32 + 2^31; inputs and activations are within 2^31.
+constexpr std::uint64_t kMaxWeightSum = UINT32_MAX - 1;
+static_assert(kMaxWeightSum <=
+              floor_shift(std::uint64_t{INT64_MAX} - power_of_two<std::uint64_t>(31), 31));
+// activate(): the upper word times places_per_sum(), which is an int32.
+static_assert(NodePlace::fractional_bits - ActivationInput::fractional_bits + kMaxWeightShift < 31);
+
 bool sum_fits(std::uint64_t weights, std::int32_t bias) {
-  return weights + 2 * std::uint64_t{magnitude_of(bias)} < UINT32_MAX;
+  return weights + 2 * std::uint64_t{magnitude_of(bias)} <= kMaxWeightSum;
 }
 
 // Sum of the output neuron. Weights are read in pairs and in this order, one instruction each;

@@ -35,7 +35,7 @@ void read_calibration(TableReader& table, ModelParameters& parameters) {
       static_cast<std::uint32_t>(table.next(1, SampleRateMonitor::kMaxPart));
   parameters.samples_per_block = static_cast<std::uint32_t>(table.next(1, kMax32));
   parameters.calibration.multiplier = table.next(1 << 30, kMax32);
-  parameters.calibration.shift = table.next(0, 62);
+  parameters.calibration.shift = table.next(0, kMaxCalibrationShift);
   parameters.acquisition.rate.range = next_positive<Rate>(table);
   parameters.acquisition.rate.step = next_positive<RateStep>(table);
   parameters.acquisition.stuck.samples = static_cast<std::uint32_t>(table.next(0, kMax32));
@@ -141,7 +141,7 @@ bool filters_fit(const DenoiseParameters& denoise) {
   }
   return same && phase_sum[0] == kHalf && phase_sum[1] == kHalf &&
          synthesis_sum[0] == kSynthesisHalf && synthesis_sum[1] == kSynthesisHalf &&
-         magnitude < (std::int64_t{2} << kTapFraction) - 1;
+         magnitude <= kMaxTapSum;
 }
 
 void read_denoise(TableReader& table, DenoiseParameters& denoise) {

@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# planted_faults.sh: plants a fault in a copy of each module of the core, one at a time, and sees the proof of its bounds
+# find it: the compiler a broken static_assert, the intervals an operation that can overflow, the sweep an error that is
+# larger than the documented one.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+: "${CXX:=g++}"
+compile=("$CXX" -std=c++17 -O0 -w -I"$copy/firmware" -I"$copy/tests")
+functions=(fixed_point/{exponential,logarithm,logistic,rounded_product,sine} frames/rate_float thermometer/platinum)
+
+compiles() { "${compile[@]}" -fsyntax-only "$copy/firmware/core/$1" 2>"$copy/said.txt"; }
+# runs TEST SOURCE...
+runs() {
+  "${compile[@]}" "$copy/tests/$1" "${@:2}" -lgtest -lgtest_main -lpthread -o "$copy/program" &&
+    "$copy/program" --gtest_brief=1 >"$copy/said.txt" 2>&1
+}
+holds() {
+  local sources=("${functions[@]/#/$copy/firmware/core/}")
+  case $1 in
+    intervals) runs proof/effects_proof_test.cpp "$copy/functions.a" ;;
+    sweep) runs unit/core/core_functions_test.cpp "${sources[@]/%/.cpp}" ;;
+    *) compiles "$1" ;;
+  esac
+}
+
+failures=0
+# plant CHECK FILE FROM TO: replaces FROM, which has to be there, in firmware/core/FILE.
+plant() {
+  local check=$1 file=$copy/firmware/core/$2
+  cp -r firmware/core "$copy/firmware/"
+  python3 - "$file" "$3" "$4" <<'PYTHON'
+import sys
+path, old, new = sys.argv[1:]
+text = open(path, encoding="utf-8").read()
+if text.count(old) < 1:
+    sys.exit(f"{path}: nothing says {old!r}")
+open(path, "w", encoding="utf-8").write(text.replace(old, new, 1))
+PYTHON
+  if holds "$check"; then
+    echo "FAILED: not found: $2: $4"
+    failures=$((failures + 1))
+  else
+    echo "found: $2: $4"
+  fi
+}
+
+mkdir -p "$copy/firmware"
+cp -r firmware/core "$copy/firmware/"
+mkdir -p "$copy/tests/unit"
+cp -r tests/proof tests/sweep tests/support "$copy/tests/"
+cp -r tests/unit/core "$copy/tests/unit/"
+for function in "${functions[@]}"; do
+  "${compile[@]}" -c "$copy/firmware/core/$function.cpp" -o "$copy/${function//\//_}.o"
+done
+ar rc "$copy/functions.a" "$copy"/*.o
+for check in intervals sweep network/network.cpp denoise/denoise_parameters.cpp; do
+  holds "$check" || { cat "$copy/said.txt"; echo "FAILED: $check: a fault where none is planted"; exit 1; }
+done
+
+# What a table may say, in each module that reads it.
+plant denoise/denoise_parameters.cpp denoise/denoise_parameters.hpp '2 * power_of_two<std::int64_t>(kTapFraction)' '3 * power_of_two<std::int64_t>(kTapFraction)'
+plant denoise/denoise_parameters.cpp denoise/denoise_parameters.cpp 'kMaxGain = UINT16_MAX' 'kMaxGain = 2 * UINT16_MAX'
+plant denoise/denoise_parameters.cpp denoise/denoise_parameters.cpp '(30) - 1' '(30)* 2'
+plant denoise/denoise_parameters.cpp denoise/denoise_parameters.hpp 'kMaxNoiseShift = 15' 'kMaxNoiseShift = 16'
+plant network/network.cpp network/network.cpp 'kMaxWeightSum = UINT32_MAX - 1' 'kMaxWeightSum = UINT32_MAX'
+plant network/network.cpp network/network.hpp 'kMaxWeightShift = 16' 'kMaxWeightShift = 23'
+plant signal/weighted_sum.cpp signal/weighted_sum.hpp 'Fixed<std::int64_t, 20>' 'Fixed<std::int64_t, 34>'
+plant pipeline/model_parameters.cpp effects/effect_bank.hpp 'kMaxCoefficientFraction = 40' 'kMaxCoefficientFraction = 55'
+plant pipeline/model_parameters.cpp effects/effect_bank.hpp '= Rate::fractional_bits;' '= 6;'
+plant expression/expression_program.cpp expression/expression_program.hpp 'kMaxLeftShift = 31' 'kMaxLeftShift = 32'
+plant expression/expression_program.cpp expression/expression_program.hpp 'kMaxDivideBits = 30' 'kMaxDivideBits = 31'
+plant frames/delta_angle.cpp frames/delta_angle.hpp 'kAnglePerLsbUs = 5723669695U' 'kAnglePerLsbUs = 2 * 5723669695U'
+plant frames/rate_float.cpp frames/rate_float.cpp '= 2729258392U' '= 2729258392U * std::uint64_t{4}'
+# Operations and checks of constants.
+plant intervals effects/axial_gradient.hpp 'N::saturating_difference(second, signals.block.temperature)' 'second - signals.block.temperature'
+plant intervals effects/bias_temperature.hpp 'saturate_to<Regressor>(power * x)' 'round_to<Regressor>(power * x)'
+plant intervals effects/vibration.hpp 'saturate_to' 'round_to'
+plant intervals effects/glass_transition.hpp '256 << 22' '400 << 22'
+plant intervals effects/thermal_hysteresis.hpp '256 << 22' '400 << 22'
+plant intervals effects/scale_factor_asymmetry.hpp '3 * power_of_two' '5 * power_of_two'
+plant intervals effects/scale_factor_temperature.hpp 'kMaxReference = 256' 'kMaxReference = 32767'
+plant intervals effects/scale_factor.hpp 'scale_factor_error<N, 1>' 'scale_factor_error<N, 0>'
+plant intervals effects/aging.hpp 'if (age_ > longest) age_ = longest;' ''
+plant intervals effects/light_power.hpp 'power < min ? min : power' 'power'
+plant intervals effects/polarization_ripple.hpp 'Stretched = typename N::template Number<23>' 'Stretched = typename N::template Number<24>'
+plant intervals effects/temperature_rate_product.hpp 'saturate_to<typename N::Regressor>(' 'round_to<typename N::Regressor>(2 *'
+plant intervals thermal/filtered_derivative.hpp 'saturate_to<TemperatureRate>' 'round_to<TemperatureRate>'
+plant intervals expression/expression_program.hpp 'kMaxPlayRadius = (1 << 30) - 1' 'kMaxPlayRadius = 1 << 30'
+# Functions.
+plant sweep fixed_point/sine_table.hpp 105245103 105245105
+plant sweep fixed_point/exponential_table.hpp 1028218693 1028218696
+plant sweep fixed_point/logarithm_table.hpp 65095192 65095195
+plant sweep fixed_point/logistic.hpp 0x05555555 0x05555755
+plant sweep fixed_point/shift.hpp 'Int{1} << bits' 'Int{1} << (bits & 30)'
+plant sweep fixed_point/rounded_product.cpp 'round_shift' 'floor_shift'
+plant sweep frames/rate_float.cpp 2729258392U 2729258393U
+plant sweep thermometer/platinum.cpp 268576331 268576371
+exit $((failures > 0))
