@@ -41,6 +41,10 @@ recording::ReadOptions RecordingOptions::value() const {
   options.skip_bad_rows = skip_bad_rows.given();
   options.default_input_rate_dph = earth_rate_dph();
   options.stream_rate_hz = rate.find();
+  options.is_table = table.given();
+  if (table.given() && (rate.given() || join.given())) {
+    throw InputError("--table", "its lines have no times; leave --rate and --join out");
+  }
   options.temperature_degc = temperature.find();
   options.join = join.text();
   options.join_columns = join_columns.text();
@@ -53,6 +57,9 @@ recording::ReadOptions RecordingOptions::value() const {
 
 recording::ReadOptions MaskedRecordingOptions::value(const std::vector<std::string>& runs) const {
   recording::ReadOptions options = RecordingOptions::value();
+  if (table.given() && (!masks.value().empty() || !cuts.value().empty())) {
+    throw InputError("--table", "its lines have no times; leave --mask and --cut out");
+  }
   for (const std::string& mask : masks.value()) {
     options.masks.push_back(recording::parse_mask(mask));
   }

@@ -34,8 +34,10 @@ struct RecordingOptions : OptionGroup {
       this,
       {"axis", "up|down", "where the input axis points, with --latitude", "up", kRare},
       {{"up", 1}, {"down", -1}}};
-  Number rate{
-      this, {"rate", "HZ", "sample rate of a stream or a CSV without times", "200"}, {1e-3, 1e6}};
+  Number rate{this,
+              {"rate", "HZ", "sample rate of a stream or a CSV without true times", "200"},
+              {1e-3, 1e6}};
+  Flag table{this, "table", "each line is a mean at a steady temperature, without a time", kRare};
   Number temperature{
       this,
       {"temperature", "DEGC", "of all samples of a file without temperatures", "", kRare},

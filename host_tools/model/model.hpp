@@ -136,6 +136,8 @@ struct Model {
   /// Assignment of columns (recording::ReadOptions::columns), if its recordings needed one; else
   /// empty.
   std::string columns{};
+  /// The same of the decimal mark (recording::ReadOptions::decimal_comma).
+  std::optional<bool> decimal_comma{};
   double derivative_tau_s = 0;  ///< time constant of each of the two lags of dT/dt
   double min_degc = 0;          ///< trained range; the board clamps to it
   double max_degc = 0;

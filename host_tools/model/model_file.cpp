@@ -300,6 +300,7 @@ const std::map<std::string, LineReader> kLines{
     {"max_acceleration_dps2",
      [](ModelReader& in, Model& m) { m.limits.max_acceleration_dps2 = in.number(1e-3, 1e9); }},
     {"columns", [](ModelReader& in, Model& m) { m.columns = displayable(in.rest_of_line()); }},
+    {"decimal_mark", [](ModelReader& in, Model& m) { m.decimal_comma = in.word() == "comma"; }},
     {"derivative_tau_s",
      [](ModelReader& in, Model& m) { m.derivative_tau_s = in.number(1e-3, 1e5); }},
     {"average_s", [](ModelReader& in, Model& m) { m.average_s = in.number(1e-6, 1e6); }},

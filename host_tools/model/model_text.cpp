@@ -113,6 +113,9 @@ std::string model_text(const Model& model) {
   out.word("range_dps").number(model.limits.range_dps).end_line();
   out.word("max_acceleration_dps2").number(model.limits.max_acceleration_dps2).end_line();
   if (!model.columns.empty()) out.word("columns").word(model.columns).end_line();
+  if (model.decimal_comma) {
+    out.word("decimal_mark").word(*model.decimal_comma ? "comma" : "point").end_line();
+  }
   out.word("derivative_tau_s").number(model.derivative_tau_s).end_line();
   out.word("range_degc").number(model.min_degc).number(model.max_degc).end_line();
   if (const auto& rate = model.rate_range_degc_per_min) {

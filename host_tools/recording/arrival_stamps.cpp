@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -13,6 +14,8 @@
 
 namespace fogcomp::recording {
 namespace {
+
+constexpr int kRounds = 5;  // until the counts of lost samples stay
 
 using Ranges = std::vector<RowRange>;
 
@@ -38,13 +41,16 @@ class EvenRows {
     period_s_ = spacings > 0 ? sum_s / static_cast<double>(spacings) : 0;
   }
 
-  /// False if there are too few rows.
-  bool fit() {
+  /// Whether spacings make up for each other.
+  bool are_of_arrival() {
     if (period_s_ <= 0) return false;
     set_window();
-    if (!scatters_like_delays()) return false;
-    if (!estimate_period()) return false;
-    find_losses();
+    return scatters_like_delays();
+  }
+
+  /// False if the times do not tell the period, or are not of this one.
+  bool fit(std::optional<double> period_s) {
+    if (!count_losses(period_s)) return false;
     join_caught_up();
     set_window();
     return true;
@@ -61,10 +67,16 @@ class EvenRows {
     return result;
   }
 
-  /// No sample can be later than the longest pause explains.
+  /// No sample can be later than the longest pause explains, and those that are lost at another
+  /// place between the same anchors.
   bool explains(const std::vector<double>& time_s) const {
+    double lost = 0;
+    for_each_pair([&](std::size_t from, std::size_t to) {
+      lost = std::max(lost, samples_between(from, to) - static_cast<double>(to - from));
+    });
+    const double max_s = longest_pause_s_ + (1 + lost) * period_s_;
     for (std::size_t row = 0; row < stamp_s_.size(); ++row) {
-      if (std::abs(stamp_s_[row] - time_s[row]) > longest_pause_s_ + period_s_) return false;
+      if (std::abs(stamp_s_[row] - time_s[row]) > max_s) return false;
     }
     return true;
   }
@@ -134,40 +146,44 @@ class EvenRows {
     }
   }
 
-  // Typical, because samples are lost in some windows.
-  bool estimate_period() {
-    std::vector<double> periods;
-    for_each_pair([&](std::size_t from, std::size_t to) {
-      periods.push_back((stamp_s_[to] - stamp_s_[from]) / static_cast<double>(to - from));
-    });
-    if (periods.size() < rules::kMinWindows) return false;
-    period_s_ = median(std::move(periods));
-    return period_s_ > 0;
+  // Samples between two anchors, lost ones included once they are counted.
+  double samples_between(std::size_t from, std::size_t to) const {
+    const auto rows = static_cast<double>(to - from);
+    if (!is_counted_) return rows;
+    return std::max(rows, std::round((stamp_s_[to] - stamp_s_[from]) / period_s_));
   }
 
-  // Where one window is later than the one before by a sample and more than others are: at the
-  // longest pauses between them, as many as explain it.
-  void find_losses() {
-    std::vector<double> later;
-    for_each_pair([&](std::size_t from, std::size_t to) { later.push_back(late_s(to, from)); });
-    const double max_s =
-        std::max(period_s_ / 2, rules::kLossSigmas * sigma_by_median(std::move(later)));
-    std::vector<bool> is_break(stamp_s_.size());
-    for (std::size_t i = 1; i < ranges_.size(); ++i) is_break[ranges_[i].first] = true;
+  // The period of which the times between anchors are whole multiples; of windows that lost
+  // nothing it is the shortest. False if they are none, or if too many windows lost some.
+  bool count_losses(std::optional<double> given_s) {
+    std::vector<double> periods = periods_between_anchors();
+    if (periods.size() < rules::kMinWindows) return false;
+    const auto shortest =
+        periods.begin() +
+        static_cast<std::ptrdiff_t>(rules::kShareWithoutLoss * static_cast<double>(periods.size()));
+    std::nth_element(periods.begin(), shortest, periods.end());
+    period_s_ = given_s.value_or(*shortest);
+    if (!(period_s_ > 0)) return false;
+    is_counted_ = true;
+    for (int round = 0; round < kRounds; ++round) period_s_ = median(periods_between_anchors());
+    std::vector<double> off_s;
+    double lost = 0;
     for_each_pair([&](std::size_t from, std::size_t to) {
-      std::vector<std::size_t> pauses(to - from);
-      std::iota(pauses.begin(), pauses.end(), from + 1);
-      double left_s = late_s(to, from);
-      if (left_s <= max_s) return;
-      std::sort(pauses.begin(), pauses.end(),
-                [&](std::size_t a, std::size_t b) { return spacing_s(a) > spacing_s(b); });
-      for (const std::size_t row : pauses) {
-        if (left_s <= max_s) break;
-        is_break[row] = true;
-        left_s -= late_s(row, row - 1);
-      }
+      const double samples = samples_between(from, to);
+      off_s.push_back(stamp_s_[to] - stamp_s_[from] - samples * period_s_);
+      lost += samples - static_cast<double>(to - from);
     });
-    ranges_ = split_at([&](std::size_t row) { return is_break[row]; });
+    const double most = -std::log(rules::kShareWithoutLoss) * static_cast<double>(off_s.size());
+    return given_s || (lost <= most &&
+                       sigma_by_median(std::move(off_s)) < rules::kMaxAnchorScatter * period_s_);
+  }
+
+  std::vector<double> periods_between_anchors() const {
+    std::vector<double> periods;
+    for_each_pair([&](std::size_t from, std::size_t to) {
+      periods.push_back((stamp_s_[to] - stamp_s_[from]) / samples_between(from, to));
+    });
+    return periods;
   }
 
   // The rows behind a long pause may be those that waited in it.
@@ -188,46 +204,99 @@ class EvenRows {
 
   void even_out(const RowRange& range, std::vector<double>& time_s) const {
     const std::vector<std::size_t> anchors = anchors_of(range);
-    std::size_t next = 0;
-    for (std::size_t row = range.first; row < range.end; ++row) {
-      while (next < anchors.size() && anchors[next] < row) ++next;
-      const std::size_t near = anchors[next == 0 ? 0 : next - 1];
-      const auto rows = static_cast<double>(row) - static_cast<double>(near);
-      const bool between = next > 0 && next < anchors.size();
-      const double period_s = between ? (stamp_s_[anchors[next]] - stamp_s_[near]) /
-                                            static_cast<double>(anchors[next] - near)
-                                      : period_s_;
-      time_s[row] = stamp_s_[near] + rows * period_s;
+    const auto fill = [&](std::size_t first, std::size_t end, std::size_t near, double period_s) {
+      for (std::size_t row = first; row < end; ++row) {
+        const auto rows = static_cast<double>(row) - static_cast<double>(near);
+        time_s[row] = stamp_s_[near] + rows * period_s;
+      }
+    };
+    fill(range.first, anchors.front(), anchors.front(), period_s_);
+    fill(anchors.back(), range.end, anchors.back(), period_s_);
+    for (std::size_t i = 1; i < anchors.size(); ++i) {
+      const std::size_t from = anchors[i - 1];
+      const std::size_t to = anchors[i];
+      const double period_s = (stamp_s_[to] - stamp_s_[from]) / samples_between(from, to);
+      const std::size_t behind = first_behind_loss(from, to, period_s);
+      fill(from, behind, from, period_s);
+      fill(behind, to, to, period_s);
     }
   }
 
-  // Of a straight line through the anchors of each range: its period and the sigma of that.
+  // The row after which nothing is lost before the anchor `to`: of those from which on no sample
+  // would have arrived before it was taken, the one behind the longest pause.
+  std::size_t first_behind_loss(std::size_t from, std::size_t to, double period_s) const {
+    if (samples_between(from, to) <= static_cast<double>(to - from)) return to;
+    std::size_t behind = to;
+    for (std::size_t row = to; row > from; --row) {
+      const double taken_s = stamp_s_[to] - static_cast<double>(to - row) * period_s;
+      if (taken_s > stamp_s_[row] + period_s / 2) break;
+      if (spacing_s(row) > spacing_s(behind)) behind = row;
+    }
+    return behind;
+  }
+
+  /// Of straight lines of one slope through series of anchors.
+  class Slope {
+   public:
+    // Samples and lateness since the first one.
+    void add(const std::vector<double>& samples, const std::vector<double>& late_s) {
+      const auto count = static_cast<double>(samples.size());
+      const double mean_samples = std::accumulate(samples.begin(), samples.end(), 0.0) / count;
+      const double mean_late_s = std::accumulate(late_s.begin(), late_s.end(), 0.0) / count;
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        const double x = samples[i] - mean_samples;
+        const double y = late_s[i] - mean_late_s;
+        square_ += x * x;
+        product_ += x * y;
+        late_square_ += y * y;
+      }
+      degrees_of_freedom_ += count - 1;
+    }
+    double value() const { return product_ / square_; }
+    double sigma(double rounding_variance) const {
+      const double left = std::max(late_square_ - product_ * product_ / square_, 0.0);
+      const double variance = left / std::max(degrees_of_freedom_, 1.0) + rounding_variance;
+      return std::sqrt(variance / square_);
+    }
+
+   private:
+    double square_ = 0;
+    double product_ = 0;
+    double late_square_ = 0;
+    double degrees_of_freedom_ = -1;
+  };
+
+  // Of a straight line through the anchors of each range, and of its parts between which the count
+  // of lost samples may be wrong: its period and the sigma of that.
   std::pair<double, double> fitted_period_s() const {
-    double rows_square = 0;
-    double product = 0;
-    double late_square = 0;
-    double degrees_of_freedom = -1;
+    Slope slope;
     for (const RowRange& range : ranges_) {
       const std::vector<std::size_t> anchors = anchors_of(range);
-      const auto count = static_cast<double>(anchors.size());
-      double mean_rows = 0;
-      double mean_late = 0;
-      for (const std::size_t row : anchors) {
-        mean_rows += static_cast<double>(row - range.first) / count;
-        mean_late += late_s(row, range.first) / count;
+      std::vector<double> samples{0};
+      std::vector<double> lates_s{0};
+      for (std::size_t i = 1; i < anchors.size(); ++i) {
+        const double between = samples_between(anchors[i - 1], anchors[i]);
+        const double off_s = stamp_s_[anchors[i]] - stamp_s_[anchors[i - 1]] - between * period_s_;
+        if (std::abs(off_s) > period_s_ / 4) {
+          slope.add(std::exchange(samples, {0}), std::exchange(lates_s, {0}));
+          continue;
+        }
+        samples.push_back(samples.back() + between);
+        lates_s.push_back(lates_s.back() + off_s);
       }
-      for (const std::size_t row : anchors) {
-        const double rows = static_cast<double>(row - range.first) - mean_rows;
-        const double late = late_s(row, range.first) - mean_late;
-        rows_square += rows * rows;
-        product += rows * late;
-        late_square += late * late;
-      }
-      degrees_of_freedom += count - 1;
+      slope.add(samples, lates_s);
     }
-    const double left = std::max(late_square - product * product / rows_square, 0.0);
-    return {period_s_ + product / rows_square,
-            std::sqrt(left / std::max(degrees_of_freedom, 1.0) / rows_square)};
+    return {period_s_ + slope.value(), slope.sigma(rounding_variance())};
+  }
+
+  // Of stamps that agree by their rounding: the clock's step is no longer than the shortest time
+  // between two of them.
+  double rounding_variance() const {
+    double step_s = std::numeric_limits<double>::infinity();
+    for (std::size_t row = 1; row < stamp_s_.size(); ++row) {
+      if (spacing_s(row) > 0) step_s = std::min(step_s, spacing_s(row));
+    }
+    return step_s * step_s / 12;
   }
 
   const std::vector<double>& stamp_s_;
@@ -235,20 +304,26 @@ class EvenRows {
   double period_s_ = 0;
   double longest_pause_s_ = 0;
   std::size_t window_ = 0;
+  bool is_counted_ = false;  // whether samples that are lost between anchors are known
 };
 
 }  // namespace
 
-std::optional<EvenTimes> even_times(const std::vector<double>& time_s) {
+std::optional<EvenTimes> even_times(const std::vector<double>& time_s,
+                                    const std::optional<double>& rate_hz) {
   if (time_s.size() < 2) return std::nullopt;
   const std::size_t gaps = gaps_in(time_s, median_spacing_s(time_s));
   if (gaps == 0) return std::nullopt;
   EvenRows rows(time_s);
-  if (!rows.fit()) return std::nullopt;
-  EvenTimes even = rows.times();
+  if (!rows.are_of_arrival()) return std::nullopt;
+  EvenTimes even;
+  if (rows.fit(rate_hz ? std::optional(1 / *rate_hz) : std::nullopt)) {
+    even = rows.times();
+    even.is_known = rows.explains(even.time_s);
+    const std::size_t least = std::max(even.gaps_after, rules::kMinWindows);
+    if (even.is_known && even.gaps_after + least > gaps) return std::nullopt;
+  }
   even.gaps_before = gaps;
-  if (even.gaps_after + std::max(even.gaps_after, rules::kMinWindows) > gaps) return std::nullopt;
-  if (!rows.explains(even.time_s)) return std::nullopt;
   return even;
 }
 

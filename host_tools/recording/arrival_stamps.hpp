@@ -8,6 +8,8 @@ namespace fogcomp::recording {
 
 /// Evenly sampled rows whose times are those at which they arrived.
 struct EvenTimes {
+  /// False: too many samples are lost, or delays are too long, for the rest to be known.
+  bool is_known = false;
   std::vector<double> time_s;  ///< of each row, when it was sampled
   double rate_hz = 0;
   double rate_sigma_hz = 0;
@@ -18,12 +20,14 @@ struct EvenTimes {
 /// Recognises times of arrival: packets, a queue behind a stalled reader, a clock that is read
 /// coarsely. Each sample is late by a delay that comes and goes, so that spacings scatter but their
 /// sums do not: what a pause takes, the next spacings give back, unlike at lost samples. The least
-/// delayed sample of each window is a time that is known; between these the samples are even.
+/// delayed sample of each window is a time that is known; between these the samples are even, and
+/// lost where whole periods are missing.
 ///
-/// `time_s`: not falling; rows may have the same time. Nothing if most gaps are gaps, or all but a
-/// few (rules::kMinWindows), if
-/// spacings scatter like losses or if the delays are longer than the pauses that would explain
-/// them. Pauses above rules::kMaxDropoutS are gaps unless the rows after them make up for them.
-std::optional<EvenTimes> even_times(const std::vector<double>& time_s);
+/// `time_s`: not falling; rows may have the same time. Nothing if spacings scatter like losses, or
+/// most gaps are gaps, or all but a few (rules::kMinWindows).
+/// Pauses above rules::kMaxDropoutS are gaps unless the rows after them make up for them. Without
+/// `rate_hz` the sample rate is found where enough windows lose nothing (rules::kShareWithoutLoss).
+std::optional<EvenTimes> even_times(const std::vector<double>& time_s,
+                                    const std::optional<double>& rate_hz = std::nullopt);
 
 }  // namespace fogcomp::recording

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <utility>
 
 #include "recording/columns.hpp"
@@ -163,9 +164,21 @@ bool ColumnName::has_word(const std::vector<std::string_view>& beginnings) const
   });
 }
 
+// "UTC Year", "UTC Second" are parts of a date, and no time by themselves.
+bool ColumnName::is_part_of_date() const {
+  constexpr std::string_view kParts[] = {"year",   "month",  "day",         "hour",
+                                         "minute", "second", "millisecond", "millesecond"};
+  const std::vector<std::string> all = words_of(text.substr(0, text.find_first_of("[(")));
+  return all.size() == 2 && (all[0] == "utc" || all[0] == "date" || all[0] == "local") &&
+         std::find(std::begin(kParts), std::end(kParts), all[1]) != std::end(kParts);
+}
+
 bool ColumnName::is_time() const {
   if (unit && unit->quantity != Quantity::time) return false;
   if (unit_alone) return true;
+  if (is_part_of_date()) return false;
+  // The time of the week of GPS.
+  if (std::find(words.begin(), words.end(), "tow") != words.end()) return true;
   if (words == std::vector<std::string>{"t"}) return unit || text[0] == 't';
   if (has_word({"temp", "sample", "const"})) return false;
   return has_word({"time", "elapsed", "zeit", "date", "epoch", "unix", "utc"}) ||
@@ -177,7 +190,7 @@ bool ColumnName::is_temperature() const {
   const bool in_degrees = unit && folded(unit_text) == "deg";
   if (unit && unit->quantity != Quantity::temperature && !in_degrees) return false;
   if (unit_alone) return is_unambiguous(unit_text);
-  if (has_word({"rate", "gyro", "grad", "deriv", "set", "dt"})) return false;
+  if (has_word({"rate", "grad", "deriv", "set", "dt"})) return false;
   if (words == std::vector<std::string>{"t"}) return unit || text[0] == 'T';
   return has_word({"temp"}) || (unit && is_unambiguous(unit_text));
 }

@@ -41,6 +41,7 @@ struct ColumnName {
  private:
   void take_bracket();
   void take_tail(const std::string& name);
+  bool is_part_of_date() const;
   bool is_time() const;
   bool is_temperature() const;
   bool is_rate() const;

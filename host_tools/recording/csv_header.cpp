@@ -70,7 +70,7 @@ class HeaderReader {
     take_own_names();
     take_counts();
     for (std::size_t slot = 0; slot < kColumns.size(); ++slot) {
-      if (!is_known(slot)) take_likely(slot);
+      if (!is_known(slot) && is_read(slot)) take_likely(slot);
     }
     for (const std::size_t slot : kRequiredSlots) {
       if (!take_given(slot)) require(slot);
@@ -89,6 +89,11 @@ class HeaderReader {
   void say(const std::string& what) const { options_.watch.say(lines_.file, what); }
 
   bool is_known(std::size_t slot) const { return header_.has(slot) || header_.is_constant(slot); }
+
+  // A table has no times.
+  bool is_read(std::size_t slot) const {
+    return !options_.is_table || (slot != kTimeSlot && slot != slot_of(Column::uptime_s));
+  }
 
   std::string place(std::size_t field) const {
     return "column " + std::to_string(field + 1) + " " + quoted(columns_[field]);
@@ -111,6 +116,10 @@ class HeaderReader {
   }
 
   void take_choice(const ColumnChoice& choice) {
+    if (!is_read(choice.slot)) {
+      fail("the lines of a --table have no times; leave " + map_key(choice.slot) +
+           "= out of --columns");
+    }
     const auto chosen = find_field(choice, columns_);
     const auto constant = constant_of(choice);
     if (!chosen && !constant) {
@@ -152,6 +161,7 @@ class HeaderReader {
         const std::size_t slot = slot_named(name_of(i));
         if (slot == CsvHeader::kSegmentLabel && !header_.has(slot)) header_.slots[i] = slot;
         if (slot >= kColumns.size() || header_.slots[i] != CsvHeader::kIgnored) continue;
+        if (!is_read(slot)) continue;
         if (found[slot] == header_.names.size() && is_known(slot)) continue;
         if (found[slot] < header_.names.size()) {
           fail("column '" + printable(header_.names[i]) + "' stands twice, in fields " +
@@ -264,6 +274,14 @@ class HeaderReader {
     fail(what);
   }
 
+  // Of a file that has no such column at all.
+  static std::string way_without(std::size_t slot) {
+    if (slot == kTimeSlot) {
+      return "; without times: --rate HZ (even samples) or --table (means at steady temperatures)";
+    }
+    return slot == kTemperatureSlot ? "; without temperatures: --temperature DEGC" : "";
+  }
+
   // The column in the syntax of --columns.
   std::string proposal(std::size_t field, std::size_t slot) const {
     const ColumnName& column = columns_[field];
@@ -365,12 +383,16 @@ class HeaderReader {
       header_.constants.push_back({slot, 0});
       return true;
     }
+    if (slot == kTimeSlot && options_.is_table) {
+      header_.understood.emplace_back("a table: each line is the mean of a steady temperature");
+      return true;
+    }
     if (slot == kTimeSlot && options_.stream_rate_hz) {
       if (!has_column) {
         header_.understood.push_back(
             format("time: none, a sample each %g s as given", 1 / *options_.stream_rate_hz));
       } else if (!counts_samples_) {
-        say("a CSV has its own time; --rate has no effect");
+        say("a CSV has its own times; --rate only helps where they are those of arrival");
       }
       return true;
     }
@@ -400,7 +422,7 @@ class HeaderReader {
     }
     fail("no column '" + name + "'" + did_you_mean(name, free) + "; the header has " +
          joined(header_.names) + "; rename or add it, or say which it is: --columns " +
-         map_key(slot) + "=NAME" + unit_proposal(slot));
+         map_key(slot) + "=NAME" + unit_proposal(slot) + way_without(slot));
   }
 
   void name_ignored_columns() const {
@@ -475,7 +497,7 @@ std::size_t required_columns_among(const std::vector<std::string>& names,
   }
   if (options.temperature_degc || !options.join.empty()) found.insert(kTemperatureSlot);
   if (options.without_rate) found.insert(kRateSlot);
-  if (options.stream_rate_hz) found.insert(kTimeSlot);
+  if (options.stream_rate_hz || options.is_table) found.insert(kTimeSlot);
   return static_cast<std::size_t>(
       std::count_if(std::begin(kRequiredSlots), std::end(kRequiredSlots),
                     [&](std::size_t slot) { return found.count(slot) > 0; }));

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "recording/column_look.hpp"
+#include "recording/column_map.hpp"
+#include "recording/column_name.hpp"
 #include "recording/columns.hpp"
 #include "recording/csv_lines.hpp"
 #include "recording/csv_times.hpp"
@@ -90,13 +92,28 @@ class LayoutFinder {
       const std::string_view text = in_comments ? uncommented(lines_[i]) : lines_[i];
       if (text.find(separator) == std::string_view::npos) continue;
       std::vector<std::string> names = names_in(text, separator);
-      const std::size_t found = is_all_numbers(names) ? 0 : required_columns_among(names, options_);
+      const bool is_data = is_all_numbers(names) || has_numbers_as_names(names);
+      const std::size_t found = is_data ? 0 : required_columns_among(names, options_);
       remember_candidate(i, names, found);
       note_likeliest(i, separator, names, found);
       if (found < kRequired) continue;
       i = try_header(i, separator, std::move(names));
       if (!readings_.empty() && readings_.back().has_values()) return;
     }
+  }
+
+  // Whether --columns gives numbers of columns, and this line has numbers there.
+  bool has_numbers_as_names(const std::vector<std::string>& names) const {
+    if (options_.columns.empty()) return false;
+    const std::vector<ColumnName> columns(names.begin(), names.end());
+    bool any = false;
+    for (const ColumnChoice& choice : parse_column_map(options_.columns)) {
+      const auto chosen = find_field(choice, columns);
+      if (!chosen) continue;
+      if (!parse_number(without_quotes(names[chosen->field]))) return false;
+      any = true;
+    }
+    return any;
   }
 
   // Remembers the best line that lacks a column, for the message.
@@ -264,7 +281,12 @@ class LayoutFinder {
 
   CsvLayout finish(const Reading& chosen) {
     CsvLayout layout = chosen.layout;
-    refuse_two_marks(lines_, head_.path, layout);
+    if (const auto refusal = refusal_of_marks(lines_, head_.path, layout)) {
+      if (!options_.model_decimal_comma) throw InputError(*refusal);
+      ReadOptions remembered = options_;
+      remembered.decimal_comma = options_.model_decimal_comma;
+      return LayoutFinder(head_, remembered).find();
+    }
     refuse_several_sensors(lines_, head_.path, layout, options_);
     understand_header(chosen.lines, options_);  // to report its interpretation
     understand_times(lines_, head_.path, layout);

@@ -9,16 +9,20 @@
 #include <vector>
 
 #include "recording/arrival_stamps.hpp"
+#include "recording/column_map.hpp"
 #include "recording/columns.hpp"
 #include "recording/csv_lines.hpp"
 #include "recording/csv_row.hpp"
+#include "recording/dwell_table.hpp"
 #include "recording/held_rate.hpp"
 #include "recording/long_recording.hpp"
+#include "recording/plausibility.hpp"
 #include "recording/row_filter.hpp"
 #include "recording/row_range.hpp"
 #include "recording/row_removal.hpp"
 #include "recording/sparse_columns.hpp"
 #include "recording/sparse_input_rate.hpp"
+#include "recording/stretches.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
@@ -90,7 +94,7 @@ class RowCollector {
       if (slot < kColumns.size()) columns_.push_back({slot, &(recording_[kColumns[slot].column])});
     }
     if (!layout.header.has(kTimeSlot)) {
-      period_s_ = 1 / *options.stream_rate_hz;
+      period_s_ = options.is_table ? kDwellSpacingS : 1 / *options.stream_rate_hz;
       columns_.push_back({kTimeSlot, &recording_.time_s});
     }
     for (const CsvHeader::Constant& each : layout.header.constants) {
@@ -98,6 +102,13 @@ class RowCollector {
       columns_.push_back({each.slot, &(recording_[kColumns[each.slot].column])});
     }
     recording_.temperature_given = layout.header.is_constant(kTemperatureSlot);
+    const CsvHeader& header = layout.header;
+    if (header.has(kTimeSlot) && !header.time_has_unit && layout.time == TimeFormat::number &&
+        header.unit_of(kTimeSlot).is_ours()) {
+      const std::string name = column_choice(header.names, header.field_of(kTimeSlot));
+      unit_question_ =
+          "--columns 'time=" + name + "[min]', or '[s]' if it is right, or '[h]' or '[ms]'";
+    }
   }
 
   /// Reserves memory for all rows of a file of `bytes`, estimated from the length of one row:
@@ -172,6 +183,7 @@ class RowCollector {
           file_.path(), "its time counter began again " + counted(wraps_, "time") + ": counted on");
     }
     complete();
+    if (!unit_question_.empty()) refuse_doubted_time();
     recording_.first_date_s = reader_.first_date_s();
     if (!long_recording_.begun()) return std::move(recording_);
     if (!options_.join.empty()) {
@@ -191,16 +203,32 @@ class RowCollector {
     std::vector<double>* values;
   };
 
+  // A unit that no name gives is asked for if figures speak against seconds.
+  void refuse_doubted_time() {
+    if (long_recording_.begun()) return;
+    find_stretches(recording_);
+    const std::string doubt = doubt_of_time(recording_);
+    if (doubt.empty()) return;
+    throw InputError(file_.path(),
+                     "its time has no unit, and in s " + doubt + " Give it: " + unit_question_);
+  }
+
   // Each part of a long recording.
   void complete() {
-    even_out_times();
+    if (!options_.is_table) even_out_times();
     complete_sparse();
-    if (options_.every_row) return;
+    if (options_.every_row || options_.is_table) return;
     leave_out_repeats();
   }
 
+  // Of a file with times.
+  std::optional<double> given_rate_hz() const {
+    return period_s_ > 0 ? std::nullopt : options_.stream_rate_hz;
+  }
+
   void even_out_times() {
-    if (auto even = even_times(recording_.time_s)) {
+    auto even = even_times(recording_.time_s, given_rate_hz());
+    if (even && even->is_known) {
       options_.watch.say(
           file_.path(),
           format("times are those at which samples arrived; taken as even, at %.8g +- %.2g Hz: "
@@ -209,6 +237,10 @@ class RowCollector {
                  even->gaps_before));
       recording_.time_s = std::move(even->time_s);
       first_repeat_ = {};
+    } else if (even && !given_rate_hz()) {
+      throw InputError(file_.path(),
+                       "times are those at which samples arrived, and do not tell the sample rate: "
+                       "too many are lost or late; give --rate HZ");
     } else if (!first_repeat_.empty()) {
       throw InputError(first_repeat_.where,
                        first_repeat_.fault + "; correct the line or give --skip-bad-rows");
@@ -225,7 +257,8 @@ class RowCollector {
                recording_.rows() - repeats.size(), recording_.rows()));
     lines_ = lines_.without(repeats, recording_.rows());
     remove_rows(recording_, repeats);
-    if (auto even = even_times(recording_.time_s)) recording_.time_s = std::move(even->time_s);
+    auto even = even_times(recording_.time_s);
+    if (even && even->is_known) recording_.time_s = std::move(even->time_s);
   }
 
   void complete_sparse() {
@@ -280,6 +313,7 @@ class RowCollector {
   double previous_s_ = -std::numeric_limits<double>::infinity();
   double spacing_s_ = 0;  // of the two rows before
   CounterWrap wrap_;
+  std::string unit_question_;  // the option that gives the unit of the time, if it has none
   double wrapped_s_ = 0;
   std::size_t wraps_ = 0;
   // The first row with the time of the one before.

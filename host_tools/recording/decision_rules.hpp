@@ -85,8 +85,11 @@ constexpr std::size_t kMinWindows = 8;
 /// Variance of a window's sum over that of independent values: lost samples have 1, give or take a
 /// half with kMinWindows; late ones nearly 0. arrival_stamps_test.
 constexpr double kMaxBalancedScatter = 0.25;
-/// Sigmas of windows above which one has lost a sample. arrival_stamps_test.
-constexpr double kLossSigmas = 5;
+/// Share of windows that lose nothing, at least; with fewer, lost samples cannot be counted. And
+/// scatter of the times between anchors about whole samples, in samples, below which they can:
+/// without any grid it is 0.29. arrival_stamps_test.
+constexpr double kShareWithoutLoss = 0.05;
+constexpr double kMaxAnchorScatter = 0.12;
 /// Rows for each reading of the gyro from which on repeats are left out: below, they change an
 /// Allan deviation by less than its uncertainty. held_rate_test.
 constexpr double kMinRowsPerReading = 1.05;

@@ -1,12 +1,10 @@
 #include "recording/digit_groups.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "recording/column_map.hpp"
 #include "recording/columns.hpp"
 #include "recording/csv_lines.hpp"
-#include "support/input_error.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::recording {
@@ -79,24 +77,24 @@ class Marks {
 
 }  // namespace
 
-void refuse_two_marks(const std::vector<std::string_view>& lines, const std::string& path,
-                      const CsvLayout& layout) {
+std::optional<InputError> refusal_of_marks(const std::vector<std::string_view>& lines,
+                                           const std::string& path, const CsvLayout& layout) {
   const CsvDialect& dialect = layout.dialect;
-  if (dialect.groups) return;
+  if (dialect.groups) return std::nullopt;
   const Marks marks(lines, layout);
   const auto field = marks.ambiguous_column();
-  if (!field) return;
+  if (!field) return std::nullopt;
   const std::string number(marks.example(*field));
   std::string decimal = number;
   std::string whole = number;
   const std::size_t at = number.find(dialect.decimal_mark());
   decimal[at] = '.';
   whole.erase(at, 1);
-  throw InputError(path, "numbers such as " + number + " (column " + std::to_string(*field + 1) +
-                             " '" + printable(layout.header.names[*field]) + "') can be " +
-                             decimal + " or " + whole +
-                             "; say which mark is the decimal one: --decimal-mark " +
-                             (dialect.decimal_comma ? "comma or point" : "point or comma"));
+  return InputError(path, "numbers such as " + number + " (column " + std::to_string(*field + 1) +
+                              " '" + printable(layout.header.names[*field]) + "') can be " +
+                              decimal + " or " + whole +
+                              "; say which mark is the decimal one: --decimal-mark " +
+                              (dialect.decimal_comma ? "comma or point" : "point or comma"));
 }
 
 }  // namespace fogcomp::recording

@@ -94,6 +94,14 @@ std::string slow_doubt(const Recording& recording) {
 
 }  // namespace
 
+std::string doubt_of_time(const Recording& recording) {
+  for (const std::string& doubt :
+       {length_doubt(recording), fast_doubt(recording), slow_doubt(recording)}) {
+    if (!doubt.empty()) return doubt;
+  }
+  return "";
+}
+
 std::vector<std::string> doubts(const Recording& recording, double white_noise_dph_rthz) {
   std::vector<std::string> lines;
   for (const std::string& doubt : {noise_doubt(white_noise_dph_rthz), length_doubt(recording),

@@ -12,4 +12,7 @@ namespace fogcomp::recording {
 /// deg/h in 1 s; 0 if unknown. Bounds: decision_rules.hpp.
 std::vector<std::string> doubts(const Recording& recording, double white_noise_dph_rthz);
 
+/// The first of them that a wrong unit of the time explains; "" for none.
+std::string doubt_of_time(const Recording& recording);
+
 }  // namespace fogcomp::recording

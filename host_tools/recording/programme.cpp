@@ -15,12 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxPoints = 4000;
 
-/// Mean temperature of a few rows.
-struct Point {
-  double time_s;
-  double temperature_degc;
-  std::size_t first_row;
-};
+using Point = TemperaturePoint;
 
 std::vector<Point> decimate(const Recording& recording, RowRange rows) {
   const std::size_t step = (rows.size() + kMaxPoints - 1) / kMaxPoints;
@@ -155,18 +150,26 @@ void drop_short_soaks(std::vector<Piece>& pieces) {
 
 }  // namespace
 
-std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowRange rows) {
+TemperaturePolygon temperature_polygon(const Recording& recording, RowRange rows) {
   const std::vector<Point> points = decimate(recording, rows);
-  if (points.size() < 2) return {{SegmentKind::soak, rows}};
-  const double tolerance = tolerance_degc(recording, rows, points);
+  TemperaturePolygon polygon;
+  polygon.tolerance_degc = tolerance_degc(recording, rows, points);
+  if (points.size() < 2) return polygon;
+  for (const std::size_t corner : find_corners(points, polygon.tolerance_degc)) {
+    polygon.corners.push_back(points[corner]);
+  }
+  return polygon;
+}
+
+std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowRange rows) {
+  const auto [corners, tolerance] = temperature_polygon(recording, rows);
+  if (corners.size() < 2) return {{SegmentKind::soak, rows}};
   const double min_ramp_degc = std::max(rules::kMinRampDegc, rules::kMinRampTolerances * tolerance);
 
   std::vector<Piece> pieces;
-  const std::vector<std::size_t> corners = find_corners(points, tolerance);
   for (std::size_t i = 1; i < corners.size(); ++i) {
-    const Point& from = points[corners[i - 1]];
-    const Point& to = points[corners[i]];
-    pieces.push_back({from, to, kind_by_slope(from, to, min_ramp_degc)});
+    const SegmentKind kind = kind_by_slope(corners[i - 1], corners[i], min_ramp_degc);
+    pieces.push_back({corners[i - 1], corners[i], kind});
   }
   join_equal_neighbours(pieces);
   flatten_small_ramps(pieces, min_ramp_degc);

@@ -6,6 +6,7 @@
 
 #include "recording/csv_reader.hpp"
 #include "recording/decision_rules.hpp"
+#include "recording/dwell_table.hpp"
 #include "recording/foreign_format.hpp"
 #include "recording/joined_file.hpp"
 #include "recording/line_numbers.hpp"
@@ -97,6 +98,9 @@ Recording read_recording(InputFile& file, const ReadOptions& options) {
 
   Recording recording;
   LineNumbers lines;
+  if (options.is_table && (find_output_frames(head) || is_sensor_stream(head))) {
+    throw InputError(path, "is a stream of samples, no table; leave --table out");
+  }
   if (const auto frames = find_output_frames(head)) {
     recording = read_output_stream(file, *frames, options);
   } else if (is_sensor_stream(head)) {
@@ -113,10 +117,12 @@ Recording read_recording(InputFile& file, const ReadOptions& options) {
   recording.masks.insert(recording.masks.end(), given.begin(), given.end());
   find_stretches(recording);
   mask_unknown_flanks(recording, options.watch);
-  if (options.keep_refused_rows || recording.rows_per_row > 1) return recording;
-  leave_out_refused_rows(recording, lines, options.limits.over(options.model_limits),
-                         options.watch);
-  if (recording.refused_rows > 0) find_stretches(recording);
+  if (!options.keep_refused_rows && recording.rows_per_row == 1) {
+    leave_out_refused_rows(recording, lines, options.limits.over(options.model_limits),
+                           options.watch);
+    if (recording.refused_rows > 0) find_stretches(recording);
+  }
+  if (options.is_table) become_table(recording);
   return recording;
 }
 

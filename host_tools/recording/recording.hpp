@@ -38,7 +38,7 @@ constexpr std::size_t kFirstExtensionColumn = 5;
 /// are empty. Columns and units: columns.hpp.
 struct Recording {
   std::string file;
-  /// Mean sample spacing within the stretches, s; 0 for one row.
+  /// Mean sample spacing within the stretches, s; 0 for one row, and for a table.
   double period_s = 0;
   std::vector<double> time_s;
   std::vector<double> temperature_degc;
@@ -56,6 +56,7 @@ struct Recording {
   };
   std::vector<Label> labels;
   bool temperature_given = false;  ///< none was measured: one value for all rows
+  bool is_table = false;           ///< of means at steady temperatures (dwell_table.hpp)
   /// time_s starts at the first row, because the file has calendar times.
   bool power_on_unknown = false;
   /// With power_on_unknown: the first row's time, seconds since 1970 if its calendar is known.
@@ -117,6 +118,10 @@ struct ReadOptions {
   std::vector<Cut> cuts{};  ///< made by runs::read_runs()
   /// Decimal mark of a CSV, whose other mark then parts thousands; nothing: as its numbers show.
   std::optional<bool> decimal_comma{};
+  /// The same as remembered by the present model: for files that leave it open.
+  std::optional<bool> model_decimal_comma{};
+  /// Each line of a CSV is the mean of a steady temperature, in any order; times are not read.
+  bool is_table = false;
   bool skip_bad_rows = false;
   /// Keeps the samples that the board would refuse: for the board's own code, which judges them
   /// itself.

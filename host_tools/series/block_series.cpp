@@ -79,6 +79,23 @@ double temperature_step_degc(const recording::Recording& recording, std::size_t 
   return changes == 0 || changes > blocks ? 0 : step_degc;
 }
 
+// Blocks from one line of a table to the next: more than a board bridges.
+constexpr int kDwellBlocks = 1000;
+constexpr double kDwellBlockS = 10;
+
+// The gyro has settled at the temperature of a table's line before that is measured: a block from
+// which the model starts, whose own rate does not count.
+void add_settled_blocks(BlockSeries& series) {
+  std::vector<BlockSeries::Block> blocks;
+  for (const BlockSeries::Block& measured : series.blocks) {
+    blocks.push_back(measured);
+    blocks.back().number -= 1;
+    blocks.back().masked = true;
+    blocks.push_back(measured);
+  }
+  series.blocks = std::move(blocks);
+}
+
 using PowerOn = model::RealNumbers::PowerOn;
 
 // The last power-on before a row: time_s is since then unless the uptime says more. `before`: that
@@ -178,6 +195,7 @@ model::RealNumbers::RateWithin rise_of_input_rate(const recording::Recording& re
 }
 
 std::int64_t sample_number(const recording::Recording& recording, std::size_t row) {
+  if (recording.is_table) return std::int64_t{kDwellBlocks} * static_cast<std::int64_t>(row) + 1;
   if (row == 0) return 0;
   return std::llround((recording.time_s[row] - recording.time_s[0]) / recording.period_s);
 }
@@ -208,6 +226,7 @@ BlockSeries without_blocks(const recording::Recording& recording) {
   series.period_s = recording.period_s;
   series.samples_per_block = samples_per_block(recording.period_s);
   series.block_s = recording.period_s > 0 ? recording.period_s * series.samples_per_block : 1;
+  if (recording.is_table) series.block_s = kDwellBlockS;
   series.inputs = inputs_of(recording);
   series.input_ranges = input_ranges_of(recording);
   series.rounding_dph = recording::rate_resolution(recording).rounding_dph();
@@ -261,9 +280,13 @@ BlockSeries make_blocks(const recording::Recording& recording) {
     make_means(block);
     block.means.elapsed = series.first.elapsed + static_cast<double>(block.number) + 1;
   }
-  series.temperature_step_degc = temperature_step_degc(recording, series.blocks.size());
   mark_masked(recording.masks, series);
   set_rates_within(recording, first_rows, series);
+  if (recording.is_table) {
+    add_settled_blocks(series);
+  } else {
+    series.temperature_step_degc = temperature_step_degc(recording, series.blocks.size());
+  }
   require_unmasked(series);
   return series;
 }

@@ -49,6 +49,7 @@ CompleteRows complete_rows(const recording::Recording& recording, double average
     }
   }
   rows.means.file = recording.file;
+  rows.means.is_table = recording.is_table;
   rows.means.period_s = recording.period_s * static_cast<double>(rows.samples_per_row);
   for (const recording::ColumnInfo& column : recording::kColumns) {
     const std::vector<double>& values = recording[column.column];

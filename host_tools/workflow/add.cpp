@@ -24,7 +24,7 @@ fit::Addition add(const AddRequest& request, const runs::Runs& runs, const Obser
   fit::EffectChange change = change_of(request, model.terms);
   const std::string read = mask_words(request.reading);
   change.what = request.only_cuts ? read.substr(1) : change.what + read;
-  if (!request.reading.columns.empty()) model.columns = request.reading.columns;
+  remember_reading(request.reading, model);
   observer.say(runs.notes);
   observer.tell(kTraining, 0);
   return fit::add_effect(model, change, runs,

@@ -74,7 +74,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const runs::Runs& judgi
   model::Model model = model::load_model(request.model);
   observer.say(model::leave_out_events(model.terms));
   const recording::ReadOptions reading = reading_for(model, request.reading, observer);
-  if (!reading.columns.empty()) model.columns = reading.columns;
+  remember_reading(reading, model);
   observer.say(judging.notes);
 
   const runs::RowLength rows = runs::row_length(judging.training, model.average_s);

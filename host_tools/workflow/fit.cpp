@@ -56,7 +56,7 @@ Plan plan_of(const FitRequest& request) {
   // The scale factor is also the board's: it is stored for recordings in deg/h as well.
   plan.reading = request.reading;
   plan.model.limits = plan.reading.limits.over({});
-  plan.model.columns = plan.reading.columns;
+  remember_reading(plan.reading, plan.model);
   plan.model.scale_factor = plan.reading.scale_factor.value_or(recording::kDefaultScaleFactor);
   std::swap(plan.reading.scale_factor, plan.reading.model_scale_factor);
   return plan;

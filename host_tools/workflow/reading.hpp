@@ -21,7 +21,14 @@ inline recording::ReadOptions reading_for(const model::Model& model,
   reading.model_scale_factor = model.scale_factor;
   reading.model_limits = model.limits;
   reading.model_columns = model.columns;
+  reading.model_decimal_comma = model.decimal_comma;
   return reading;
+}
+
+/// What the model keeps of the way in which its recordings are read, for further ones.
+inline void remember_reading(const recording::ReadOptions& options, model::Model& model) {
+  if (!options.columns.empty()) model.columns = options.columns;
+  if (options.decimal_comma) model.decimal_comma = options.decimal_comma;
 }
 
 /// Description of masks and cuts for a model's history; "" for none.

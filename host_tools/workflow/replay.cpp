@@ -26,7 +26,10 @@ board::StreamSource source_of(const StreamRequest& request, const board::BoardSo
                               const Observer& observer) {
   recording::ReadOptions reading = observer.with_observer(request.reading);
   reading.model_scale_factor = board.scale_factor();
-  if (board.model() != nullptr) reading.model_columns = board.model()->columns;
+  if (board.model() != nullptr) {
+    reading.model_columns = board.model()->columns;
+    reading.model_decimal_comma = board.model()->decimal_comma;
+  }
   return board::StreamSource(request.run, reading, board.scale_factor(), board.needs());
 }
 

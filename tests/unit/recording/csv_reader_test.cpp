@@ -199,7 +199,8 @@ TEST(CsvReader, ProposesColumnsOfTheRightUnitWhateverTheirNames) {
 TEST(CsvReader, ProposesNoColumnOfAnotherUnit) {
   EXPECT_EQ(fault("time_s,temperature2_degc,rate_dph\n0,20,1\n"),
             ":1: no column 'temperature_degc'; the header has time_s, temperature2_degc, rate_dph; "
-            "rename or add it, or say which it is: --columns temperature=NAME[degC]");
+            "rename or add it, or say which it is: --columns temperature=NAME[degC]; without "
+            "temperatures: --temperature DEGC");
   EXPECT_EQ(fault("time_s,temperature_degc,rate_x_dph,rate_y_dph,rate_z_dph\n0,20,1,2,3\n"),
             ":1: rate could be column 3 'rate_x_dph' or column 4 'rate_y_dph' or column 5 "
             "'rate_z_dph'; say which: --columns 'rate=rate_x_dph', or --rate-column 'rate_x_dph'");

@@ -99,7 +99,8 @@ TEST(MissingColumns, GivenByOptions_Read) {
                  needless);
   EXPECT_NE(said.find("its own temperatures are used; --temperature has no effect"),
             std::string::npos);
-  EXPECT_NE(said.find("a CSV has its own time; --rate has no effect"), std::string::npos);
+  EXPECT_NE(said.find("a CSV has its own times; --rate only helps where they are those of arrival"),
+            std::string::npos);
 }
 
 TEST(MissingColumns, SampleCounter_TimesByTheRate) {
