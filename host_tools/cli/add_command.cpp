@@ -74,6 +74,7 @@ int AddCommand::run() const {
   const std::string name = written ? output.value() : "";
   findings::Document document = findings::add_findings(addition, arguments[0], name);
   document.read_with(recording.given_words());
+  page.keep(document);
   if (page.wanted()) page.fill(document, bench(asked, addition, written));
   if (written) model_file.commit();
   page.commit();

@@ -2,7 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 
+#include "cli/report_option.hpp"
+#include "findings/axes_findings.hpp"
+#include "report/page.hpp"
+#include "report/terminal.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -10,6 +15,7 @@ namespace fogcomp::cli {
 namespace {
 
 constexpr const char* kOption = "--rate-column";
+constexpr const char* kReport = "report";
 
 std::string part_of_file_name(const std::string& axis) {
   std::string part(trim(axis.substr(0, axis.find_first_of("[("))));
@@ -70,7 +76,7 @@ void require_own_outputs(const std::vector<CommandPointer>& commands) {
     if (!option->given()) continue;
     if (option->name == "json")
       throw InputError("--json", "is of one axis; give one --rate-column");
-    if (value_use(*option) != ValueUse::output) continue;
+    if (value_use(*option) != ValueUse::output || option->name == kReport) continue;
     for (std::size_t i = 1; i < commands.size(); ++i) {
       if (commands[i]->find_option(option->name)->text() !=
           commands[i - 1]->find_option(option->name)->text()) {
@@ -80,6 +86,46 @@ void require_own_outputs(const std::vector<CommandPointer>& commands) {
                        "would be written for each axis; put % where its name belongs");
     }
   }
+}
+
+namespace {
+
+// Of the commands that have one.
+std::vector<ReportOption*> report_options(const std::vector<CommandPointer>& commands) {
+  std::vector<ReportOption*> options;
+  for (const CommandPointer& command : commands) {
+    auto* const option = dynamic_cast<ReportOption*>(command->find_option(kReport));
+    if (option != nullptr) options.push_back(option);
+  }
+  return options;
+}
+
+}  // namespace
+
+AxesReport::AxesReport(const std::vector<AxisCall>& calls,
+                       const std::vector<CommandPointer>& commands) {
+  const std::vector<ReportOption*> options = report_options(commands);
+  if (calls.size() < 2 || options.size() < calls.size()) return;
+  for (const AxisCall& call : calls) axes_.push_back(call.axis);
+  subject_ = "fogcomp " + commands[0]->name() + " " + join(commands[0]->arguments, " ") + " " +
+             kOption + " " + join(axes_, ",");
+  const bool is_shared = options[0]->given() && options[0]->text() == options[1]->text();
+  if (is_shared) page_.emplace(options[0]->text());
+  for (ReportOption* option : options) {
+    option->axes = &documents_;
+    option->is_shared = is_shared;
+  }
+}
+
+void AxesReport::finish() {
+  if (axes_.empty()) return;
+  std::vector<findings::AxisFindings> found;
+  for (std::size_t i = 0; i < documents_.size(); ++i) found.push_back({axes_[i], documents_[i]});
+  std::printf("\n%s", report::terminal(findings::axes_table(subject_, found)).c_str());
+  if (!page_) return;
+  page_->write(report::page(findings::axes_findings(subject_, found)));
+  page_->commit();
+  std::fprintf(stderr, "report: %s\n", page_->path().c_str());
 }
 
 }  // namespace fogcomp::cli

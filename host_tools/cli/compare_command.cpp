@@ -27,6 +27,7 @@ int CompareCommand::run() const {
   const std::vector<compare::ModelOnRuns> judged = workflow::compare(request(), Watch().observer());
   findings::Document document = findings::compare_findings(judged);
   document.read_with(recording.given_words());
+  page.keep(document);
   if (page.wanted()) {
     BenchInput bench{{arguments.begin() + 1, arguments.end()}};
     for (const compare::ModelOnRuns& model : judged) {

@@ -64,6 +64,7 @@ int DiagnoseCommand::run() const {
   findings::Document document =
       findings::diagnose_findings(found.ladder, loop_wanted, found.data, files);
   document.read_with(reading_after(found.ladder));
+  page.keep(document);
   BenchInput bench{found.runs, holdouts.value(), {{arguments[0], arguments[0], {}, "", true}}};
   if (written) {
     const std::string text = model::model_text(found.ladder.model);

@@ -39,6 +39,7 @@ int FitCommand::run() const {
   model_file.write(text);
   findings::Document document = findings::fit_findings(found, found.on_its_runs(output.value()));
   document.read_with(recording.given_words());
+  page.keep(document);
   if (page.wanted()) {
     const report::WorkbenchSetup::State state{output.value(), found.model.history.back().action,
                                               given_command(*this), "", true};

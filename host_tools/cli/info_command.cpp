@@ -39,6 +39,7 @@ int InfoCommand::run() const {
   const auto [run, summary, visible] = workflow::info(request, Watch().observer());
   findings::Document document = findings::info_findings(run, summary, visible);
   document.read_with(recording.given_words());
+  page.keep(document);
   if (page.wanted()) page.write(document);
   if (json.given()) {
     std::puts(findings::info_json(run, summary, visible).text().c_str());

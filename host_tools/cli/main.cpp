@@ -39,11 +39,13 @@ int run_for_each_axis(const std::string& name, const std::vector<std::string>& w
     fogcomp::cli::parse(*commands.back(), call.words);
   }
   fogcomp::cli::require_own_outputs(commands);
+  fogcomp::cli::AxesReport report(calls, commands);
   int code = 0;
   for (std::size_t i = 0; i < calls.size(); ++i) {
     if (!calls[i].axis.empty()) std::printf("%s%s\n", i == 0 ? "" : "\n", calls[i].axis.c_str());
     code = std::max(code, commands[i]->run());
   }
+  report.finish();
   return code;
 }
 

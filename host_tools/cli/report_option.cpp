@@ -6,8 +6,12 @@
 
 namespace fogcomp::cli {
 
-ReportFile::ReportFile(const ReportOption& option) {
-  if (option.given()) file_.emplace(option.value());
+ReportFile::ReportFile(const ReportOption& option) : axes_(option.axes) {
+  if (option.given() && !option.is_shared) file_.emplace(option.value());
+}
+
+void ReportFile::keep(const findings::Document& document) const {
+  if (axes_ != nullptr) axes_->push_back(document);
 }
 
 void ReportFile::fill(const findings::Document& document,

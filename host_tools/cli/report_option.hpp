@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "cli/option.hpp"
 #include "findings/document.hpp"
@@ -14,6 +15,9 @@ struct ReportOption : Text {
   explicit ReportOption(OptionGroup* group)
       : Text(group,
              {"report", "OUT.html", "the findings with plots, one page that opens offline"}) {}
+  /// Of a call for several axes: where the findings go, and whether all axes have one page.
+  std::vector<findings::Document>* axes = nullptr;
+  bool is_shared = false;
 };
 
 /// The page of --report, opened before the work begins, so that an unwritable folder is reported at
@@ -27,11 +31,14 @@ class ReportFile {
   void fill(const findings::Document& document,
             const std::optional<report::WorkbenchSetup>& bench = std::nullopt);
   void commit();
+  /// Keeps the findings for the table and the page of several axes.
+  void keep(const findings::Document& document) const;
   void write(const findings::Document& document,
              const std::optional<report::WorkbenchSetup>& bench = std::nullopt);
 
  private:
   std::optional<OutputFile> file_;
+  std::vector<findings::Document>* axes_;
 };
 
 }  // namespace fogcomp::cli

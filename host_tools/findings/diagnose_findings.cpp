@@ -346,6 +346,7 @@ Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
   document.lead("how sure", words(said.certainty, names));
   document.lead("how much", words(said.size, names));
   document.lead("where", words(said.place, names));
+  document.lead("on a board", words(settling_words(ladder), names));
   for (const auto& lines : {said.findings, said.limits}) {
     for (const std::string& line : lines) document.sentence(words(line, names), Shown::on_request);
   }

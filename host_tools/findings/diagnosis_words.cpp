@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "board/settling_time.hpp"
 #include "compare/comparison.hpp"
 #include "diagnosis/descriptions.hpp"
 #include "findings/figures.hpp"
@@ -287,6 +288,12 @@ BriefDiagnosis in_brief(const diagnosis::Diagnosis& diagnosis, const diagnosis::
   brief.sentence += ": " + rounded(brief.size_dph) + " deg/h rms";
   if (brief.probability) brief.sentence += format(", probability %.2f", *brief.probability);
   return brief;
+}
+
+std::string settling_words(const diagnosis::Ladder& ladder) {
+  const std::optional<diagnosis::TriedAddition>& proposed = ladder.next.addition;
+  const bool is_proposed = ladder.steps.empty() && proposed && proposed->model;
+  return board::settling_words(is_proposed ? *proposed->model : ladder.model);
 }
 
 std::string end_words(const diagnosis::Ladder& ladder) {

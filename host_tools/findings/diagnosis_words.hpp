@@ -34,6 +34,10 @@ struct BriefDiagnosis {
 };
 BriefDiagnosis in_brief(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next);
 
+/// How long after power-on a board has no valid rate, because of the lags of the model at the end
+/// of the loop or, where none was made, with what is proposed; "" if no lag costs time.
+std::string settling_words(const diagnosis::Ladder& ladder);
+
 /// Why the stepwise selection ended.
 std::string end_words(const diagnosis::Ladder& ladder);
 

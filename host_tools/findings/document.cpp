@@ -56,4 +56,14 @@ void Document::plot(Plot plot) {
   if (!plot.curves.empty()) parts_.push_back({std::move(plot), Shown::on_page});
 }
 
+void Document::append(const Document& other) {
+  sentence(other.found_);
+  for (const Lead& lead : other.leads_) sentence(words(lead.question + ": ") + lead.text);
+  if (!other.next_.sentence.empty() || !other.next_.command.empty()) {
+    sentence("next: " + other.next_.sentence);
+    if (!other.next_.command.empty()) listing(other.next_.command);
+  }
+  parts_.insert(parts_.end(), other.parts_.begin(), other.parts_.end());
+}
+
 }  // namespace fogcomp::findings

@@ -114,6 +114,8 @@ class Document {
   void table(Table table, Shown shown = Shown::everywhere);
   /// A plot without curves is left out.
   void plot(Plot plot);
+  /// All of another document but its subject, as parts of this one.
+  void append(const Document& other);
 
   const std::string& subject() const { return subject_; }
   const Text& found() const { return found_; }

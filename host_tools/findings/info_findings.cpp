@@ -15,6 +15,7 @@
 #include "noise/outlier_rows.hpp"
 #include "recording/rate_resolution.hpp"
 #include "recording/stream_reader.hpp"
+#include "recording/temperature_course.hpp"
 #include "support/least_squares.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
@@ -36,8 +37,43 @@ std::optional<double> drift_of(const compare::BiasSummary& bias,
   return compare::floor_removed(*bias.std_dph, *summary.noise_floor_dph);
 }
 
+bool is_turned(const recording::Recording& recording) {
+  return !recording.input_rate_dph.empty() && compare::varies(recording.input_rate_dph);
+}
+
+// Each line of a table is of a settled gyro.
+Finding find_in_table(const recording::Recording& table, const compare::RunSummary& summary) {
+  const auto& degc = table.temperature_degc;
+  const auto [min, max] = std::minmax_element(degc.begin(), degc.end());
+  Finding finding{
+      "a table: " +
+          words(counted(table.rows(), "mean") + format(" at %.1f to %.1f degC", *min, *max)) +
+          (summary.bias.std_dph
+               ? ", which scatter by " + number(*summary.bias.std_dph) + " deg/h (std)"
+               : Text()),
+      "it shows no effect of the temperature's rate or history, of time, and no noise; "
+      "fit what temperature does",
+      {}};
+  const std::string turned = is_turned(table) ? ",scale_factor" : "";
+  finding.command = {"fogcomp",
+                     "fit",
+                     table.file,
+                     "-o",
+                     "gyro.model",
+                     "--effects",
+                     "bias,bias_temperature:order=2" + turned};
+  return finding;
+}
+
 Finding find(const recording::Recording& recording, const compare::RunSummary& summary) {
+  if (recording.is_table) return find_in_table(recording, summary);
   const std::optional<double> drift = drift_of(summary.bias, summary);
+  const double length_s = recording.time_s.back() - recording.time_s.front();
+  if (!drift && recording.stretch_starts.size() > 1 && length_s >= 2 * summary.average_s) {
+    return {words(format("gaps leave no two whole means of %.4g s, which drift needs",
+                         summary.average_s)),
+            "see why samples are lost, or give a shorter --average"};
+  }
   if (!drift) {
     return {"the recording is too short to tell drift from noise",
             "record for longer: a day in a chamber shows what temperature does"};
@@ -65,16 +101,58 @@ std::string duration(double seconds) {
   return format("%.2f h", seconds / kSecondsPerHour);
 }
 
+// What moved the temperature, unless that is a chamber's programme.
+std::string course_words(const recording::Recording& recording,
+                         recording::TemperatureCourse course) {
+  const auto& degc = recording.temperature_degc;
+  switch (course) {
+    case recording::TemperatureCourse::settling:
+      return format("a temperature that settles, %.1f to %.1f degC with a time constant of ",
+                    degc.front(), degc.back()) +
+             duration(recording::settling_time_s(recording)) +
+             ": a gyro that warms itself up, or one step of its surroundings";
+    case recording::TemperatureCourse::day:
+      return "a temperature that moves as slowly as the day: outdoors, or in a room";
+    case recording::TemperatureCourse::free:
+      return "a temperature that never stands: in the field, or in use";
+    default:
+      return "";
+  }
+}
+
+// Effects that could be told from all others if they were as large as the whole drift.
+std::string shown_words(const std::vector<planning::VisibleSize>& visible, double drift_dph) {
+  std::vector<std::string> shown;
+  std::vector<std::string> hidden;
+  for (const planning::VisibleSize& each : visible) {
+    (each.visible_dph < drift_dph ? shown : hidden).push_back(each.effect);
+  }
+  if (visible.empty()) return "";
+  const std::string what = shown.empty() ? "no effect of the catalogue" : join(shown, ", ");
+  return what +
+         (hidden.empty() ? "" : "; not, even as large as the whole drift: " + join(hidden, ", "));
+}
+
+void add_course(Document& document, const recording::Recording& recording,
+                const compare::RunSummary& summary,
+                const std::vector<planning::VisibleSize>& visible) {
+  const std::string course = course_words(recording, recording::temperature_course(recording));
+  if (course.empty()) return;
+  document.lead("what it is", words(course));
+  const std::optional<double> drift_dph = drift_of(summary.bias, summary);
+  if (drift_dph) document.lead("can show", words(shown_words(visible, *drift_dph)));
+}
+
 // Extent of the data, and rows left out.
 void add_extent(Document& document, const recording::Recording& recording) {
-  std::string text = counted(recording.rows(), "sample");
+  std::string text = counted(recording.rows(), recording.is_table ? "line" : "sample");
   if (recording.period_s > 0) {
     const double length_s = recording.time_s.back() - recording.time_s.front();
     text += format(" at %.6g Hz, %s", 1 / recording.period_s,
                    duration(length_s + recording.period_s).c_str());
   }
   if (recording.rows_per_row > 1) text += format(", each the mean of %zu", recording.rows_per_row);
-  const std::size_t gaps = recording.stretch_starts.size() - 1;
+  const std::size_t gaps = recording.is_table ? 0 : recording.stretch_starts.size() - 1;
   if (gaps > 0) text += ", " + counted(gaps, "gap");
   const std::size_t restarts = recording.restarts();
   if (restarts > 0) text += ", " + counted(restarts, "restart");
@@ -117,10 +195,15 @@ void add_programme(Document& document, const compare::RunSummary& summary) {
   document.sentence(words(text));
 }
 
-void add_bias(Document& document, const compare::RunSummary& summary) {
+void add_bias(Document& document, bool of_lines, const compare::RunSummary& summary) {
   const compare::BiasSummary& bias = summary.bias;
   Table table;
   table.columns = {"bias (rate less input rate)", "deg/h"};
+  table.rows = {{"mean", number(bias.mean_dph)}};
+  if (of_lines) {
+    table.rows.push_back({"std of the lines", dph(bias.std_dph)});
+    return document.table(std::move(table));
+  }
   table.rows = {
       {"mean", number(bias.mean_dph)},
       {words(format("std of %.4g s means", summary.average_s)), dph(bias.std_dph)},
@@ -307,15 +390,18 @@ Document info_findings(const recording::Recording& recording, const compare::Run
   const Finding finding = find(recording, summary);
   Document document("fogcomp info " + recording.file, finding.found);
   document.next(finding.next, finding.command);
+  add_course(document, recording, summary, visible);
   add_extent(document, recording);
   add_programme(document, summary);
-  add_bias(document, summary);
+  add_bias(document, recording.is_table, summary);
   if (recording.rows() == 1) return document;
-  add_segments(document, summary);
-  add_over_time(document, recording, summary);
+  if (!recording.is_table) {
+    add_segments(document, summary);
+    add_over_time(document, recording, summary);
+  }
   add_over_temperature(document, summary);
   add_over_inputs(document, summary);
-  add_noise(document, summary);
+  if (!recording.is_table) add_noise(document, summary);
   if (!visible.empty()) {
     document.heading("What it can show");
     document.table(visible_table(visible, "these rows"));

@@ -1,5 +1,7 @@
 #include "findings/json.hpp"
 
+#include "recording/temperature_course.hpp"
+
 namespace fogcomp::findings {
 namespace {
 
@@ -77,8 +79,9 @@ Json info_json(const recording::Recording& recording, const compare::RunSummary&
       .set("bad_rows", recording.bad_rows)
       .set("empty_rows", recording.empty_rows)
       .set("refused_rows", recording.refused_rows)
-      .set("gaps", recording.stretch_starts.size() - 1)
+      .set("gaps", recording.is_table ? 0 : recording.stretch_starts.size() - 1)
       .set("restarts", recording.restarts())
+      .set("course", recording::course_name(recording::temperature_course(recording)))
       .set("period_s", recording.period_s)
       .set("average_s", summary.average_s)
       .set("outliers", summary.outliers)

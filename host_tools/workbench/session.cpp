@@ -251,7 +251,9 @@ Json Session::diagnose(const Words& words) {
   Json sentences = Json::object();
   sentences.set("verdict", sentence_of(said.verdict)).set("certainty", sentence_of(said.certainty));
   std::vector<std::string> lines{said.size};
-  if (!said.place.empty()) lines.push_back(said.place);
+  for (const std::string& line : {said.place, findings::settling_words(ladder)}) {
+    if (!line.empty()) lines.push_back(line);
+  }
   lines.insert(lines.end(), said.findings.begin(), said.findings.end());
   sentences.set("findings", json_array(lines, sentence_of)).set("next", sentence_of(said.next));
   sentences.set("limits", json_array(said.limits, sentence_of));
