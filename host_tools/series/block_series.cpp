@@ -8,6 +8,7 @@
 #include "recording/row_range.hpp"
 #include "series/decision_rules.hpp"
 #include "series/edge_values.hpp"
+#include "series/measured_temperature.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp::series {
@@ -87,13 +88,16 @@ constexpr double kDwellBlockS = 10;
 // which the model starts, whose own rate does not count.
 void add_settled_blocks(BlockSeries& series) {
   std::vector<BlockSeries::Block> blocks;
+  auto steady = std::make_shared<MeasuredTemperature>();
   for (const BlockSeries::Block& measured : series.blocks) {
     blocks.push_back(measured);
     blocks.back().number -= 1;
     blocks.back().masked = true;
     blocks.push_back(measured);
+    steady->parts.push_back({measured.number - 1, {{measured.means.temperature, 0}}});
   }
   series.blocks = std::move(blocks);
+  series.temperature = std::move(steady);
 }
 
 using PowerOn = model::RealNumbers::PowerOn;
@@ -226,7 +230,7 @@ BlockSeries without_blocks(const recording::Recording& recording) {
   series.period_s = recording.period_s;
   series.samples_per_block = samples_per_block(recording.period_s);
   series.block_s = recording.period_s > 0 ? recording.period_s * series.samples_per_block : 1;
-  if (recording.is_table) series.block_s = kDwellBlockS;
+  if (recording.is_table) series.period_s = series.block_s = kDwellBlockS;
   series.inputs = inputs_of(recording);
   series.input_ranges = input_ranges_of(recording);
   series.rounding_dph = recording::rate_resolution(recording).rounding_dph();
