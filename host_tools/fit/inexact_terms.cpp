@@ -81,19 +81,32 @@ Eigen::MatrixXd bent_terms(const FittedTerms& fit) {
   return bent;
 }
 
+// `shifted`: drift that a sensor which leads or lags the coil shifts.
+Eigen::MatrixXd timings(const FittedTerms& fit, const Eigen::VectorXd& shifted) {
+  const Eigen::VectorXd of_rate = thermal_drift(fit, true);
+  Eigen::MatrixXd timings(fit.rows.size(), 1 + kLags_s.size());
+  timings.col(0) = kSensorDelay_s * slope(fit.rows, shifted);
+  for (std::size_t i = 0; i < kLags_s.size(); ++i) {
+    timings.col(static_cast<Eigen::Index>(i) + 1) =
+        judge::kInexact * (of_rate - series::first_order_lag(fit.rows, of_rate, kLags_s[i]));
+  }
+  return timings;
+}
+
 }  // namespace
 
 Eigen::MatrixXd inexact_terms(const series::Rows& rows, const std::vector<model::EffectTerm>& terms,
                               const Eigen::MatrixXd& columns, const Eigen::VectorXd& coefficients) {
   const FittedTerms fit{rows, terms, columns, coefficients};
-  const Eigen::VectorXd of_rate = thermal_drift(fit, true);
-  Eigen::MatrixXd timings(rows.size(), 1 + kLags_s.size());
-  timings.col(0) = kSensorDelay_s * slope(rows, thermal_drift(fit, false));
-  for (std::size_t i = 0; i < kLags_s.size(); ++i) {
-    timings.col(static_cast<Eigen::Index>(i) + 1) =
-        judge::kInexact * (of_rate - series::first_order_lag(rows, of_rate, kLags_s[i]));
-  }
-  return side_by_side({timings, bent_terms(fit)}, rows.size());
+  return side_by_side({timings(fit, thermal_drift(fit, false)), bent_terms(fit)}, rows.size());
+}
+
+Eigen::MatrixXd inexact_rate_terms(const series::Rows& rows,
+                                   const std::vector<model::EffectTerm>& terms,
+                                   const Eigen::MatrixXd& columns,
+                                   const Eigen::VectorXd& coefficients) {
+  const FittedTerms fit{rows, terms, columns, coefficients};
+  return timings(fit, thermal_drift(fit, true));
 }
 
 }  // namespace fogcomp::fit

@@ -15,4 +15,12 @@ namespace fogcomp::fit {
 Eigen::MatrixXd inexact_terms(const series::Rows& rows, const std::vector<model::EffectTerm>& terms,
                               const Eigen::MatrixXd& columns, const Eigen::VectorXd& coefficients);
 
+/// Of these what no change of the terms' coefficients can do: the drift of the temperature rate
+/// follows the rate early, late, or through other lags. A sensor that leads or lags the coil
+/// otherwise is part of a rate coefficient.
+Eigen::MatrixXd inexact_rate_terms(const series::Rows& rows,
+                                   const std::vector<model::EffectTerm>& terms,
+                                   const Eigen::MatrixXd& columns,
+                                   const Eigen::VectorXd& coefficients);
+
 }  // namespace fogcomp::fit

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "fit/inexact_terms.hpp"
 #include "support/least_squares.hpp"
 #include "support/units.hpp"
 
@@ -24,6 +26,22 @@ noise::NoiseModel noise_model(const judge::NoiseLevels& levels, double row_s, do
   const double walk_per_s = std::pow(levels.walk_dph_per_rth, 2) / kSecondsPerHour;
   noise.components.push_back({kLonger * longest_s, walk_per_s * kLonger * longest_s / 2});
   return noise;
+}
+
+// Before the shapes, which are found already. Without them what a coil's lag leaves of each ramp is
+// taken for a random walk, whose slow part no row shows.
+void add_inexact_rate(const series::Rows& rows, const NoiseWeightedFit& fit, judge::Rows& judged) {
+  const Eigen::MatrixXd inexact =
+      inexact_rate_terms(rows, fit.terms, fit.columns, fit.coefficients);
+  const Eigen::Index before = judged.first_found;
+  const Eigen::Index shapes = judged.columns.cols() - before;
+  judged.columns = side_by_side(
+      {judged.columns.leftCols(before), inexact, judged.columns.rightCols(shapes)}, rows.size());
+  Eigen::VectorXd prior_sigma(judged.columns.cols());
+  prior_sigma << judged.prior_sigma.head(before), Eigen::VectorXd::Ones(inexact.cols()),
+      judged.prior_sigma.tail(shapes);
+  judged.prior_sigma = std::move(prior_sigma);
+  judged.first_found += inexact.cols();
 }
 
 }  // namespace
@@ -70,6 +88,7 @@ judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit,
                           const series::ColumnRange& offsets,
                           const judge::TemperatureError& temperature) {
   judge::Rows judged = judged_rows(rows, fit, offsets);
+  add_inexact_rate(rows, fit, judged);
   judged.temperature = temperature;
   const std::vector<recording::RowRange> power_ons = rows.bias_ranges();
   if (power_ons.size() > 1) judged.power_ons = power_ons;

@@ -35,7 +35,7 @@ judge::Rows judged_rows(const series::Rows& rows, const NoiseWeightedFit& fit,
 judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit);
 
 /// The same with a bias for each power-on, whose spread is found, instead of the columns `offsets`,
-/// and with errors of the temperature.
+/// with inexact_rate_terms() and errors of the temperature.
 judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit,
                           const series::ColumnRange& offsets,
                           const judge::TemperatureError& temperature);

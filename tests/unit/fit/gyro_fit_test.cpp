@@ -77,6 +77,18 @@ TEST(FitGyro, IsNotMisledByACoarseThermometer) {
   EXPECT_LT(k.sigma, 0.02);
 }
 
+// The drift of the rate is a minute late: what that leaves of each ramp is no random walk.
+TEST(FitGyro, ALateRate_IsNoSlowNoise) {
+  constexpr double kLate_s = 60;
+  const recording::Recording late = coil_behind(kLate_s, false);
+  model::Model model = fog::test::model_of(model::parse_effects("bias,temperature_rate"));
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(late));
+  identify(model, series);
+  ASSERT_TRUE(model.uncertainty);
+  EXPECT_LT(model.uncertainty->walk_dph_per_rth, 0.004);
+}
+
 TEST(FitGyro, KnowsTheNoiseBesideTheDrift) {
   model::Model model = fog::test::truth();
   series::SignalSeries series(model);
