@@ -11,6 +11,7 @@
 #include "diagnosis/residual_place.hpp"
 #include "model/catalogue.hpp"
 #include "model/shape_limits.hpp"
+#include "series/term_columns.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::diagnosis {
@@ -119,7 +120,7 @@ void decide(Diagnosis& diagnosis) {
 // Compares the explanations and sets the verdict.
 void judge(const EvidenceSpace& evidence, const series::SignalSeries& series,
            const fit::NoiseWeightedFit& fit, Diagnosis& diagnosis) {
-  const judge::Explanations found = explain(evidence, series, fit);
+  const judge::Explanations found = explain(evidence, series, fit, diagnosis.has_static);
   diagnosis.nothing = found.nothing;
   diagnosis.something_else = found.something_else;
   diagnosis.mostly_something_else = found.mostly_something_else;
@@ -148,7 +149,9 @@ std::vector<std::string> limits_of(const Diagnosis& diagnosis) {
 // What is left although nothing is missing: slow noise, which hides slow effects.
 std::string blind_spot_of(const Diagnosis& diagnosis) {
   if (diagnosis.verdict != Verdict::none) return "";
-  const double floor = diagnosis.noise_floor_dph;
+  const noise::NoiseModel& noise = diagnosis.noise;
+  const double floor = diagnosis.has_static ? std::hypot(noise.white_dph(), noise.wander_dph())
+                                            : diagnosis.noise_floor_dph;
   const double above =
       std::sqrt(std::max(0.0, std::pow(diagnosis.residual_rms_dph, 2) - std::pow(floor, 2)));
   if (above <= std::sqrt(rules::kSmallExcess) * floor) return "";

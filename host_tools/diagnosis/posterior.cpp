@@ -62,7 +62,7 @@ bool may_repeat(const Candidate& candidate) {
 }  // namespace
 
 judge::Explanations explain(const EvidenceSpace& evidence, const series::SignalSeries& series,
-                            const fit::NoiseWeightedFit& fit) {
+                            const fit::NoiseWeightedFit& fit, bool is_noise_known) {
   const series::Rows& rows = series.rows();
   std::vector<judge::PossibleEffect> effects;
   for (const Candidate& candidate : evidence.candidates) {
@@ -71,7 +71,8 @@ judge::Explanations explain(const EvidenceSpace& evidence, const series::SignalS
     effect.may_repeat = may_repeat(candidate);
     effects.push_back(std::move(effect));
   }
-  const judge::Rows judged = rows_with_nuisances(evidence, rows, fit);
+  judge::Rows judged = rows_with_nuisances(evidence, rows, fit);
+  if (is_noise_known) judged.noise = fit.noise;
   return judge::explain(judged, something_else(evidence, judged), effects);
 }
 

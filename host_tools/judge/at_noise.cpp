@@ -7,6 +7,7 @@
 
 #include "support/decompositions.hpp"
 #include "support/parallel.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp::judge {
 namespace {
@@ -34,6 +35,23 @@ std::vector<double> turn_on_variances(const Rivals& rivals) {
   return variances;
 }
 
+// A known noise, without and with each random walk that it may have.
+std::vector<NoiseRatios> known_noises(const noise::NoiseModel& noise,
+                                      const std::vector<double>& turn_ons) {
+  double odds = 1;
+  for (const noise::NoiseModel::Walk& walk : noise.walks) odds += std::exp(walk.log_odds);
+  const double none = -std::log(odds * static_cast<double>(turn_ons.size()));
+  std::vector<NoiseRatios> noises;
+  for (const double turn_on : turn_ons) {
+    noises.push_back({0, 0, turn_on, none});
+    for (const noise::NoiseModel::Walk& walk : noise.walks) {
+      const double variance = walk.coefficient * walk.coefficient * noise.row_s / kSecondsPerHour;
+      noises.push_back({0, variance / noise.white_variance, turn_on, none + walk.log_odds});
+    }
+  }
+  return noises;
+}
+
 }  // namespace
 
 std::vector<NoiseRatios> possible_noises(const Rivals& rivals) {
@@ -43,6 +61,7 @@ std::vector<NoiseRatios> possible_noises(const Rivals& rivals) {
   const std::vector<double> walks =
       from_zero(kHardlyVisible * slowest * slowest, kMostWalk, kFactorOfWalk);
   const std::vector<double> turn_ons = turn_on_variances(rivals);
+  if (rivals.rows().noise) return known_noises(*rivals.rows().noise, turn_ons);
   const auto count = static_cast<double>(flickers.size() * walks.size() * turn_ons.size());
   std::vector<NoiseRatios> noises;
   for (const double turn_on : turn_ons) {
@@ -55,7 +74,7 @@ std::vector<NoiseRatios> possible_noises(const Rivals& rivals) {
 
 AtNoise::AtNoise(const Rivals& rivals, const NoiseRatios& noise) : ratios(noise) {
   constexpr double kRidge = 1e-11;
-  const Eigen::ArrayXd spectrum = rivals.bands().noise_density(ratios.flicker, ratios.walk);
+  const Eigen::ArrayXd spectrum = rivals.noise_density(ratios.flicker, ratios.walk);
   weights = spectrum.inverse().matrix();
   const Eigen::Index model = rivals.model();
   const Eigen::MatrixXd all = rivals.products_of_rest(weights);

@@ -16,7 +16,7 @@ struct NoiseRatios {
 };
 
 /// All noises that are tried: each level from one that the slowest mode hardly shows to one that
-/// hides everything.
+/// hides everything. A noise that is known is tried without and with its random walks.
 std::vector<NoiseRatios> possible_noises(const Rivals& rivals);
 
 /// What one noise makes of the rivals: inner products weighted by it, without the model.

@@ -93,6 +93,15 @@ void Rivals::set_effects() {
   });
 }
 
+Eigen::ArrayXd Rivals::noise_density(double flicker, double walk) const {
+  Eigen::ArrayXd density = bands_.noise_density(flicker, walk);
+  if (!rows_.noise) return density;
+  for (Eigen::Index band = 0; band < bands_.size(); ++band) {
+    density[band] += rows_.noise->slow_density(2 * std::asin(bands_.angle()[band] / 2));
+  }
+  return density;
+}
+
 std::vector<Place> Rivals::places_of(const std::vector<Part>& parts) const {
   std::vector<Place> places;
   for (const Part& part : parts) places.push_back(shapes_[first_shape_[part.effect] + part.shape]);

@@ -40,6 +40,9 @@ class Rivals {
          const std::vector<PossibleEffect>& effects);
 
   const Rows& rows() const { return rows_; }
+  /// Variance of a mode of each band relative to white noise: flicker and a random walk at an angle
+  /// of one per row, and what is known of the noise.
+  Eigen::ArrayXd noise_density(double flicker, double walk) const;
   const ModeBands& bands() const { return bands_; }
   const std::vector<PossibleEffect>& effects() const { return effects_; }
   /// Where the columns of each shape are among columns(): effect by effect.

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "judge/mode_bands.hpp"
+#include "noise/noise_model.hpp"
 #include "recording/row_range.hpp"
 
 namespace fogcomp::judge {
@@ -31,6 +33,8 @@ struct Rows {
   std::vector<recording::RowRange> stretches;  ///< evenly spaced rows, in order; all rows
   std::vector<recording::RowRange> power_ons;  ///< that have a bias of their own; empty: none
   TemperatureError temperature;
+  /// Known from another recording, for explain(); otherwise these rows tell.
+  std::optional<noise::NoiseModel> noise;
 
   Eigen::Index size() const { return drift_dph.size(); }
 };

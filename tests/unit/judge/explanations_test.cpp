@@ -68,6 +68,27 @@ TEST_F(ExplanationsTest, RandomWalk_IsNothingMissing) {
   EXPECT_NEAR(explanations.noise_if_nothing.walk_dph_per_rth, 0.01 * std::sqrt(360), 0.08);
 }
 
+// Slow noise that another recording has shown is no effect; if that one was white, it is missing.
+TEST_F(ExplanationsTest, KnownNoise_IsNotLookedForInTheRows) {
+  constexpr double kTau_s = 600;
+  constexpr double kSlow_dph = 0.02;
+  Random random(7, "slow");
+  const double kept = std::exp(-rows_.row_s / kTau_s);
+  double slow = 0;
+  for (double& value : rows_.drift_dph) {
+    slow = kept * slow + kSlow_dph * std::sqrt(1 - kept * kept) * random.gaussian();
+    value += slow;
+  }
+  noise::NoiseModel known;
+  known.row_s = rows_.row_s;
+  known.white_variance = kNoise_dph * kNoise_dph;
+  rows_.noise = known;
+  EXPECT_LT(found().nothing, 0.01);
+  rows_.noise->components = {{kTau_s, kSlow_dph * kSlow_dph}};
+  EXPECT_GT(found().nothing, kMissingBefore[0]);
+  EXPECT_EQ(found().noise_if_nothing.walk_dph_per_rth, 0);
+}
+
 TEST_F(ExplanationsTest, AnEffect_IsNamedWithItsShape) {
   rows_.drift_dph += 0.02 * sine(11.3);
   const Explanations explanations = found();
