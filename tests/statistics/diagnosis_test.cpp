@@ -204,7 +204,7 @@ TEST(Diagnosis, SaysWhereSlowNoiseIsKnownFromSoaksAlone) {
         recording_with({}, 2, slow ? RowNoise{0.024, 0.02, 600} : kQuietNoise);
     const Diagnosis diagnosis = diagnosed(model, recording);
     EXPECT_EQ(diagnosis.verdict, Verdict::none);
-    EXPECT_EQ(diagnosis.blind_spot.find("--static") != std::string::npos, slow);
+    EXPECT_EQ(diagnosis.blind_spot.find("a recording at rest") != std::string::npos, slow);
     fogcomp::diagnosis::DiagnosisData data(model,
                                            {fogcomp::runs::run_of(recording, {model.average_s})});
     fogcomp::diagnosis::DiagnosisSettings settings;
