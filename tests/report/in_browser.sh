@@ -3,17 +3,12 @@
 # and dark: curves drawn, nothing wider than the window, zoom linked, printable, a silent console, no request.
 # Screenshots and prints go to the folder SHOTS.
 set -euo pipefail
-source "$(dirname "$0")/../integration/common.sh"
+source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: in_browser.sh FOGCOMP DRIVER [SHOTS]}")
 driver=$(realpath "${2:?usage: in_browser.sh FOGCOMP DRIVER [SHOTS]}")
 shots=${3:+$(realpath "$3")}
-here=$(realpath "$(dirname "$0")")
-for program in /usr/bin/chromium node "$driver/node_modules/puppeteer-core/package.json"; do
-  command -v "$program" >/dev/null || [[ -e $program ]] || { echo "skipped: no $program here"; exit 77; }
-done
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+needs /usr/bin/chromium node "$driver/node_modules/puppeteer-core/package.json"
+enter_scratch
 
 "$fogcomp" simulate -o run_degC.csv --seed 1 >/dev/null
 "$fogcomp" simulate -o second.csv --seed 2 --profile reversed >/dev/null

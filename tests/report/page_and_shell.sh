@@ -3,19 +3,12 @@
 # the page's engine, run by Node, on one, two and three runs, a holdout, a rate table, a real recording, with and
 # without masks.
 set -euo pipefail
-source "$(dirname "$0")/../integration/common.sh"
+source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: page_and_shell.sh FOGCOMP}")
-here=$(realpath "$(dirname "$0")")
-command -v node >/dev/null || { echo "skipped: no node here"; exit 77; }
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+needs node
+enter_scratch
+needs_engine
 
-if ! "$fogcomp" workbench -o empty.html >said.txt 2>&1; then
-  grep -q "built without" said.txt || { cat said.txt >&2; exit 1; }
-  echo "skipped: $(cat said.txt)"
-  exit 77
-fi
 cp "$here/../../docs/examples/mems_chamber.csv" mems.csv
 "$fogcomp" simulate -o run.csv >/dev/null
 "$fogcomp" simulate -o other.csv --profile reversed --seed 2 >/dev/null

@@ -3,25 +3,15 @@
 # random session whose commands make the same files in a shell, masked rows, hostile names, an engine that traps, 60,000
 # rows, a rate table, columns that are not clear, a screen reader, a narrow window. Screenshots go to the folder SHOTS.
 set -euo pipefail
-source "$(dirname "$0")/../integration/common.sh"
+source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: workbench.sh FOGCOMP DRIVER [SHOTS]}")
 driver=$(realpath "${2:?usage: workbench.sh FOGCOMP DRIVER [SHOTS]}")
 shots=${3:+$(realpath "$3")}
-here=$(realpath "$(dirname "$0")")
-example=$here/../../docs/examples/mems_chamber.csv
-for program in /usr/bin/chromium node "$driver/node_modules/puppeteer-core/package.json"; do
-  command -v "$program" >/dev/null || [[ -e $program ]] || { echo "skipped: no $program here"; exit 77; }
-done
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
-if ! "$fogcomp" workbench -o empty.html >said.txt 2>&1; then
-  grep -q "built without" said.txt || { cat said.txt >&2; exit 1; }
-  echo "skipped: $(cat said.txt)"
-  exit 77
-fi
+needs /usr/bin/chromium node "$driver/node_modules/puppeteer-core/package.json"
+enter_scratch
+needs_engine
 
-cp "$example" mems.csv
+cp "$here/../../docs/examples/mems_chamber.csv" mems.csv
 "$fogcomp" fit mems.csv -o cubic.model --effects bias,bias_temperature:order=3 >/dev/null
 "$fogcomp" workbench cubic.model mems.csv -o loop.html >/dev/null
 "$fogcomp" simulate -o run.csv >/dev/null
