@@ -24,17 +24,6 @@ Delay delay_of(const model::Model& model, const runs::Run& run) {
 
 }  // namespace
 
-double delay_error_dph(const model::Model& model, const std::vector<runs::Run>& runs) {
-  double square = 0;
-  double weight = 0;
-  for (const runs::Run& run : runs) {
-    const Delay delay = delay_of(model, run);
-    square += delay.drift_dph.cwiseAbs2().dot(delay.weights);
-    weight += delay.weights.sum();
-  }
-  return std::sqrt(square / std::max(weight, 1e-300));
-}
-
 void BoardError::add(const BoardError& other) {
   const auto pooled = [&](double own, double others) {
     const double square = rows * own * own + other.rows * others * others;

@@ -10,11 +10,6 @@
 
 namespace fogcomp::compare {
 
-/// Error due to the board's delay: rms over all rows, deg/h, of the effects' drift for the board's
-/// signals (means of the preceding block, causal derivative) less the gyro's own
-/// (series/measured_temperature.hpp).
-double delay_error_dph(const model::Model& model, const std::vector<runs::Run>& runs);
-
 /// Error of a model as the board computes it, and without the board's delay with the gyro's own
 /// values: rms of the rows that count, deg/h.
 struct BoardError {

@@ -12,23 +12,28 @@ namespace {
 constexpr std::array<double, 6> kTimes{1.0 / 30, 0.1, 0.3, 3, 10, 30};
 
 // Rms of the gyro's drift that the board's regressors cannot follow.
-double left_by(const model::Model& model, const std::vector<runs::Run>& runs) {
-  const series::SignalSeries series = runs::series_of(model, runs);
-  const series::Rows& rows = series.rows();
-  const Eigen::VectorXd drift = series.drift_dph(model.terms, series::Reading::of_gyro);
+double left_by(const model::Model& model, const KnownRegressors& known) {
+  const series::Rows& rows = known.series().rows();
+  const Eigen::VectorXd drift = known.drift_dph(model.terms, series::Reading::of_gyro);
   std::vector<Eigen::MatrixXd> columns;
-  for (const model::EffectTerm& term : model.terms)
-    columns.push_back(series.regressors(model::of_gyro(term)));
+  for (const model::EffectTerm& term : model.terms) columns.push_back(*known(model::of_gyro(term)));
   const Eigen::VectorXd left = solve_linear(side_by_side(columns, rows.size()), drift).residual;
   return weighted_rms(left, rows.weights);
 }
 
 }  // namespace
 
+double delay_error_dph(const model::Model& model, const KnownRegressors& known) {
+  const Eigen::VectorXd delay = known.drift_dph(model.terms, series::Reading::of_sensor) -
+                                known.drift_dph(model.terms, series::Reading::of_gyro);
+  return weighted_rms(delay, known.series().rows().weights);
+}
+
 std::optional<DerivativeChoice> better_derivative(const model::Model& model,
+                                                  const KnownRegressors& known,
                                                   const std::vector<runs::Run>& runs) {
   if (!model.uncertainty) return std::nullopt;
-  const double now_dph = left_by(model, runs);
+  const double now_dph = left_by(model, known);
   const double other_square = std::pow(model.residual_rms_dph, 2) - now_dph * now_dph;
   const auto tells_apart = [&](double left_dph) {
     const double after = std::sqrt(std::max(0.0, other_square + left_dph * left_dph));
@@ -39,7 +44,7 @@ std::optional<DerivativeChoice> better_derivative(const model::Model& model,
   for (const double times : kTimes) {
     model::Model other = model;
     other.derivative_tau_s *= times;
-    const double left_dph = left_by(other, runs);
+    const double left_dph = left_by(other, KnownRegressors(other, runs));
     if (!tells_apart(left_dph) || (best && best->delay_rms_dph <= left_dph)) continue;
     best = DerivativeChoice{other.derivative_tau_s, left_dph};
   }

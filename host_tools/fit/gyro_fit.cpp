@@ -10,30 +10,29 @@ namespace {
 
 // Root mean square of what a change of the temperature by 1 degC, or of its rate by 1 degC/min,
 // makes of the drift.
-double slope(const series::SignalSeries& series, const NoiseWeightedFit& fit,
+double slope(const KnownRegressors& known, const NoiseWeightedFit& fit,
              const series::TemperatureChange& change) {
-  const series::Rows& rows = series.rows();
+  const series::Rows& rows = known.series().rows();
   const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, rows.row_s);
   Eigen::VectorXd above = Eigen::VectorXd::Zero(rows.size());
   for (std::size_t i = 0; i < fit.terms.size(); ++i) {
     const auto [first, count] = columns[i];
-    const Eigen::MatrixXd changed =
-        series.regressors(fit.terms[i], series::Reading::of_gyro, change);
+    const KnownRegressors::Columns changed = known(fit.terms[i], series::Reading::of_gyro, change);
     above +=
-        (changed - fit.columns.middleCols(first, count)) * fit.coefficients.segment(first, count);
+        (*changed - fit.columns.middleCols(first, count)) * fit.coefficients.segment(first, count);
   }
   return std::sqrt(above.squaredNorm() / static_cast<double>(above.size()));
 }
 
-judge::TemperatureError temperature_error(const series::SignalSeries& series,
+judge::TemperatureError temperature_error(const KnownRegressors& known,
                                           const NoiseWeightedFit& fit) {
   // Small beside what bends a drift with temperature, large beside rounding.
   constexpr double kSmall = 1e-3;
   judge::TemperatureError error;
-  error.white_degc2_s = series.thermometer().white_degc2_s;
-  error.rate_walk_degc2_per_s3 = series.thermometer().rate_walk_degc2_per_s3;
-  error.slope_dph_per_degc = slope(series, fit, {kSmall, 0}) / kSmall;
-  error.slope_dph_min_per_degc = slope(series, fit, {0, kSmall}) / kSmall;
+  error.white_degc2_s = known.series().thermometer().white_degc2_s;
+  error.rate_walk_degc2_per_s3 = known.series().thermometer().rate_walk_degc2_per_s3;
+  error.slope_dph_per_degc = slope(known, fit, {kSmall, 0}) / kSmall;
+  error.slope_dph_min_per_degc = slope(known, fit, {0, kSmall}) / kSmall;
   return error;
 }
 
@@ -77,17 +76,17 @@ GyroFit values_of(const judge::Prediction& found, const NoiseWeightedFit& fit, d
 
 }  // namespace
 
-std::optional<GyroFit> fit_gyro(const series::SignalSeries& series, const NoiseWeightedFit& board,
+std::optional<GyroFit> fit_gyro(const KnownRegressors& known, const NoiseWeightedFit& board,
                                 const series::ColumnRange& offsets) {
-  const series::Rows& rows = series.rows();
+  const series::Rows& rows = known.series().rows();
   const std::vector<series::ColumnRange> columns = series::columns_of(board.terms, rows.row_s);
   const Eigen::Index beside = board.linear() - columns.back().first - columns.back().count;
   constexpr bool kShapesFound = true;  // the same minimum, not a better one elsewhere
   const NoiseWeightedFit fit =
-      fit_rows(KnownRegressors(series, series::Reading::of_gyro), board.terms,
-               board.columns.rightCols(beside), {board.robust, std::nullopt, kShapesFound});
+      fit_rows(known.of(series::Reading::of_gyro), board.terms, board.columns.rightCols(beside),
+               {board.robust, std::nullopt, kShapesFound});
   if (!is_determined(fit)) return std::nullopt;
-  return values_of(predict(rows, fit, offsets, temperature_error(series, fit)), fit, rows.row_s);
+  return values_of(predict(rows, fit, offsets, temperature_error(known, fit)), fit, rows.row_s);
 }
 
 }  // namespace fogcomp::fit

@@ -21,7 +21,7 @@ struct GyroFit {
 
 /// Of a fit on the board's signals: its terms, and columns beside them, of which `offsets` are
 /// biases of power-ons. Nothing if the rows do not determine the terms.
-std::optional<GyroFit> fit_gyro(const series::SignalSeries& series, const NoiseWeightedFit& board,
+std::optional<GyroFit> fit_gyro(const KnownRegressors& known, const NoiseWeightedFit& board,
                                 const series::ColumnRange& offsets);
 
 }  // namespace fogcomp::fit

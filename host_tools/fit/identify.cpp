@@ -231,7 +231,7 @@ Identification identify(model::Model& model, const KnownRegressors& known,
   const Eigen::Index behind = columns.back().first + columns.back().count;
   Identification result;
   const series::ColumnRange offset_columns{behind, offsets.cols()};
-  const std::optional<GyroFit> gyro = fit_gyro(series, fit, offset_columns);
+  const std::optional<GyroFit> gyro = fit_gyro(known, fit, offset_columns);
   Eigen::MatrixXd covariance = predict(rows, fit).covariance();
   set_offsets({bias_column(model.terms, columns), offset_columns, shares_of_biases(rows)}, fit,
               covariance, result);

@@ -34,36 +34,58 @@ std::vector<model::EffectTerm> parts_of(const model::EffectTerm& term) {
 }  // namespace
 
 KnownRegressors::KnownRegressors(const model::Model& model, const std::vector<runs::Run>& runs)
-    : own_(std::make_unique<series::SignalSeries>(runs::series_of(model, runs))), series_(*own_) {}
+    : own_(std::make_shared<series::SignalSeries>(runs::series_of(model, runs))),
+      series_(own_.get()) {}
 
-KnownRegressors::Columns KnownRegressors::operator()(const model::EffectTerm& term,
-                                                     series::Reading reading) const {
+KnownRegressors KnownRegressors::of(series::Reading reading) const {
+  KnownRegressors others = *this;
+  others.reading_ = reading;
+  return others;
+}
+
+KnownRegressors::Columns KnownRegressors::operator()(
+    const model::EffectTerm& term, series::Reading reading,
+    const series::TemperatureChange& change) const {
   const std::vector<model::EffectTerm> parts = parts_of(term);
-  if (parts.size() == 1) return of_part(term, reading);
-  return std::make_shared<const Eigen::MatrixXd>(side_by_side(
-      {*of_part(parts[0], reading), *of_part(parts[1], reading)}, series_.rows().size()));
+  if (parts.size() == 1) return of_part(term, reading, change);
+  return std::make_shared<const Eigen::MatrixXd>(
+      side_by_side({*of_part(parts[0], reading, change), *of_part(parts[1], reading, change)},
+                   series_->rows().size()));
+}
+
+Eigen::VectorXd KnownRegressors::drift_dph(const std::vector<model::EffectTerm>& terms,
+                                           series::Reading reading) const {
+  Eigen::VectorXd drift = Eigen::VectorXd::Zero(series_->rows().size());
+  for (const model::EffectTerm& own : terms) {
+    const model::EffectTerm term = reading == series::Reading::of_gyro ? model::of_gyro(own) : own;
+    drift += *(*this)(term, reading) * term.coefficients();
+  }
+  return drift;
 }
 
 KnownRegressors::Columns KnownRegressors::of_part(const model::EffectTerm& term,
-                                                  series::Reading reading) const {
-  const Key key{meaning_of(term), term.shape(), term.recording, term.others_part, reading};
+                                                  series::Reading reading,
+                                                  const series::TemperatureChange& change) const {
+  const Key key{meaning_of(term), term.shape(), term.recording,     term.others_part,
+                reading,          change.degc,  change.degc_per_min};
+  Memory& memory = *memory_;
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = known_.find(key);
-    if (found != known_.end()) return found->second;
+    const std::lock_guard<std::mutex> lock(memory.mutex);
+    const auto found = memory.known.find(key);
+    if (found != memory.known.end()) return found->second;
   }
   // Unlocked: this takes long. If two threads compute the same, the first is kept.
   const Columns columns =
-      std::make_shared<const Eigen::MatrixXd>(series_.regressors(term, reading));
-  const std::lock_guard<std::mutex> lock(mutex_);
-  const auto [place, is_new] = known_.emplace(key, columns);
+      std::make_shared<const Eigen::MatrixXd>(series_->regressors(term, reading, change));
+  const std::lock_guard<std::mutex> lock(memory.mutex);
+  const auto [place, is_new] = memory.known.emplace(key, columns);
   if (!is_new) return place->second;
-  values_ += columns->size();
-  for (; values_ > kMaxValues && !oldest_first_.empty(); oldest_first_.pop()) {
-    values_ -= oldest_first_.front()->second->size();
-    known_.erase(oldest_first_.front());
+  memory.values += columns->size();
+  for (; memory.values > kMaxValues && !memory.oldest_first.empty(); memory.oldest_first.pop()) {
+    memory.values -= memory.oldest_first.front()->second->size();
+    memory.known.erase(memory.oldest_first.front());
   }
-  oldest_first_.push(place);
+  memory.oldest_first.push(place);
   return columns;
 }
 

@@ -23,32 +23,40 @@ class KnownRegressors {
   using Columns = std::shared_ptr<const Eigen::MatrixXd>;
 
   // NOLINTNEXTLINE(google-explicit-constructor): see above
-  KnownRegressors(const series::SignalSeries& series,
-                  series::Reading reading = series::Reading::of_sensor)
-      : series_(series), reading_(reading) {}
+  KnownRegressors(const series::SignalSeries& series) : series_(&series) {}
   /// Of runs::series_of(), for several fits of one set of runs.
   KnownRegressors(const model::Model& model, const std::vector<runs::Run>& runs);
+  /// The same series and memory for fits of another reading.
+  KnownRegressors of(series::Reading reading) const;
 
-  const series::SignalSeries& series() const { return series_; }
+  const series::SignalSeries& series() const { return *series_; }
   /// As SignalSeries::regressors(), of the reading that is fitted or of another.
   Columns operator()(const model::EffectTerm& term) const { return (*this)(term, reading_); }
-  Columns operator()(const model::EffectTerm& term, series::Reading reading) const;
+  Columns operator()(const model::EffectTerm& term, series::Reading reading,
+                     const series::TemperatureChange& change = {}) const;
+  /// As SignalSeries::drift_dph().
+  Eigen::VectorXd drift_dph(const std::vector<model::EffectTerm>& terms,
+                            series::Reading reading) const;
   series::Reading reading() const { return reading_; }
 
  private:
   using Key = std::tuple<std::string, std::vector<double>, std::optional<std::uint64_t>, double,
-                         series::Reading>;
+                         series::Reading, double, double>;
   using Known = std::map<Key, Columns>;
+  struct Memory {
+    std::mutex mutex;  // guards all below
+    Known known;
+    std::queue<Known::iterator> oldest_first;
+    Eigen::Index values = 0;  // in all of them
+  };
 
-  Columns of_part(const model::EffectTerm& term, series::Reading reading) const;
+  Columns of_part(const model::EffectTerm& term, series::Reading reading,
+                  const series::TemperatureChange& change) const;
 
-  std::unique_ptr<const series::SignalSeries> own_;  // of which nobody else takes care
-  const series::SignalSeries& series_;
+  std::shared_ptr<const series::SignalSeries> own_;  // of which nobody else takes care
+  const series::SignalSeries* series_;
   series::Reading reading_ = series::Reading::of_sensor;
-  mutable std::mutex mutex_;  // guards all below
-  mutable Known known_;
-  mutable std::queue<Known::iterator> oldest_first_;
-  mutable Eigen::Index values_ = 0;  // in all of them
+  std::shared_ptr<Memory> memory_ = std::make_shared<Memory>();
 };
 
 }  // namespace fogcomp::fit

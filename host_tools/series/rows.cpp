@@ -130,6 +130,11 @@ RowAverager::RowAverager(const BlockSeries& blocks, double average_s, Rows& rows
   const double samples = static_cast<double>(blocks_per_row_) * blocks.samples_per_block;
   rows.rounding_dph = std::max(rows.rounding_dph, blocks.rounding_dph / std::sqrt(samples));
   widen(rows.input_ranges, blocks.input_ranges);
+  const std::size_t count = 1 + blocks.blocks.size() / static_cast<std::size_t>(blocks_per_row_);
+  rows.time_s.reserve(first_row_ + count);
+  rows.signals.reserve(first_row_ + count);
+  rows.inputs.reserve(first_row_ + count);
+  further_.resize(static_cast<Eigen::Index>(further > 0 ? count : 0), further_values_);
 }
 
 std::int32_t RowAverager::take(const BlockSeries::Block& block, const Signals& signals,
@@ -137,29 +142,46 @@ std::int32_t RowAverager::take(const BlockSeries::Block& block, const Signals& s
   if (block.cut) cut(block.number);
   if (block.masked) return kNoRow;
   const std::int64_t number = block.number / blocks_per_row_;
-  if (sums_.empty() || sums_.back().number != number) {
+  if (numbers_.empty() || numbers_.back() != number) begin_row(number, block.means.power_on.at);
+  const double samples = block.samples;
+  sum_.samples += samples;
+  sum_.time += samples * block.time_s;
+  sum_.drift += samples * (block.rate_dph - block.means.input_rate);
+  add_weighted(samples, signals, sum_.signals);
+  add_weighted(samples, block.means, sum_.inputs);
+  const auto row = static_cast<Eigen::Index>(numbers_.size()) - 1;
+  for (Eigen::Index i = 0; i < further_values_; ++i) further_(row, i) += samples * further[i];
+  return static_cast<std::int32_t>(first_row_) + static_cast<std::int32_t>(row);
+}
+
+void RowAverager::begin_row(std::int64_t number, double power_on_s) {
+  const std::size_t row = first_row_ + numbers_.size();
+  if (!numbers_.empty()) {
+    complete_row();
     // A row in which the power was off belongs to the time before.
-    const double power_on_s = block.means.power_on.at;
-    if (!sums_.empty() && power_on_s != power_on_s_)
-      rows_.restart_rows.push_back(first_row_ + sums_.size());
-    power_on_s_ = power_on_s;
-    if (cut_in_ && !sums_.empty() && number > *cut_in_) {
-      rows_.cut_rows.push_back(first_row_ + sums_.size());
+    if (power_on_s != power_on_s_) rows_.restart_rows.push_back(row);
+    if (cut_in_ && number > *cut_in_) {
+      rows_.cut_rows.push_back(row);
       cut_in_.reset();
     }
-    sums_.emplace_back();
-    sums_.back().number = number;
-    sums_.back().further = Eigen::RowVectorXd::Zero(further_values_);
   }
-  Sum& sum = sums_.back();
-  const double samples = block.samples;
-  sum.samples += samples;
-  sum.time += samples * block.time_s;
-  sum.drift += samples * (block.rate_dph - block.means.input_rate);
-  add_weighted(samples, signals, sum.signals);
-  add_weighted(samples, block.means, sum.inputs);
-  for (Eigen::Index i = 0; i < further_values_; ++i) sum.further[i] += samples * further[i];
-  return static_cast<std::int32_t>(first_row_ + sums_.size() - 1);
+  power_on_s_ = power_on_s;
+  sum_ = {};
+  numbers_.push_back(number);
+  const auto count = static_cast<Eigen::Index>(numbers_.size());
+  if (further_values_ == 0) return;
+  if (count > further_.rows()) further_.conservativeResize(2 * count, Eigen::NoChange);
+  further_.row(count - 1).setZero();
+}
+
+void RowAverager::complete_row() {
+  drift_dph_.push_back(sum_.drift / sum_.samples);
+  seconds_.push_back(sum_.samples * sample_s_);
+  rows_.time_s.push_back(sum_.time / sum_.samples);
+  add_weighted(1 / sum_.samples, sum_.signals, rows_.signals.emplace_back());
+  add_weighted(1 / sum_.samples, sum_.inputs, rows_.inputs.emplace_back());
+  if (further_values_ > 0)
+    further_.row(static_cast<Eigen::Index>(numbers_.size()) - 1) /= sum_.samples;
 }
 
 // The row in which a cut lies belongs to the time before.
@@ -171,24 +193,20 @@ void RowAverager::cut(std::int64_t block) {
 }
 
 void RowAverager::finish() {
-  const auto count = static_cast<Eigen::Index>(sums_.size());
+  if (!numbers_.empty()) complete_row();
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    if (std::find(uncounted_.begin(), uncounted_.end(), numbers_[i]) != uncounted_.end())
+      seconds_[i] = 0;
+  }
+  const auto count = static_cast<Eigen::Index>(numbers_.size());
   const Eigen::Index first = rows_.size();
   rows_.run_starts.push_back(first_row_);
   rows_.drift_dph.conservativeResize(first + count);
   rows_.seconds.conservativeResize(first + count);
-  further_.resize(count, further_values_);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Sum& sum = sums_[static_cast<std::size_t>(i)];
-    rows_.drift_dph[first + i] = sum.drift / sum.samples;
-    rows_.seconds[first + i] = sum.samples * sample_s_;
-    if (std::find(uncounted_.begin(), uncounted_.end(), sum.number) != uncounted_.end())
-      rows_.seconds[first + i] = 0;
-    rows_.time_s.push_back(sum.time / sum.samples);
-    add_weighted(1 / sum.samples, sum.signals, rows_.signals.emplace_back());
-    add_weighted(1 / sum.samples, sum.inputs, rows_.inputs.emplace_back());
-    further_.row(i) = sum.further / sum.samples;
-  }
+  rows_.drift_dph.tail(count) = Eigen::VectorXd::Map(drift_dph_.data(), count);
+  rows_.seconds.tail(count) = Eigen::VectorXd::Map(seconds_.data(), count);
   rows_.weights = rows_.seconds / rows_.row_s;
+  further_.conservativeResize(count, Eigen::NoChange);
 }
 
 double row_length_s(double average_s, double block_s) {

@@ -86,28 +86,32 @@ class RowAverager {
   const Eigen::MatrixXd& further() const { return further_; }
 
  private:
+  // Of the row that is not yet complete.
   struct Sum {
-    std::int64_t number = 0;
     double samples = 0;
     double time = 0;
     double drift = 0;
     fog::Signals<model::RealNumbers> signals;
     fog::BlockMeans<model::RealNumbers> inputs;
-    Eigen::RowVectorXd further;
   };
 
+  void begin_row(std::int64_t number, double power_on_s);
+  void complete_row();
   void cut(std::int64_t block);
 
   Rows& rows_;
   std::int64_t blocks_per_row_;
   double sample_s_;
   std::size_t first_row_;
-  std::vector<Sum> sums_;
+  Sum sum_;
+  std::vector<std::int64_t> numbers_;  // of the rows so far
+  std::vector<double> drift_dph_;      // of the complete ones
+  std::vector<double> seconds_;
   double power_on_s_ = 0;                // before the last row
   std::vector<std::int64_t> uncounted_;  // numbers of rows next to a cut
   std::optional<std::int64_t> cut_in_;   // row of a cut behind which no row has begun yet
   Eigen::Index further_values_;
-  Eigen::MatrixXd further_;
+  Eigen::MatrixXd further_;  // sums in the last row, until that is complete
 };
 
 /// Length of a row, seconds: a whole number of blocks, at least one.

@@ -1,6 +1,8 @@
 #include "support/fourier.hpp"
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <unsupported/Eigen/FFT>
 
 #include "support/units.hpp"
@@ -29,40 +31,66 @@ std::complex<double> chirp(std::size_t k, std::size_t size) {
 // The transform as a convolution with a chirp, whose length can be a power of two, because
 // 2 n k = n^2 + k^2 - (k - n)^2 (Bluestein, "A linear filtering approach to the computation of
 // discrete Fourier transform", IEEE Trans. Audio Electroacoust. 18, 1970).
-Spectrum transform_by_chirp(const Spectrum& values) {
-  const std::size_t size = values.size();
-  std::size_t length = 1;
-  while (length < 2 * size - 1) length *= 2;
-  Spectrum ones(size);
-  Spectrum chirped(length);
-  Spectrum filter(length);
-  for (std::size_t k = 0; k < size; ++k) {
-    ones[k] = chirp(k, size);
-    chirped[k] = values[k] * ones[k];
-    filter[k] = std::conj(ones[k]);
-    filter[(length - k) % length] = std::conj(ones[k]);
+class ChirpTransform {
+ public:
+  explicit ChirpTransform(std::size_t size) : ones_(size) {
+    std::size_t length = 1;
+    while (length < 2 * size - 1) length *= 2;
+    Spectrum filter(length);
+    for (std::size_t k = 0; k < size; ++k) {
+      ones_[k] = chirp(k, size);
+      filter[k] = std::conj(ones_[k]);
+      filter[(length - k) % length] = std::conj(ones_[k]);
+    }
+    fft_.fwd(spectrum_of_filter_, filter);
   }
-  Eigen::FFT<double> fft;
-  Spectrum spectrum;
-  Spectrum spectrum_of_filter;
-  fft.fwd(spectrum, chirped);
-  fft.fwd(spectrum_of_filter, filter);
-  for (std::size_t k = 0; k < length; ++k) spectrum[k] *= spectrum_of_filter[k];
-  fft.inv(chirped, spectrum);
-  chirped.resize(size);
-  for (std::size_t k = 0; k < size; ++k) chirped[k] *= ones[k];
-  return chirped;
-}
+
+  Spectrum operator()(const Spectrum& values) {
+    Spectrum chirped(spectrum_of_filter_.size());
+    for (std::size_t k = 0; k < values.size(); ++k) chirped[k] = values[k] * ones_[k];
+    Spectrum spectrum;
+    fft_.fwd(spectrum, chirped);
+    for (std::size_t k = 0; k < spectrum.size(); ++k) spectrum[k] *= spectrum_of_filter_[k];
+    fft_.inv(chirped, spectrum);
+    chirped.resize(values.size());
+    for (std::size_t k = 0; k < values.size(); ++k) chirped[k] *= ones_[k];
+    return chirped;
+  }
+
+ private:
+  Spectrum ones_;
+  Spectrum spectrum_of_filter_;
+  Eigen::FFT<double> fft_;
+};
+
+// A transform of some length. What depends on the length alone is computed once: a third of the
+// time of a transform, and fits of one recording take hundreds of one length.
+class Transform {
+ public:
+  explicit Transform(std::size_t size) {
+    if (!has_small_factors(size)) chirped_.emplace(size);
+  }
+
+  Spectrum operator()(const Spectrum& values) {
+    if (chirped_) return (*chirped_)(values);
+    Spectrum spectrum;
+    fft_.fwd(spectrum, values);
+    return spectrum;
+  }
+
+ private:
+  std::optional<ChirpTransform> chirped_;
+  Eigen::FFT<double> fft_;
+};
 
 }  // namespace
 
 std::vector<std::complex<double>> fourier(const std::vector<std::complex<double>>& values) {
-  if (values.size() < 2) return values;  // Eigen's transform needs two values
-  if (!has_small_factors(values.size())) return transform_by_chirp(values);
-  Eigen::FFT<double> fft;
-  Spectrum spectrum;
-  fft.fwd(spectrum, values);
-  return spectrum;
+  constexpr std::size_t kMaxLengths = 4;  // that a fit has by turns
+  if (values.size() < 2) return values;   // Eigen's transform needs two values
+  thread_local std::map<std::size_t, Transform> known;
+  if (known.size() >= kMaxLengths && known.count(values.size()) == 0) known.clear();
+  return known.try_emplace(values.size(), values.size()).first->second(values);
 }
 
 }  // namespace fogcomp

@@ -3,11 +3,12 @@
 #include <optional>
 #include <utility>
 
-#include "compare/board_delay.hpp"
+#include "fit/derivative_choice.hpp"
 #include "fit/turn_on_bias.hpp"
 #include "network/network_inputs.hpp"
 #include "recording/recording_writer.hpp"
 #include "runs/runs.hpp"
+#include "series/required_inputs.hpp"
 #include "support/text.hpp"
 #include "workflow/fit_presets.hpp"
 #include "workflow/reading.hpp"
@@ -98,6 +99,15 @@ fit::FitResult fit_effects(model::Model& model, const fit::KnownRegressors& know
   return fit::fit_effects(model, known, settings);
 }
 
+// Nothing where `kept` will do, of runs that have all that the model needs.
+std::optional<fit::KnownRegressors> known_here(const model::Model& model,
+                                               const std::vector<runs::Run>& training,
+                                               const fit::KnownRegressors* kept) {
+  if (kept == nullptr) return fit::KnownRegressors(model, training);
+  for (const runs::Run& run : training) series::require_inputs(model, run.blocks);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::size_t FitOutcome::refused_rows() const {
@@ -136,7 +146,8 @@ FitOutcome fit(const FitRequest& request, const Observer& observer) {
   return fit(request, training_runs(request, observer), observer);
 }
 
-FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& observer) {
+FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& observer,
+               const fit::KnownRegressors* kept) {
   auto [wanted, settings, wanted_terms, reading] = plan_of(request);
   FitOutcome outcome;
   model::Model& model = outcome.model;
@@ -148,7 +159,8 @@ FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& obser
   std::optional<compare::TurnOn> turn_on;
   {
     // destroyed before the comparison below builds its own: it is large
-    const fit::KnownRegressors known(model, training);
+    const std::optional<fit::KnownRegressors> own = known_here(model, training, kept);
+    const fit::KnownRegressors& known = own ? *own : *kept;
     const series::Rows& rows = known.series().rows();
     outcome.rows = rows.size();
     outcome.row_s = rows.row_s;
@@ -161,11 +173,11 @@ FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& obser
       };
     }
     fit::fit_network(model, known, settings, outcome.result);
+    observer.should_continue("judging",
+                             0);  // the result is kept even if the user has ended the training
+    outcome.delay_rms_dph = fit::delay_error_dph(model, known);
+    outcome.better_derivative = fit::better_derivative(model, known, training);
   }
-  observer.should_continue("judging",
-                           0);  // the result is kept even if the user has ended the training
-  outcome.delay_rms_dph = compare::delay_error_dph(model, training);
-  outcome.better_derivative = fit::better_derivative(model, training);
   const bool is_known = turn_on && !model.network.present();
   outcome.turn_on = is_known ? std::move(*turn_on) : fit::turn_on_biases(model, training);
   write_history(outcome, request, wanted, runs);

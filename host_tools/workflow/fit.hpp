@@ -66,8 +66,10 @@ void check(const FitRequest& request);
 /// Fits effects, then the network on their residual. Throws InputError for contradictory settings
 /// and for recordings without an input of an effect.
 FitOutcome fit(const FitRequest& request, const Observer& observer = {});
-/// The same with recordings already read by training_runs().
-FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& observer = {});
+/// The same with recordings already read by training_runs(). `known`: of their rows, kept from an
+/// earlier fit in the same ones; nullptr: computed anew.
+FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& observer = {},
+               const fit::KnownRegressors* known = nullptr);
 runs::Runs training_runs(const FitRequest& request, const Observer& observer = {});
 
 }  // namespace fogcomp::workflow

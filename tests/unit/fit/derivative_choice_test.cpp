@@ -42,7 +42,7 @@ model::Model fitted(const std::vector<runs::Run>& runs, double derivative_tau_s)
 TEST(DerivativeChoice, IsAShorterOneInFastCyclesAndLeavesLess) {
   const std::vector<runs::Run> runs{swinging(600, 1)};
   const model::Model model = fitted(runs, 30);
-  const auto better = better_derivative(model, runs);
+  const auto better = better_derivative(model, KnownRegressors(model, runs), runs);
   ASSERT_TRUE(better);
   EXPECT_LT(better->tau_s, 30);
   EXPECT_LT(fitted(runs, better->tau_s).residual_rms_dph, 0.5 * model.residual_rms_dph);
@@ -53,7 +53,7 @@ TEST(DerivativeChoice, LeavesLessEachTimeAndEndsWithNone) {
   for (const double first_s : {1.0, 30.0, 300.0}) {
     model::Model model = fitted(runs, first_s);
     int changes = 0;
-    while (const auto better = better_derivative(model, runs)) {
+    while (const auto better = better_derivative(model, KnownRegressors(model, runs), runs)) {
       ASSERT_LT(++changes, 4) << first_s;
       const model::Model next = fitted(runs, better->tau_s);
       EXPECT_LT(next.residual_rms_dph, model.residual_rms_dph) << first_s << ", " << better->tau_s;

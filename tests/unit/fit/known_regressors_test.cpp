@@ -35,6 +35,20 @@ TEST_F(KnownRegressorsOfARun, AreThoseOfTheSeriesHoweverMany) {
   }
 }
 
+TEST_F(KnownRegressorsOfARun, OfAnotherReading_HaveTheirOwnColumns) {
+  const model::EffectTerm lag = model::parse_effects("thermal_lag:tau=900")[0];
+  const KnownRegressors of_gyro = known_.of(series::Reading::of_gyro);
+  for (int time = 0; time < 2; ++time) {
+    EXPECT_EQ(*known_(lag), series_.regressors(lag));
+    EXPECT_EQ(*of_gyro(lag), series_.regressors(lag, series::Reading::of_gyro));
+    for (const double degc : {0.0, 1.0}) {
+      const series::TemperatureChange change{degc, 0.5};
+      EXPECT_EQ(*known_(lag, series::Reading::of_gyro, change),
+                series_.regressors(lag, series::Reading::of_gyro, change));
+    }
+  }
+}
+
 // Each part is remembered by itself.
 TEST_F(KnownRegressorsOfARun, OfAnEffectWithTwoPartsAreItsOwn) {
   for (const char* const effect :
