@@ -157,6 +157,65 @@ Plot quantile_plot(const Models& models, std::size_t run) {
   return plot;
 }
 
+constexpr int kBins = 40;       // of a histogram
+constexpr double kBinsEnd = 4;  // standard deviations on either side of the mean
+constexpr double kPerBin = 2 * kBinsEnd / kBins;
+
+// Rows in each bin, in steps.
+Curve histogram_of(const std::vector<double>& values, double mean, double sigma) {
+  std::vector<double> rows(kBins, 0);
+  for (const double value : values) {
+    const double bin = std::floor(((value - mean) / sigma + kBinsEnd) / kPerBin);
+    if (bin >= 0 && bin < kBins) ++rows[static_cast<std::size_t>(bin)];
+  }
+  Curve curve;
+  for (int edge = 0; edge <= kBins; ++edge) {
+    const double x = mean + (edge * kPerBin - kBinsEnd) * sigma;
+    for (const int bin : {edge - 1, edge}) {
+      curve.x.push_back(x);
+      curve.y.push_back(bin < 0 || bin == kBins ? 0 : rows[static_cast<std::size_t>(bin)]);
+    }
+  }
+  return curve;
+}
+
+// As many rows of a normal distribution.
+Curve normal_curve(std::size_t rows, double mean, double sigma) {
+  Curve curve{"normal", "mark", {}, {}, {}, Look::dashed};
+  for (int i = -kBins; i <= kBins; ++i) {
+    const double deviations = kBinsEnd * i / kBins;
+    curve.x.push_back(mean + deviations * sigma);
+    curve.y.push_back(static_cast<double>(rows) * kPerBin * std::exp(-deviations * deviations / 2) /
+                      std::sqrt(2 * kPi));
+  }
+  return curve;
+}
+
+Plot histogram_plot(const Models& models, std::size_t run) {
+  Plot plot;
+  plot.title = "Distribution of the residual.";
+  plot.x_label = "residual, deg/h";
+  plot.y_label = "rows";
+  const compare::Comparison::SegmentError& whole = on_run(*models[0], run).whole;
+  if (!(whole.std_dph > 0)) return {};
+  const std::vector<Text> names = labels(models, "residual");
+  std::size_t rows = 0;
+  for (std::size_t i = models.size(); i-- > 0;) {
+    const compare::Comparison& comparison = on_run(*models[i], run);
+    const std::vector<double> values = comparison.counted(comparison.residuals_dph());
+    rows = values.size();
+    if (rows < kBins) return {};
+    Curve curve = histogram_of(values, whole.mean_dph, whole.std_dph);
+    curve.label = names[i];
+    curve.colour = residual_colour(i);
+    curve.look = look_of(i);
+    plot.curves.push_back(std::move(curve));
+  }
+  plot.curves.push_back(normal_curve(rows, whole.mean_dph, whole.std_dph));
+  plot.caption = "Dashed: a normal distribution of the same mean and standard deviation.";
+  return plot;
+}
+
 Plot correlation_plot(const Models& models, std::size_t run) {
   constexpr std::size_t kLags = 100;
   const std::vector<Text> names = labels(models, "residual");
@@ -215,13 +274,10 @@ Plot scale_factor_plot(const compare::ModelOnRun& judged) {
 }  // namespace
 
 std::vector<Plot> residual_plots(const Models& models, std::size_t run) {
-  std::vector<Plot> plots{band_plot(models[0]->runs[run]),
-                          soaks_plot(models, run),
-                          whole_run_plot(models, run),
-                          spectrum_plot(models, run),
-                          quantile_plot(models, run),
-                          correlation_plot(models, run),
-                          scale_factor_plot(models[0]->runs[run])};
+  std::vector<Plot> plots{band_plot(models[0]->runs[run]), soaks_plot(models, run),
+                          whole_run_plot(models, run),     spectrum_plot(models, run),
+                          histogram_plot(models, run),     quantile_plot(models, run),
+                          correlation_plot(models, run),   scale_factor_plot(models[0]->runs[run])};
   plots.erase(std::remove_if(plots.begin(), plots.end(),
                              [](const Plot& plot) { return plot.curves.empty(); }),
               plots.end());

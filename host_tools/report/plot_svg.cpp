@@ -90,6 +90,10 @@ Axes axes_of(const Plot& plot) {
   for (const Curve& curve : plot.curves) {
     for (const double x : x_of(plot, curve)) axes.x.include(x);
     for (const double y : curve.y) axes.y.include(y);
+    for (std::size_t i = 0; i < curve.sigma.size() && !log_y; ++i) {
+      axes.y.include(curve.y[i] - curve.sigma[i]);
+      axes.y.include(curve.y[i] + curve.sigma[i]);
+    }
   }
   for (const findings::Level& level : plot.levels) axes.y.include(level.y);
   axes.x.widen(0);

@@ -58,6 +58,6 @@ done
 
 failed=0
 node "$here/check_pages.mjs" "$driver" . || failed=1
-node "$here/look_at_pages.mjs" "$driver" "$shots" info.html=4 fit.html=24 compare.html=24 models.html=12 \
-  diagnose.html=6 add.html=8 paper.html=7 batch.html=1 fast.html=5 input.html=15 input_diagnose.html=6 || failed=1
+node "$here/look_at_pages.mjs" "$driver" "$shots" info.html=4 fit.html=26 compare.html=26 models.html=13 \
+  diagnose.html=6 add.html=8 paper.html=7 batch.html=1 fast.html=5 input.html=16 input_diagnose.html=6 || failed=1
 exit $failed

@@ -130,6 +130,19 @@ const draw_plot = (() => {
     draw_levels(u, plot.levels);
   };
 
+  // The ends of the error bars that are in view.
+  const sigma_ends = (u, plot) => {
+    const { min, max } = u.scales.x;
+    return plot.curves.flatMap((curve, c) => {
+      if (!curve.sigma || !u.series[c + 1].show) return [];
+      return u.data[c + 1].flatMap((y, i) => {
+        const x = u.data[0][i];
+        if (y == null || curve.sigma[i] == null || x < (min ?? x) || x > (max ?? x)) return [];
+        return [y - curve.sigma[i], y + curve.sigma[i]];
+      });
+    });
+  };
+
   // Index of the nearest row in which curve `s` has a point.
   const nearest = (u, s, at) => {
     const column = u.data[s];
@@ -161,8 +174,8 @@ const draw_plot = (() => {
     const { data, series, bands } = plot.kind === "stacked" ? stacked(plot) : unstacked(plot);
     const y_range = (u, low, high) => {
       if (low == null) return spaced(low, high);
-      const levels = plot.levels.map((level) => level.y);
-      return spaced(Math.min(low, ...levels), Math.max(high, ...levels));
+      const ends = [...plot.levels.map((level) => level.y), ...sigma_ends(u, plot)];
+      return spaced(Math.min(low, ...ends), Math.max(high, ...ends));
     };
     const values = (logarithmic) =>
       logarithmic ? { values: (u, splits) => splits.map((value) => significant(value)) } : {};
