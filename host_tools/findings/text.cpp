@@ -27,7 +27,7 @@ std::string Text::sentence() const {
   if (!begins_with_name_ && !identifier && text[0] >= 'a' && text[0] <= 'z') {
     text[0] = static_cast<char>(text[0] - 'a' + 'A');
   }
-  if (text.back() != '.' && text.back() != ':') text += '.';
+  if (std::string(".:?").find(text.back()) == std::string::npos) text += '.';
   return text;
 }
 

@@ -306,7 +306,7 @@ class HeaderReader {
            map_key(slot) + "=" + std::to_string(field + 1) + unit_proposal(slot) + "'");
     }
     if (given && column.unit && given->words != column.unit->words) {
-      say(place(field) + " is taken in " + given->words + ", as --columns says, not in " +
+      say(place(field) + " is taken in " + given->words + ", as chosen, not in " +
           column.unit->words);
     }
     use_unit(field, slot, given ? given : column.unit);

@@ -23,4 +23,9 @@ constexpr double kMinRowsToJudge = 100;
 constexpr double kMinShareOfShortSegments = 0.1;
 constexpr double kShortSegmentRows = 2;
 
+// ---- Are they of one gyro? --------------------------------------------------------------------
+/// Ratio of the noise floors of two runs from which on they are hardly of one gyro: noise changes
+/// with temperature and light by less. workbench/session_test.
+constexpr double kMaxNoiseRatio = 3;
+
 }  // namespace fogcomp::runs::rules

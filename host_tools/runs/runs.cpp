@@ -2,14 +2,18 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "core/bytes/crc.hpp"
 #include "noise/white_noise.hpp"
 #include "recording/data_hash.hpp"
 #include "recording/plausibility.hpp"
+#include "runs/decision_rules.hpp"
 #include "runs/joined_runs.hpp"
 #include "support/input_error.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp::runs {
 namespace {
@@ -47,6 +51,22 @@ void make_cuts(const std::vector<recording::Cut>& cuts, Runs& runs) {
     for (Run& run : runs.training) is_made |= set_cut(run, cut, true);
     for (Run& run : runs.holdouts) is_made |= set_cut(run, cut, true);
     if (!is_made) throw InputError("--cut " + cut_text(cut), "lies in none of the runs");
+  }
+}
+
+// A note for each run with much more noise than another, so that they are hardly of one gyro.
+void note_other_gyro(double row_s, Runs& runs) {
+  std::map<double, std::string> files;  // by noise floor
+  for (const std::vector<Run>* some : {&runs.training, &runs.holdouts}) {
+    for (const Run& run : *some) {
+      if (const auto floor_dph = run.noise_floor_dph(row_s)) files.emplace(*floor_dph, run.file);
+    }
+  }
+  for (const auto& [floor_dph, file] : files) {
+    const auto& [least_dph, quiet] = *files.begin();
+    if (floor_dph <= rules::kMaxNoiseRatio * least_dph) continue;
+    runs.notes.push_back(format("%s has %.2g times the noise of %s: are both of one gyro?",
+                                file.c_str(), floor_dph / least_dph, quiet.c_str()));
   }
 }
 
@@ -138,6 +158,7 @@ Runs read_runs(const std::vector<std::string>& training, const std::vector<std::
   make_cuts(options.cuts, runs);
   runs.notes = std::move(read.notes);
   append(runs.notes, judging.notes);
+  note_other_gyro(row_lengths_s.front(), runs);
   return runs;
 }
 
@@ -148,6 +169,7 @@ Runs read_holdouts(const std::vector<std::string>& files, const recording::ReadO
   runs.holdouts = std::move(read.runs);
   make_cuts(options.cuts, runs);
   runs.notes = std::move(read.notes);
+  note_other_gyro(row_lengths_s.front(), runs);
   return runs;
 }
 

@@ -603,7 +603,7 @@ TEST(ForeignFiles, UnitGivenByTheMap_OutranksTheHeader) {
   const Recording recording = read_recording(path, options);
   EXPECT_EQ(recording.rate_dph, (std::vector<double>{3600, 7200}));
   EXPECT_EQ(recording.temperature_degc, (std::vector<double>{20, 20}));
-  EXPECT_NE(said.find("column 3 'Gyro [rad/s]' is taken in deg/s, as --columns says, not in rad/s"),
+  EXPECT_NE(said.find("column 3 'Gyro [rad/s]' is taken in deg/s, as chosen, not in rad/s"),
             std::string::npos)
       << said;
 }
