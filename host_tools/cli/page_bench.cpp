@@ -14,12 +14,6 @@ namespace {
 
 using report::WorkbenchSetup;
 
-bool is_too_large(const std::string& path) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(path, error);
-  return !error && size > kMaxPageFile;
-}
-
 // A line end separates the words of the engine's commands.
 bool can_be_read_again(const std::string& path) {
   std::error_code error;
@@ -61,10 +55,7 @@ void take_reading(WorkbenchSetup& setup, const RecordingOptions& recording) {
 std::string shortened(WorkbenchSetup& setup, const std::string& path,
                       const recording::ReadOptions& reading) {
   const PageRows rows = page_rows(path, reading);
-  setup.notes.push_back(format(
-      "%s has %zu samples; the workbench has their %zu means over 1 s, so its figures agree with "
-      "the command line's to some digits only",
-      path.c_str(), rows.samples, rows.rows));
+  setup.notes.push_back(words_of(rows, path));
   return rows.csv;
 }
 

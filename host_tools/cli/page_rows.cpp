@@ -1,5 +1,6 @@
 #include "cli/page_rows.hpp"
 
+#include <filesystem>
 #include <vector>
 
 #include "recording/columns.hpp"
@@ -32,6 +33,20 @@ std::string csv_of(const recording::Recording& recording) {
 }
 
 }  // namespace
+
+bool is_too_large(const std::string& path) {
+  constexpr std::size_t kMaxPageFile = 4'000'000;  // about 100,000 rows
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  return !error && size > kMaxPageFile;
+}
+
+std::string words_of(const PageRows& rows, const std::string& path) {
+  return format(
+      "%s has %zu samples; the workbench has their %zu means over 1 s, so its figures agree with "
+      "the command line's to some digits only",
+      path.c_str(), rows.samples, rows.rows);
+}
 
 PageRows page_rows(const std::string& path, const recording::ReadOptions& options) {
   constexpr double kBlock_s = 1;

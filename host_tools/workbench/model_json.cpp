@@ -4,6 +4,7 @@
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
 #include "model/shape_limits.hpp"
+#include "model/shape_parameter.hpp"
 
 namespace fogcomp::workbench {
 namespace {
@@ -77,6 +78,31 @@ Json history_json(const std::vector<model::HistoryEntry>& history) {
   });
 }
 
+// Correlations of what the fit has found, in the order of the model's terms; null if there is none.
+Json correlations_json(const model::Model& model) {
+  if (!model.uncertainty) return {};
+  Json names = Json::array();
+  std::vector<model::EffectTerm> terms;
+  for (const model::EffectTerm& term : model.terms) {
+    if (model::is_found_event(term)) continue;
+    terms.push_back(term);
+    for (const fog::CoefficientDescription& coefficient : model::info_of(term).coefficients)
+      names.push(term.name + " " + coefficient.symbol);
+  }
+  for (const model::ShapeParameter& shape : model::shape_parameters(terms)) {
+    const model::EffectTerm& term = terms[shape.term];
+    names.push(term.name + " " + model::info_of(term).parameters[shape.index].name);
+  }
+  const Eigen::MatrixXd& covariance = model.uncertainty->covariance;
+  const Eigen::VectorXd scale = covariance.diagonal().cwiseMax(0).cwiseSqrt().cwiseInverse();
+  Json rows = Json::array();
+  for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
+    const Eigen::VectorXd row = scale[i] * covariance.row(i).transpose().cwiseProduct(scale);
+    rows.push(Json(std::vector<double>(row.begin(), row.end())));
+  }
+  return Json::object().set("names", std::move(names)).set("rows", std::move(rows));
+}
+
 }  // namespace
 
 Json terms_json(const model::Model& model) {
@@ -96,6 +122,7 @@ Json model_json(const model::Model& model) {
   Json json = Json::object();
   json.set("text", model::model_text(model)).set("terms", terms_json(model));
   json.set("network", model.network.present()).set("history", history_json(model.history));
+  json.set("correlations", correlations_json(model));
   json.set("residual_rms_dph", model.residual_rms_dph);
   json.set("average_s", model.average_s).set("derivative_tau_s", model.derivative_tau_s);
   return json;

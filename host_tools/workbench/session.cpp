@@ -9,6 +9,7 @@
 #include "cli/diagnose_command.hpp"
 #include "cli/effects_text.hpp"
 #include "cli/fit_command.hpp"
+#include "cli/page_rows.hpp"
 #include "findings/diagnosis_words.hpp"
 #include "findings/fit_findings.hpp"
 #include "findings/json.hpp"
@@ -58,8 +59,9 @@ std::string Session::answer(const std::vector<std::string>& words) {
       {"compare", &Session::compare}, {"diagnose", &Session::diagnose},
       {"preview", &Session::preview}, {"formula", &Session::formula},
       {"info", &Session::info},       {"columns", &Session::columns},
-      {"plots", &Session::plots},     {"history", &Session::written},
-      {"apply", &Session::written},   {"export", &Session::written}};
+      {"plots", &Session::plots},     {"means", &Session::means},
+      {"history", &Session::written}, {"apply", &Session::written},
+      {"export", &Session::written}};
   notes_.clear();
   const auto error = [](const std::string& what) {
     return Json::object().set("error", displayable(what)).text();
@@ -151,7 +153,16 @@ Json Session::columns(const Words& words) {
       .set("keys", column_keys())
       .set("rows", json_array(found.rows, [](const Words& row) { return Json(row); }))
       .set("separator", found.separator)
+      .set("large", cli::is_too_large(file.path()))
       .set("refusal", found.refusal);
+}
+
+Json Session::means(const Words& words) {
+  RecordingCall call;
+  parse_words(call, words);
+  const cli::PageRows rows =
+      cli::page_rows(call.arguments[0], observer().with_observer(call.recording.value()));
+  return Json::object().set("text", rows.csv).set("note", cli::words_of(rows, call.arguments[0]));
 }
 
 Json Session::info(const Words& words) {
@@ -175,7 +186,11 @@ Json Session::fit(const Words& words) {
   if (known == judging_.end()) {
     known = judging_.emplace(key, workflow::training_runs(request, observer())).first;
   }
-  const workflow::FitOutcome found = workflow::fit(request, known->second, observer());
+  model::Model rows;
+  rows.average_s = request.average_s;
+  rows.derivative_tau_s = request.derivative_tau_s;
+  const workflow::FitOutcome found =
+      workflow::fit(request, known->second, observer(), &regressors(key, rows, known->second));
   observer().say(found.result.identified.warnings);
   model::save_model(found.model, call.output.value());
   Json answer = model_json(found.model);
@@ -336,6 +351,17 @@ const runs::Runs& Session::judging_runs(const workflow::JudgingRequest& request,
     known = judging_.emplace(key, workflow::judging_runs(request, asked_s, observer())).first;
   }
   return known->second;
+}
+
+const fit::KnownRegressors& Session::regressors(const std::string& key, const model::Model& model,
+                                                const runs::Runs& runs) {
+  const std::string own = key + format("%a %a", model.average_s, model.derivative_tau_s);
+  if (!regressors_ || regressors_key_ != own) {
+    regressors_.reset();  // before the new ones: they are large
+    regressors_.emplace(model, runs.training);
+    regressors_key_ = own;
+  }
+  return *regressors_;
 }
 
 // Keeps notes and remarks for the answer; passes progress on.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "cli/compare_command.hpp"
 #include "compare/model_on_runs.hpp"
 #include "diagnosis/next_step.hpp"
+#include "fit/known_regressors.hpp"
 #include "support/json.hpp"
 #include "workbench/run_view.hpp"
 #include "workflow/reading.hpp"
@@ -25,6 +27,7 @@ class Session {
   ///   effects                      the catalogue
   ///   info RUN                     a recording as it was read
   ///   columns RUN                  its columns and what each is or could be
+  ///   means RUN                    its means over 1 s, in the plain format
   ///   formula MODEL 'NAME = EXPR'  an error if the model cannot take this term
   ///   plots MODEL RUN              what is left of a run as `compare --report` draws it
   ///   preview MODEL EFFECT RUN...  as `add`, without its judgement out of sample
@@ -41,6 +44,7 @@ class Session {
   Json effects() const;
   Json info(const Words& words);
   Json columns(const Words& words);
+  Json means(const Words& words);
   Json fit(const Words& words);
   Json add(const Words& words);
   Json compare(const Words& words);
@@ -54,6 +58,9 @@ class Session {
   /// The runs and holdouts of a command that refits a model; read at its first call.
   const runs::Runs& judging_runs(const workflow::JudgingRequest& request, const Words& reading,
                                  const std::optional<double>& asked_s = {});
+  /// Regressors of the rows of `model` on these runs, of which `key` is the key.
+  const fit::KnownRegressors& regressors(const std::string& key, const model::Model& model,
+                                         const runs::Runs& runs);
   workflow::Observer observer();
 
   workflow::Observer observer_;
@@ -61,6 +68,9 @@ class Session {
   /// Recordings that were read; key: their names and all that decides how they are read (key_of).
   std::map<std::string, runs::Runs> judging_;
   std::map<std::string, runs::Runs> compared_;
+  /// Of the last fit: the next one has most of them, too.
+  std::string regressors_key_;
+  std::optional<fit::KnownRegressors> regressors_;
   std::vector<Columns> columns_;  ///< of each run
 };
 

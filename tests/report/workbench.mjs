@@ -402,13 +402,14 @@ const looking = async (browser) => {
   await choose(bench, "#variable", "temperature_degc x temperature_rate");
   await settle(bench.page);
   const titles = await bench.page.evaluate(
-    `[...document.querySelectorAll("#variable optgroup:last-child option")].map((option) => option.value)`,
+    `[...document.querySelectorAll("#variable optgroup:nth-child(2) option")].map((option) => option.value)`,
   );
   for (const wanted of [
     /band/,
     /Allan deviation in soaks/,
     /Allan deviation of the whole/,
     /Spectrum/,
+    /Distribution/,
     /normal/,
     /correlation/,
   ])
@@ -427,6 +428,13 @@ const looking = async (browser) => {
     if (/Spectrum/.test(title)) check("looking", /before.*step before.*this step/.test(legend), `${title}: ${legend}`);
     await picture(bench.page, `drawing_${title.replace(/\W+/g, "_").slice(0, 24)}`);
   }
+  await choose(bench, "#variable", "correlations of the parameters");
+  await bench.until(`document.querySelectorAll("#matrix tbody tr").length === 2`);
+  const matrix = await bench.page.evaluate(
+    `[...document.querySelectorAll("#matrix tbody tr")].map((row) => row.textContent)`,
+  );
+  check("looking", /^2 temperature_rate K-?[01]\.\d\d$/.test(matrix[1]), `correlations: ${matrix}`);
+  await picture(bench.page, "correlations");
   await bench.click("#mask_mode");
   await bench.click("#residual_plot .u-over");
   await bench.state(2);
@@ -615,6 +623,8 @@ const memory = async (browser) => {
   );
   await bench.until(`!document.getElementById("opening").hidden`);
   await bench.choose_file("fast.csv");
+  await bench.until(`!document.getElementById("begin").disabled`);
+  await bench.click("#begin");
   await bench.until(`/out of memory|engine stopped/.test(document.body.innerText)`);
   await bench.choose_file("mems.csv");
   await bench.until(`/8399 samples/.test(document.getElementById("dropped").textContent)`);
@@ -646,8 +656,19 @@ const escape = async (browser) => {
     (await bench.page.evaluate("document.body.dataset.state")) === "1",
     "a slider that was cancelled refits",
   );
-  await bench.drag(slider, 0.3, 0.8);
+  const drawn = () => bench.page.evaluate("plots.residual.u.data[2].join()");
+  const released = await drawn();
+  await bench.drag(slider, 0.3, 0.8, async () => {
+    await bench.until(`/^thermal_lag:tau=.* rms$/.test(document.getElementById("candidate").textContent)`);
+    check("escape", (await drawn()) !== released, "a slider that is dragged does not show its fit");
+    check(
+      "escape",
+      (await bench.page.evaluate("document.body.dataset.state")) === "1",
+      "a slider that is held makes a step",
+    );
+  });
   await bench.state(2);
+  check("escape", (await bench.text("#candidate")) === "", `says ${await bench.text("#candidate")}`);
   check("escape", (await bench.text("#commands")).includes("thermal_lag:tau="), "a drag does not fix the shape");
   await bench.listen("escape", { announced: ["status"] });
   bench.silent();
@@ -837,6 +858,47 @@ const files = async (browser) => {
   bench.silent();
 };
 
+// A unit that a header has wrong is corrected in the dialog.
+const units = async (browser) => {
+  const bench = await Bench.open(browser, "empty.html");
+  await bench.until(`!document.getElementById("opening").hidden`);
+  await bench.choose_file("kelvin.csv");
+  await bench.until(`/kelvin/.test(document.getElementById("dropped").textContent)`);
+  await bench.click(`[aria-label="columns of kelvin.csv"]`);
+  await bench.until(`document.getElementById("columns").open`);
+  await choose(bench, `[aria-label="unit of temperature"]`, "K");
+  await bench.until(`/in K, as chosen, not in °C/.test(document.getElementById("columns_said").textContent)`);
+  await bench.click("#columns_take");
+  await bench.until(`!document.getElementById("begin").disabled`);
+  check("units", /8399 samples/.test(await bench.text("#dropped")), await bench.text("#dropped"));
+  bench.silent();
+};
+
+// A large file is averaged once, with a bar; a recording of another gyro is noticed.
+const large = async (browser) => {
+  const bench = await Bench.open(browser, "empty.html");
+  await bench.until(`!document.getElementById("opening").hidden`);
+  await bench.choose_file("fast.csv");
+  await bench.until(`!document.getElementById("begin").disabled`);
+  check("large", /MB: .* means over 1 s/.test(await bench.text("#dropped")), await bench.text("#dropped"));
+  await bench.page.evaluate(`window.widest = 0;
+    new MutationObserver(() => { widest = Math.max(widest, parseFloat(byId("working").firstElementChild.style.width)); })
+      .observe(byId("working"), { subtree: true, attributes: true });`);
+  await bench.click("#begin");
+  await bench.state(0);
+  check("large", (await bench.page.evaluate("widest")) > 50, "no bar while a large file is averaged");
+  check("large", /297750 samples.*59550 means/.test(await bench.text("#notes")), await bench.text("#notes"));
+  await (await bench.page.$("#more")).uploadFile("loud.csv");
+  await bench.state(1);
+  check(
+    "large",
+    /loud.csv has .* times the noise of fast.csv/i.test(await bench.text("#notes")),
+    await bench.text("#notes"),
+  );
+  check("large", await bench.page.evaluate(`byId("notes_box").open`), "a question is not seen");
+  bench.silent();
+};
+
 const parts = {
   loop,
   two_runs,
@@ -854,6 +916,8 @@ const parts = {
   report,
   long,
   files,
+  units,
+  large,
 };
 const browser = await launch(driver);
 try {

@@ -11,7 +11,7 @@ const compile_engine = async () => {
 };
 
 // One worker, which answers calls in turn and keeps the recordings that it has read. `files` (name to
-// bytes) is what a new worker gets if this one is replaced: after a cancelled call or a failure.
+// bytes, or to a File) is what a new worker gets if this one is replaced: after a cancelled call or a failure.
 // on_progress(stage, done): stage null at the end, done 0 to 1. on_fault(message).
 class Engine {
   #module;

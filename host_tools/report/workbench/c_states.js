@@ -7,6 +7,9 @@ const setup = JSON.parse(text_of("setup"));
 const shell_word = (word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 const shell_line = (words) => ["fogcomp", ...words].map(shell_word).join(" ");
 
+// What the engine says, without what would help on a command line alone: "; give --average".
+const without_options = (text) => text.replace(/(;|(?<=\?)) [^;?]*--[a-z][^]*$/, "");
+
 class States {
   list = [];
   at = -1;

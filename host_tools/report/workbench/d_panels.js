@@ -10,9 +10,10 @@ const with_sigma = (value, sigma) => {
   return `${value.toFixed(places)} ± ${sigma.toFixed(places)}`;
 };
 
-// A slider over a shape parameter's range (linear, logarithmic or whole numbers), which fixes the
-// parameter when released, and a button that lets the fit identify it. Esc cancels a drag.
-const shape_control = (term, parameter, change) => {
+// A slider over a shape parameter's range (linear, logarithmic or whole numbers), which shows the fit
+// while it is dragged and fixes the parameter when released, and a button that lets the fit identify it. Esc cancels
+// a drag.
+const shape_control = (term, parameter, { change, drag }) => {
   const { name, unit, value, sigma, identified, left_out, min, max, logarithmic, whole } = parameter;
   const is_log = logarithmic && min > 0;
   const to = (x) => (is_log ? Math.log(x / min) / Math.log(max / min) : (x - min) / (max - min));
@@ -37,7 +38,14 @@ const shape_control = (term, parameter, change) => {
     step: 1,
     value: begin,
     ariaLabel: `${name} of ${term.effect}`,
-    oninput: () => (left ? leave() : say(rounded(), false)),
+    oninput: () => {
+      if (left) {
+        leave();
+        return;
+      }
+      say(rounded(), false);
+      drag(with_parameter(term.words, name, rounded()));
+    },
     onpointerdown: () => {
       held = true;
     },
@@ -55,6 +63,7 @@ const shape_control = (term, parameter, change) => {
     left = true;
     slider.value = begin;
     say(value, true);
+    drag(null);
   };
   const rounded = () => {
     const x = from(slider.valueAsNumber / steps);
@@ -77,7 +86,7 @@ const shape_control = (term, parameter, change) => {
 const breakable = (name) => name.split(/(?<=_)/).flatMap((part, i) => (i > 0 ? [make("wbr"), part] : [part]));
 
 // Details of a term of the model: coefficients, shape parameters, whose bias it leaves, doubts and notes.
-const about_term = (term, notes, change) => {
+const about_term = (term, notes, actions) => {
   const shapes = term.parameters.filter((one) => one.max > one.min);
   const figures = [
     ...term.coefficients,
@@ -94,11 +103,42 @@ const about_term = (term, notes, change) => {
   );
   return [
     make("table", {}, make("tbody", {}, ...rows)),
-    ...(term.is_expression ? [] : shapes.map((one) => shape_control(term, one, change))),
+    ...(term.is_expression ? [] : shapes.map((one) => shape_control(term, one, actions))),
     ...[term.doubt, ...notes.filter((note) => note.includes(`‘${term.effect}’`))]
       .filter(Boolean)
       .map((text) => make("p", { textContent: text })),
   ];
+};
+
+// The correlations of a model's parameters, as a triangle of coloured figures.
+const correlation_table = ({ names, rows }) => {
+  const share = (value) => Math.round(100 * Math.min(1, Math.abs(value)));
+  const cell = (value) =>
+    make("td", {
+      textContent: Number(value.toFixed(2)).toFixed(2), // no -0.00
+      style: `background:color-mix(in srgb, var(--${value > 0 ? "heating" : "cooling"}) ${share(value) / 2}%, transparent)`,
+    });
+  return make(
+    "table",
+    { className: "correlations" },
+    make(
+      "tbody",
+      {},
+      ...rows.map((row, i) =>
+        make("tr", {}, make("th", { scope: "row", textContent: `${i + 1} ${names[i]}` }), ...row.slice(0, i).map(cell)),
+      ),
+    ),
+    make(
+      "tfoot",
+      {},
+      make(
+        "tr",
+        {},
+        make("td"),
+        ...names.slice(1).map((name, i) => make("th", { scope: "col", textContent: i + 1, title: names[i] })),
+      ),
+    ),
+  );
 };
 
 // Details of an effect of the catalogue.
@@ -169,7 +209,7 @@ const show_effects = (catalogue, view, notes, diagnosis, actions) => {
         ticked: true,
         opened: opened_effects,
         brings: term.effect === "bias" ? "" : shares.has(term.effect) ? percent(shares.get(term.effect)) : "",
-        about: [...about_term(term, notes, actions.change), ...about_effect(by_name.get(term.effect))],
+        about: [...about_term(term, notes, actions), ...about_effect(by_name.get(term.effect))],
         toggle: () => actions.remove(term),
       }).element,
   );

@@ -25,17 +25,18 @@ const ask_for_columns = async (name, look, given) => {
   };
   const show_judgement = (turn, { refusal, remarks }) => {
     if (turn !== asked) return;
-    byId("columns_said").textContent = [refusal, ...remarks].filter(Boolean).join(" ");
+    byId("columns_said").textContent = [without_options(refusal), ...remarks].filter(Boolean).join(" ");
     byId("columns_said").classList.toggle("refused", refusal !== "");
     byId("columns_take").disabled = refusal !== "";
   };
 
-  // A column whose name has a unit needs no other.
+  // A column whose name has a unit needs no other, but may be in another.
   const show_unit = ({ column, unit }) => {
     const own = column.value === "" ? "" : first.columns[column.value].unit;
-    unit.disabled = column.value === "" || own !== "";
-    if (own !== "") unit.value = "";
+    unit.disabled = column.value === "";
     unit.options[0].textContent = own || "no unit";
+    [...unit.options].slice(1).forEach((option) => (option.hidden = option.value === own));
+    if (unit.selectedOptions[0].hidden || unit.disabled) unit.value = "";
   };
 
   const row = ({ key, required, units }) => {

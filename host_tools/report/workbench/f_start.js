@@ -23,7 +23,7 @@
 
   // Shows an error, or hides the last one.
   const trouble = (what) => {
-    byId("trouble").textContent = what || "";
+    byId("trouble").textContent = without_options(what || "");
     byId("trouble").hidden = !what;
   };
   const working = (stage, done) => {
@@ -147,6 +147,7 @@
         "or of the residual",
         titles.map((title) => option(title, title.replace(/\.$/, ""), chosen)),
       ),
+      group("or of the model", [option(correlations, correlations, chosen)]),
     );
     byId("quantity").replaceChildren(
       option("residual_dph", "residual, °/h", axes.y),
@@ -171,8 +172,9 @@
         .join("\n") || `$ ${shell_line(compare_words(states.now))}`;
     show_masks();
     const notes = [...(setup.notes || []), ...(states.now.notes || [])];
-    byId("notes").replaceChildren(...notes.map((note) => make("li", { textContent: note })));
+    byId("notes").replaceChildren(...notes.map((note) => make("li", { textContent: without_options(note) })));
     byId("notes_box").hidden = notes.length === 0;
+    if (notes.some((note) => note.endsWith("?"))) byId("notes_box").open = true;
     byId("undo").disabled = states.at <= 0;
     byId("redo").disabled = states.at >= states.list.length - 1;
     document.body.dataset.state = states.at;
@@ -218,6 +220,7 @@
   const enter = (state) => {
     states.push(state);
     trouble("");
+    byId("candidate").textContent = "";
     show();
   };
 
@@ -287,6 +290,42 @@
     draw();
   };
 
+  const with_changed = (effects, changed) =>
+    effects.map((words) => (effect_name(words) === effect_name(changed) ? changed : words));
+
+  // Shows the fit with the shape at which a slider is held; the state stays. `changed`: the words of the effect; null:
+  // the slider was let go.
+  let dragged = null;
+  let following = false;
+  const drag = async (changed) => {
+    dragged = changed;
+    if (changed === null && byId("candidate").textContent !== "") {
+      byId("candidate").textContent = "";
+      draw();
+    }
+    if (following) return;
+    following = true;
+    const state = states.now;
+    const is_wanted = () => dragged !== null && changing === 0 && states.now === state;
+    for (let shown = null; is_wanted() && shown !== dragged; ) {
+      shown = dragged;
+      const held = { ...state, model: "dragged.model" };
+      const effects = with_changed(effects_of(state.view), shown);
+      const words = fit_words(state, effects, expressions_of(state.view), held.model, rows_of(state.view));
+      const said = await fitting
+        .call(words)
+        .then(checked)
+        .then(() => view_of(held))
+        .then((view) => {
+          if (is_wanted()) draw(view);
+          return `${shown}: ${rms(errors_of({ ...held, view }).fitted)} rms`;
+        })
+        .catch((fault) => fault.message);
+      if (is_wanted()) byId("candidate").textContent = said;
+    }
+    following = false;
+  };
+
   const actions = {
     add: (effect) => fit(({ effects }) => ({ effects: [...effects, effect], ticked: effect })),
     remove: (term) =>
@@ -294,10 +333,11 @@
         effects: effects.filter((words) => effect_name(words) !== term.effect),
         expressions: expressions.filter((words) => words !== term.words),
       })),
-    change: (changed) =>
-      fit(({ effects }) => ({
-        effects: effects.map((words) => (effect_name(words) === effect_name(changed) ? changed : words)),
-      })),
+    change: (changed) => {
+      dragged = null;
+      fit(({ effects }) => ({ effects: with_changed(effects, changed) }));
+    },
+    drag,
     judge,
     preview,
     stop: () => {
@@ -313,9 +353,9 @@
     },
   };
 
-  // Draws the shown run with its masks.
-  const draw = () => {
-    const { view, masks } = states.now;
+  // Draws the shown run with its masks, by the state's model or by one that is tried.
+  const draw = (view = states.now.view) => {
+    const { masks } = states.now;
     const name = name_of_run();
     const other = byId("show_before").ariaPressed === "true" ? last_with(name) : null;
     draw_run(view, run, {
@@ -323,7 +363,7 @@
       selected: masking() ? select_mask : null,
       before: other && other.values.residual_dph,
     });
-    draw_third();
+    draw_third(view);
   };
   // The step before with the same rows of this file, or null.
   const last_with = (name) => {
@@ -356,20 +396,31 @@
     return state.drawings.get(name);
   };
 
-  // The third plot: the rows, or one of the drawings.
+  // The third plot: the rows, one of the drawings, or the model's correlations.
+  const correlations = "correlations of the parameters";
   let titles = [];
   let erase = null;
-  const draw_third = async () => {
+  const draw_third = async (view = states.now.view) => {
     const state = states.now;
     const over = axes.x || strongest(state, run);
+    const is_matrix = over === correlations;
     const is_drawing = titles.includes(over);
-    byId("variable_plot").hidden = byId("variable_read").hidden = byId("branches").hidden = is_drawing;
-    byId("drawing").hidden = byId("drawing_caption").hidden = !is_drawing;
-    byId("quantity").disabled = is_drawing;
+    byId("variable_plot").hidden = byId("variable_read").hidden = byId("branches").hidden = is_drawing || is_matrix;
+    byId("drawing").hidden = !is_drawing;
+    byId("matrix").hidden = !is_matrix;
+    byId("drawing_caption").hidden = !is_drawing && !is_matrix;
+    byId("quantity").disabled = is_drawing || is_matrix;
     if (erase) erase();
     erase = null;
+    if (is_matrix) {
+      byId("matrix").replaceChildren(...(view.correlations ? [correlation_table(view.correlations)] : []));
+      byId("drawing_caption").textContent = view.correlations
+        ? "From −1 to 1. Near either, these recordings tell the sum of two parameters, or their difference, and not each."
+        : "These recordings do not determine the parameters.";
+      return;
+    }
     if (!is_drawing) {
-      draw_variable(state.view, run, over, axes.y);
+      draw_variable(view, run, over, axes.y);
       return;
     }
     const all = await drawings_of(state).catch((fault) => {
@@ -584,13 +635,23 @@
     };
   };
 
+  // The means over 1 s of a file, instead of the file.
+  const averaged = async (engine, name) => {
+    const { text, note } = checked(await engine.call(["means", name, ...setup.reading]));
+    setup.notes = [...(setup.notes || []), note];
+    return new TextEncoder().encode(text);
+  };
+
   // Fits to further recordings, too.
   const add_recordings = (chosen) =>
     in_turn(async () => {
       for (const file of chosen) {
-        const bytes = new Uint8Array(await file.arrayBuffer());
-        [fitting, diagnosing, previewing].forEach((engine) => engine.put(file.name, bytes));
-        checked(await fitting.call(["info", file.name, ...setup.reading]));
+        const { name } = file;
+        fitting.put(name, file);
+        const { large } = checked(await fitting.call(["columns", name, ...setup.reading]));
+        const bytes = large ? await averaged(fitting, name) : new Uint8Array(await file.arrayBuffer());
+        [fitting, diagnosing, previewing].forEach((engine) => engine.put(name, bytes));
+        checked(await fitting.call(["info", name, ...setup.reading]));
       }
       const names = chosen.map(({ name }) => name);
       fit(({ runs, holdouts }) => ({
@@ -617,12 +678,24 @@
         .join(" ");
       await list();
     };
+    // A large file is read once: when the bench begins.
+    const large = new Set();
+    const look_into = async (name, file) => {
+      const { found: head } = await engine.call(["columns", name, ...setup.reading]);
+      if (head.large && !head.error && !head.refusal) {
+        large.add(name);
+        return { ...head, size: `${Math.round(file.size / 1e6)} MB: the bench will have its means over 1 s` };
+      }
+      const { found } = await engine.call(["info", name, ...setup.reading]);
+      return { ...found, size: `${found.rows} samples, every ${significant(found.period_s)} s` };
+    };
     const list = async () => {
       setup.reading = words_of(byId("reading").value);
       const rows = [];
       let good = files.size > holdouts.size;
-      for (const name of files.keys()) {
-        const { found } = await engine.call(["info", name, ...setup.reading]);
+      large.clear();
+      for (const [name, file] of files) {
+        const found = await look_into(name, file);
         if (found.error) good = false;
         const use = make(
           "select",
@@ -659,10 +732,9 @@
             {},
             make("strong", { textContent: name }),
             make("span", {}, choose, " ", use, " ", remove),
-            ...(found.error
-              ? [found.error]
-              : [`${found.rows} samples, every ${significant(found.period_s)} s`, ...found.remarks]
-            ).map((line) => make("p", { textContent: line })),
+            ...(found.error ? [found.error] : [found.size, ...found.remarks]).map((line) =>
+              make("p", { textContent: line }),
+            ),
           ),
         );
       }
@@ -671,7 +743,7 @@
     };
     // Takes files; opens the dialog for those whose columns are not clear.
     const take = async (chosen) => {
-      for (const file of chosen) engine.put(file.name, new Uint8Array(await file.arrayBuffer()));
+      for (const file of chosen) engine.put(file.name, file);
       await list();
       for (const { name } of chosen) {
         const { found } = await engine.call(["columns", name, ...setup.reading]);
@@ -690,11 +762,21 @@
       form.classList.remove("over");
       if (!form.hidden) take([...event.dataTransfer.files]);
     };
-    form.onsubmit = (event) => {
+    form.onsubmit = async (event) => {
       event.preventDefault();
       setup.runs = [...files.keys()].filter((name) => !holdouts.has(name));
       setup.holdouts = [...holdouts];
-      begin(module, files);
+      byId("begin").disabled = true;
+      try {
+        for (const [name, file] of files)
+          files.set(name, large.size > 0 ? await averaged(engine, name) : new Uint8Array(await file.arrayBuffer()));
+        if (large.size > 0) setup.reading = []; // of the files, not of their means
+        trouble("");
+        await begin(module, files);
+      } catch (fault) {
+        trouble(fault.message);
+        await list();
+      }
     };
   };
 

@@ -25,7 +25,8 @@ const make_folders = (path) => {
 const answer = ({ words, files, columns }) => {
   for (const { name, bytes } of files) {
     make_folders(name);
-    engine.FS.writeFile(name, bytes);
+    const read = bytes instanceof Uint8Array ? bytes : new Uint8Array(new FileReaderSync().readAsArrayBuffer(bytes));
+    engine.FS.writeFile(name, read, { canOwn: true });
   }
   words.forEach((word, i) => {
     if (words[i - 1] === "-o") make_folders(word);

@@ -33,7 +33,8 @@ class Workbench : public testing::Test {
   static std::string path(const std::string& name) { return recording::temporary_path(name); }
 
   // `jump_dph`: of the bias, at 8000 s.
-  static void write_run(const std::string& name, double swing, double jump_dph = 0) {
+  static void write_run(const std::string& name, double swing, double jump_dph = 0,
+                        double noise_dph = 0.02) {
     std::ofstream file(path(name));
     file << "time_s,temperature_degc,rate_dph\n";
     std::uint32_t draw = 12345;
@@ -42,7 +43,7 @@ class Workbench : public testing::Test {
       draw = draw * 1664525U + 1013904223U;
       const double noise = draw / 4294967296.0 - 0.5;
       const double bias = 0.5 + (row >= 800 ? jump_dph : 0);
-      const double rate = bias + 0.01 * std::sin(phase) + 0.2 * std::cos(phase) + 0.02 * noise;
+      const double rate = bias + 0.01 * std::sin(phase) + 0.2 * std::cos(phase) + noise_dph * noise;
       file << format("%d,%.5f,%.6f\n", 10 * row, 20 + 30 * std::sin(phase), rate);
     }
   }
@@ -77,6 +78,56 @@ TEST_F(Workbench, FitsTheModelThatTheCommandFits) {
     EXPECT_FALSE(holds(answer, "\"error\"")) << answer;
     EXPECT_EQ(read_file(path("page.model")), read_file(path("shell.model")));
   }
+}
+
+// What an earlier fit has computed of these rows, or of others, changes no digit.
+TEST_F(Workbench, FitsAfterOtherFits_AsTheCommandDoes) {
+  const std::vector<Words> fits{{"--effects", "bias"},
+                                {"--effects", "bias,thermal_lag"},
+                                {"--effects", "bias,bias_temperature,temperature_rate"},
+                                {"--effects", "bias,temperature_rate", "--derivative-tau", "60"},
+                                {"--effects", "bias,thermal_lag", "--average", "20"}};
+  for (const Words& what : fits) {
+    Words shell{path("run.csv"), "-o", path("after_shell.model")};
+    shell.insert(shell.end(), what.begin(), what.end());
+    run("fit", shell);
+    Words page{"fit", path("run.csv"), "-o", path("after.model")};
+    page.insert(page.end(), what.begin(), what.end());
+    ask(page);
+    EXPECT_EQ(read_file(path("after.model")), read_file(path("after_shell.model"))) << what[1];
+  }
+}
+
+TEST_F(Workbench, TellsTheCorrelationsOfAllParameters) {
+  const std::string answer = ask(
+      {"fit", path("run.csv"), "--effects", "bias,thermal_lag", "-o", path("correlated.model")});
+  EXPECT_TRUE(holds(answer,
+                    "\"correlations\":{\"names\":[\"bias b0\",\"thermal_lag K\","
+                    "\"thermal_lag tau\"],\"rows\":[[1,"))
+      << answer;
+}
+
+TEST_F(Workbench, RunsOfTwoGyros_AreNoticedByTheirNoise) {
+  write_run("loud.csv", 0.7, 0, 0.2);
+  const auto fitted_to = [&](const std::string& other) {
+    return ask({"fit", path("run.csv"), path(other), "--effects", "bias", "-o", path("two.model")});
+  };
+  EXPECT_TRUE(holds(fitted_to("loud.csv"), "loud.csv has 10 times the noise of "));
+  EXPECT_FALSE(holds(fitted_to("other.csv"), "times the noise of"));
+}
+
+TEST_F(Workbench, ALargeRecording_IsAveragedToOneSecond) {
+  std::ofstream file(path("large.csv"));
+  file << "time_s,temperature_degc,rate_dph\n";
+  for (int row = 0; row < 200000; ++row) {
+    file << format("%.2f,%.5f,%.6f\n", 0.05 * row, 20 + 0.0001 * row, 0.5 + 0.1 * (row % 2));
+  }
+  file.close();
+  EXPECT_TRUE(holds(ask({"columns", path("large.csv")}), "\"large\":true"));
+  EXPECT_TRUE(holds(ask({"columns", path("run.csv")}), "\"large\":false"));
+  const std::string answer = ask({"means", path("large.csv")});
+  EXPECT_TRUE(holds(answer, "has 200000 samples; the workbench has their 10000 means over 1 s"))
+      << answer.substr(answer.size() - 400);
 }
 
 TEST_F(Workbench, AddsWhatTheCommandAddsAndSaysWhyNot) {
