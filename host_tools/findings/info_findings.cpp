@@ -114,7 +114,7 @@ std::string course_words(const recording::Recording& recording,
     case recording::TemperatureCourse::day:
       return "a temperature that moves as slowly as the day: outdoors, or in a room";
     case recording::TemperatureCourse::free:
-      return "a temperature that never stands: in the field, or in use";
+      return "a temperature that goes up and down and never stands: a cycle without soaks, or use";
     default:
       return "";
   }

@@ -94,10 +94,11 @@ Json correlations_json(const model::Model& model) {
     names.push(term.name + " " + model::info_of(term).parameters[shape.index].name);
   }
   const Eigen::MatrixXd& covariance = model.uncertainty->covariance;
-  const Eigen::VectorXd scale = covariance.diagonal().cwiseMax(0).cwiseSqrt().cwiseInverse();
+  const Eigen::VectorXd variance = covariance.diagonal().cwiseMax(1e-150);
   Json rows = Json::array();
   for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
-    const Eigen::VectorXd row = scale[i] * covariance.row(i).transpose().cwiseProduct(scale);
+    const Eigen::VectorXd row =
+        covariance.row(i).transpose().array() / (variance[i] * variance.array()).sqrt();
     rows.push(Json(std::vector<double>(row.begin(), row.end())));
   }
   return Json::object().set("names", std::move(names)).set("rows", std::move(rows));

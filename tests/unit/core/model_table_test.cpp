@@ -61,8 +61,8 @@ TEST(ModelTable, IsRefusedWhereALaggedInputHasNoLagOrAnotherHasOne) {
 }
 
 TEST(ModelTable, IsRefusedWhereItsFiltersAreNotOneFilter) {
-  // From the end: CRC, flags, output, 5 thresholds, then 16 words each of synthesis and low-pass.
-  const std::size_t last_synthesis = good_words().size() - 9;
+  // From the end: CRC, 2 lines, flags, output, 5 thresholds, then 16 words each of two filters.
+  const std::size_t last_synthesis = good_words().size() - 11;
   for (const std::size_t back : {0U, 16U}) {
     auto words = good_words();
     words[last_synthesis - back] += 1;

@@ -19,14 +19,14 @@ constexpr double kHour = 3600;
 Recording recorded(double hours, const std::function<double(double time_s)>& degc,
                    double noise_degc = 0.02) {
   std::mt19937_64 random(5);
-  std::normal_distribution<double> noise(0, noise_degc);
+  std::normal_distribution<double> noise;
   Recording recording;
   recording.file = "run.csv";
   recording.period_s = 10;
   recording.stretch_starts = {0};
   for (double time_s = 0; time_s < hours * kHour; time_s += 10) {
     recording.time_s.push_back(time_s);
-    recording.temperature_degc.push_back(degc(time_s) + noise(random));
+    recording.temperature_degc.push_back(degc(time_s) + noise_degc * noise(random));
     recording.rate_dph.push_back(1);
   }
   return recording;
