@@ -1,5 +1,6 @@
 #include "judge/mode_bands.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -68,8 +69,9 @@ Eigen::ArrayXd ModeBands::noise_density(double flicker, double walk) const {
 }
 
 double ModeBands::mean_of_fast_modes(const Eigen::VectorXd& sums) const {
-  constexpr double kFast = 1.5;  // rad per row
-  const Eigen::VectorXd is_fast = (angle_ > kFast).cast<double>();
+  constexpr double kFast = 1.5;  // rad per row; single rows have slower ones alone
+  const double fast = std::min(kFast, angle_.maxCoeff());
+  const Eigen::VectorXd is_fast = (angle_ >= fast).cast<double>();
   return sums.dot(is_fast) / count_.matrix().dot(is_fast);
 }
 

@@ -43,7 +43,7 @@ const Spellings kSpellings[] = {
     {{Quantity::time, "ns", 1, 1e9}, "ns nsec nsecs nanos nanosec nanosecs nanosecond nanoseconds"},
     {{Quantity::time, "samples"}, "samples"},
     {{Quantity::time, "min", kSecondsPerMinute}, "min mins minute minutes"},
-    {{Quantity::time, "h", kSecondsPerHour}, "h hr hrs hour hours std stunden"},
+    {{Quantity::time, "h", kSecondsPerHour}, "h hr hrs hour hours stunden"},
     {{Quantity::time, "days", 24 * kSecondsPerHour}, "d day days"},
     {{Quantity::time, "weeks", 7 * 24 * kSecondsPerHour}, "week weeks"},
     {{Quantity::temperature, "degC"}, "degc c celsius degcelsius degreec degreesc degreescelsius"},
