@@ -49,7 +49,8 @@ void run(const std::string& output, int inputs, const std::vector<std::string>& 
 void write_lenient(const std::string& header, const std::string& output) {
   fogcomp::board::BoardTable table =
       fogcomp::board::parse_header(fogcomp::read_file(header), header);
-  table.words[table.words.size() - 2] = static_cast<std::int32_t>(fog::kRateInvalid);
+  constexpr std::size_t kFromFlagsOn = 4;  // flags, the two lines, the checksum
+  table.words[table.words.size() - kFromFlagsOn] = static_cast<std::int32_t>(fog::kRateInvalid);
   table.words.back() = static_cast<std::int32_t>(fog::model_table_crc(table.span()));
   table.notes = {{0, "as " + header + ", with no flags but the usual"}};
   fogcomp::write_file(output, fogcomp::board::header_text(table, "lenient", 0));
