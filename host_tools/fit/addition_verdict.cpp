@@ -190,7 +190,7 @@ void judge_effects(const FittedPair& pair, Addition& after) {
     if (verdict_only && !after.out_of_sample->score.improves()) return;
     if (!pair.change.cuts.empty()) return;  // says nothing of other rows
     for (const FarPart& far : far_parts(pair.known.series().rows(), changed_terms(after))) {
-      after.far.push_back(validation.on(far));
+      if (validation.can_foretell(far.part)) after.far.push_back(validation.on(far));
     }
   }
   const bool has_failed = !after.out_of_sample->score.improves() || harmed(after) != nullptr;

@@ -3,6 +3,7 @@
 #include "fit/decision_rules.hpp"
 #include "fit/noise_weighted_fit.hpp"
 #include "noise/outlier_rows.hpp"
+#include "support/input_error.hpp"
 #include "support/least_squares.hpp"
 
 namespace fogcomp::fit {
@@ -30,6 +31,11 @@ OutOfSample CrossValidation::on(const Folds& folds) const {
   result.promise = after.promise;
   result.score = judge::score(rows_.drift_dph, before.rows, after.rows);
   result.score.gain -= after_.log_choices() - before_.log_choices();
+  if ((before.rows.variance.array() <= 0).all()) {
+    throw InputError("add",
+                     "too few rows: the first minutes of a run, in which the board's "
+                     "temperature rate settles, show nothing; use longer recordings");
+  }
   const Eigen::VectorXd counted =
       noise::counted_weights(rows_, (before.rows.variance.array() > 0).select(weights_, 0));
   // A bias that was left out is no error of a model that gives each range its own.

@@ -18,8 +18,11 @@ class CrossValidation {
   CrossValidation(const KnownRegressors& known, const JudgedEffects& before,
                   const JudgedEffects& after, const JudgedWith& with);
 
+  /// Throws InputError if no row of the parts can be foretold.
   OutOfSample on(const Folds& folds) const;
   OutOfSample on(const FarPart& far) const;
+
+  bool can_foretell(const Part& part) const { return after_.can_foretell(part); }
 
   /// On the rows from this one on.
   OutOfSample on_rows_from(std::size_t first) const;

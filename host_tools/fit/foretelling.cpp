@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 
+#include <algorithm>
 #include <cmath>
 
 #include "fit/inexact_terms.hpp"
@@ -106,6 +107,13 @@ void Foretelling::OfPart::join(const OfPart& other) {
   rows.variance += other.rows.variance;
   residual_dph += other.residual_dph;
   promise.add(other.promise);
+}
+
+bool Foretelling::can_foretell(const Part& part) const {
+  return std::any_of(part.begin(), part.end(), [&](const recording::RowRange& range) {
+    const auto [first, size] = place_of(range);
+    return (weights_.segment(first, size).array() > 0).any();
+  });
 }
 
 Foretelling::OfPart Foretelling::of(const Part& part) const {

@@ -50,6 +50,9 @@ class Foretelling {
   };
   OfPart of(const Part& part) const;
 
+  /// Whether any row of `part` counts. Those in which the board's derivative settles do not.
+  bool can_foretell(const Part& part) const;
+
   /// ln of how many shapes the rows tell apart: what a search could choose from.
   double log_choices() const { return log_choices_; }
 

@@ -173,6 +173,23 @@ void judge_uncertainty(model::Model& model, const NoiseWeightedFit& fit,
   }
 }
 
+// A drift without any noise divides by zero, and squares end at 1e308.
+void require_finite(const model::Model& model) {
+  Eigen::Index at = 0;
+  for (const model::EffectTerm& term : model.terms) {
+    bool finite = true;
+    for (const model::Estimate& coefficient : term.coefficients_dph) {
+      finite = finite && std::isfinite(coefficient.value) && std::isfinite(coefficient.sigma) &&
+               (!model.uncertainty || model.uncertainty->covariance.row(at).allFinite());
+      ++at;
+    }
+    if (finite) continue;
+    throw InputError(term.name,
+                     "has no finite coefficient: the drift does not move at all, or the effect's "
+                     "values are too large or too small to calculate with; leave it out");
+  }
+}
+
 void set_expression_scales(model::Model& model, const series::SignalSeries& series) {
   Eigen::Index at = 0;
   for (model::EffectTerm& term : model.terms) {
@@ -245,6 +262,7 @@ Identification identify(model::Model& model, const KnownRegressors& known,
   result.warnings = confusions(model.terms, columns, fit.covariance);
   set_ranges(model, rows);
   judge_model(model, fit, series, result);
+  require_finite(model);
   return result;
 }
 

@@ -174,6 +174,14 @@ void spoil(recording::Recording& recording, Dice& dice) {
   recording.file += std::string(", ") + what;
 }
 
+// Of those that a fit takes.
+const model::CatalogueEntry& random_entry(Dice& dice) {
+  for (;;) {
+    const model::CatalogueEntry& entry = dice.of(model::catalogue());
+    if (!entry.description.event) return entry;
+  }
+}
+
 std::string random_effect(Dice& dice, const model::CatalogueEntry& entry) {
   std::string text = entry.description.name;
   std::string settings;
@@ -198,7 +206,7 @@ std::vector<model::EffectTerm> random_effects(Dice& dice) {
   std::string list = dice.one_in(8) ? "" : "bias";
   const std::size_t more = dice.one_in(3) ? 1 : 1 + dice.below(6);
   for (std::size_t i = 0; i < more; ++i) {
-    const model::CatalogueEntry& entry = dice.of(model::catalogue());
+    const model::CatalogueEntry& entry = random_entry(dice);
     if (("," + list).find("," + std::string(entry.description.name)) != std::string::npos) continue;
     list += (list.empty() ? "" : ",") + random_effect(dice, entry);
   }
@@ -331,7 +339,7 @@ void run_case(std::uint64_t id, const Options& options, Tally& tally) {
   model.derivative_tau_s = 30;
   model.average_s = std::max(recording.period_s, dice.one_in(2) ? 10.0 : 1.0);
   std::vector<model::EffectTerm> terms = model.terms;
-  const std::string added = random_effect(dice, dice.of(model::catalogue()));
+  const std::string added = random_effect(dice, random_entry(dice));
   std::printf("case %llu: %s, %zu rows\n", static_cast<unsigned long long>(id),
               recording.file.c_str(), recording.rows());
   std::fflush(stdout);

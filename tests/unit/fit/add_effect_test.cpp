@@ -295,6 +295,30 @@ TEST(AddEffect, JudgesAWarmUpOfTwoRuns) {
       << result.reason;
 }
 
+// A minute of a ramp.
+fogcomp::recording::Recording minute() {
+  fogcomp::recording::Recording recording = recording_of(truth(), kAdditionNoise, 1);
+  for (auto* column : {&recording.time_s, &recording.temperature_degc, &recording.rate_dph})
+    *column = {column->begin() + 400, column->begin() + 464};
+  for (std::size_t row = 0; row < 64; ++row) recording.time_s[row] = static_cast<double>(row);
+  recording.period_s = 1;
+  return recording;
+}
+
+TEST(AddEffect, RunEndsBeforeTheDerivativeSettles_SaysSo) {
+  fogcomp::runs::Runs runs;
+  runs.training.push_back(fogcomp::runs::run_of(minute(), {1}));
+  Model model = incomplete("bias");
+  model.average_s = 1;
+  try {
+    add_effect(model, fogcomp::fit::change_effect(model.terms, "bias_temperature:order=1"), runs,
+               {});
+    FAIL() << "it is judged by no row";
+  } catch (const fogcomp::InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("too few rows"), std::string::npos) << error.what();
+  }
+}
+
 TEST(AddEffect, DropsANetworkToWhichTheEffectLeavesNothing) {
   Model model = incomplete("bias,bias_temperature:order=3");
   model.network = paper_like_model().network;
