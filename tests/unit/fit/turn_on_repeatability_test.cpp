@@ -5,13 +5,14 @@
 #include <cmath>
 #include <random>
 
-#include "fit/identify.hpp"
-#include "model/effect_list.hpp"
 #include "support/decompositions.hpp"
-#include "unit/fit/simulated_gyro.hpp"
+#include "unit/fit/runs_apart.hpp"
 
 namespace fogcomp::fit {
 namespace {
+
+using fog::test::chance_of_slope;
+using fog::test::runs_apart;
 
 constexpr Eigen::Index kPowerOns = 8;
 constexpr Eigen::Index kRowsOfEach = 20;
@@ -84,51 +85,7 @@ TEST(TurnOnRepeatability, IsThatOfThePowerOnsAndNoneOfEqualOnes) {
   }
 }
 
-// Static runs in rows of a minute at 20 degC apart, with these biases.
-std::vector<recording::Recording> runs_apart(const std::vector<double>& biases_dph,
-                                             double dph_per_degc, double within) {
-  std::vector<recording::Recording> runs;
-  for (std::size_t i = 0; i < biases_dph.size(); ++i) {
-    recording::Recording run =
-        fog::test::thinned(fog::test::static_recording(20.0 * static_cast<double>(i) - 40, within,
-                                                       fog::test::kQuietNoise, i + 1),
-                           6);
-    for (std::size_t row = 0; row < run.rows(); ++row)
-      run.rate_dph[row] += biases_dph[i] + dph_per_degc * run.temperature_degc[row];
-    runs.push_back(std::move(run));
-  }
-  return runs;
-}
-
-// Of a slope with temperature, beside a bias.
-double chance_of_slope(const std::vector<recording::Recording>& runs) {
-  std::vector<model::Model> models;
-  for (const char* effects : {"bias", "bias,bias_temperature:order=1"}) {
-    model::Model model = fog::test::model_of(model::parse_effects(effects));
-    model.average_s = 60;
-    models.push_back(std::move(model));
-  }
-  series::SignalSeries series(models[0]);
-  for (const recording::Recording& run : runs) series.add(series::make_blocks(run));
-  const KnownRegressors known(series);
-  identify(models[0], known);
-  const Identification fit = identify(models[1], known);
-  return chance_of_biases(known, models[0].terms, models[1].terms,
-                          {fit.noise, fit.row_weights, false});
-}
-
-TEST(TurnOnRepeatability, IsSeldomTakenForADriftBetweenRecordings) {
-  std::mt19937 random(3);
-  std::normal_distribution<double> normal;
-  constexpr int kDraws = 100;
-  int below_a_tenth = 0;
-  for (int draw = 0; draw < kDraws; ++draw) {
-    std::vector<double> biases_dph;
-    for (int i = 0; i < 5; ++i) biases_dph.push_back(0.3 * normal(random));
-    below_a_tenth += chance_of_slope(runs_apart(biases_dph, 0, 1e-4)) < 0.1 ? 1 : 0;
-  }
-  EXPECT_GE(below_a_tenth, 3);
-  EXPECT_LE(below_a_tenth, 19);
+TEST(TurnOnRepeatability, OfADriftBetweenRecordings_TellsIt) {
   const std::vector<double> biases_dph{0.1, -0.1, 0.1, 0, -0.1};
   EXPECT_LT(chance_of_slope(runs_apart(biases_dph, 0.02, 1e-4)), 0.01);
   // Each sees the slope, and a bias is no drift within a recording.
