@@ -38,6 +38,7 @@ async function indexedReader(path) {
   try {
     return await McapIndexedReader.Initialize({ readable: new ReadableFile(handle, size), decompressHandlers });
   } catch (error) {
+    await handle.close();
     throw new Refusal(
       `has no index (${error.message}); if its recorder was cut off: mcap recover ${path} -o whole.mcap`,
     );
