@@ -16,19 +16,18 @@ bool are_same_rows(const std::vector<Run>& runs, double a_s, double b_s) {
   });
 }
 
-// The shortest length that does not make too many rows of so many seconds.
-double sufficient_s(double all_s) {
+}  // namespace
+
+double sufficient_row_s(double all_s) {
   const auto last = rules::kRowLengths_s.end() - 1;
   return *std::find_if(rules::kRowLengths_s.begin(), last,
                        [&](double row_s) { return all_s <= rules::kMaxRowsToJudge * row_s; });
 }
 
-}  // namespace
-
 RowLength row_length(const std::vector<Run>& runs, double model_row_s) {
   double all_s = 0;
   for (const Run& run : runs) all_s += run.length_s();
-  const double row_s = sufficient_s(all_s);
+  const double row_s = sufficient_row_s(all_s);
   const bool are_few = model_row_s < row_s && all_s < rules::kMinRowsToJudge * row_s;
   if (are_few || are_same_rows(runs, row_s, model_row_s)) return {model_row_s, ""};
   const double usual_s = rules::kRowLengths_s.front();

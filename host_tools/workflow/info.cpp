@@ -3,6 +3,7 @@
 #include "model/effect_list.hpp"
 #include "noise/white_noise.hpp"
 #include "recording/plausibility.hpp"
+#include "runs/row_length.hpp"
 #include "series/signal_series.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -14,9 +15,10 @@ constexpr double kUsualAverageSeconds = 10;
 constexpr double kUsualDerivative_s = 30;  // as in FitRequest
 constexpr Eigen::Index kMinRows = 60;      // fewer show no noise beside the effects
 
-std::vector<planning::VisibleSize> visible_sizes(const compare::RunSummary& summary) {
+std::vector<planning::VisibleSize> visible_sizes(const compare::RunSummary& summary,
+                                                 double length_s) {
   model::Model settings;
-  settings.average_s = summary.average_s;
+  settings.average_s = runs::sufficient_row_s(length_s);
   settings.derivative_tau_s = kUsualDerivative_s;
   const series::BlockSeries blocks = series::make_blocks(summary.blocks);
   series::SignalSeries series(settings, series::Phase::zero);
@@ -39,7 +41,7 @@ InfoOutcome info(const InfoRequest& request, const Observer& observer) {
   }
   observer.say(recording::doubts(run, noise::white_noise_dph_rthz(run)));
   outcome.summary = compare::summarize(run, request.average_s.value_or(kUsualAverageSeconds));
-  outcome.visible = visible_sizes(outcome.summary);
+  outcome.visible = visible_sizes(outcome.summary, length_s);
   return outcome;
 }
 

@@ -43,8 +43,9 @@ TEST(RowLength, IsLongerWithTheReasonWhereThereWouldBeTooMany) {
   EXPECT_EQ(of_runs({34}).row_s, 20);
   EXPECT_EQ(of_runs({60}).row_s, 20);
   EXPECT_EQ(of_runs({60, 30}).row_s, 30);
-  EXPECT_EQ(of_runs({1000}, 10, 10).row_s, 60);
-  EXPECT_NE(of_runs({1000}, 10, 10).why.find("rows of 60 s"), std::string::npos);
+  EXPECT_EQ(of_runs({180}, 10, 10).row_s, 60);
+  EXPECT_EQ(of_runs({1000}, 10, 10).row_s, 300);
+  EXPECT_NE(of_runs({1000}, 10, 10).why.find("rows of 300 s"), std::string::npos);
 }
 
 }  // namespace
