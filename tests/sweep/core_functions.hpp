@@ -105,12 +105,16 @@ class Sweep {
   void take(std::int64_t at, double exact) {
     constexpr double kMargin = 1e-3;
     const double value = Function::value(at);
-    if (previous_ - value > fall_) worst_.largest_fall = fall_ = previous_ - value;
+    if (previous_ - value > fall_) {
+      fall_ = previous_ - value;
+      worst_.largest_fall = static_cast<decltype(worst_.largest_fall)>(fall_);
+    }
     previous_ = value;
     const double scale = Function::scale(value);
     if (std::abs(value - exact) * scale <= candidate_) return;
-    const long double error = std::abs(value - Function::template exact<long double>(at)) *
-                              static_cast<long double>(scale);
+    const long double error =
+        std::abs(static_cast<long double>(value) - Function::template exact<long double>(at)) *
+        static_cast<long double>(scale);
     if (error <= worst_.error) return;
     worst_.error = error;
     worst_.at = at;
