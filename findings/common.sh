@@ -32,6 +32,23 @@ installed() {
   [[ $(dpkg-query -W -f='${db:Status-Status} ${Version}' "${1%%=*}" 2>/dev/null) == "installed ${1#*=}" ]]
 }
 
+# newlib_on_board: Debian 12's newlib for a Cortex-M, and the board in QEMU that on_board runs a program on.
+newlib_on_board() {
+  debian libnewlib-arm-none-eabi=3.3.0-1.3+deb12u1 gcc-arm-none-eabi=15:12.2.rel1-1 \
+    qemu-system-arm=1:7.2+dfsg-7+deb12u18+b3
+  cat >vectors.c <<'C'
+void _start(void);
+__attribute__((section(".vectors"), used)) void *const vectors[] = {(void *)0x20080000, _start};
+C
+}
+
+# on_board OPTION...: compiles probe.c with these options and runs it; prints what it prints.
+on_board() {
+  arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -O1 "$@" --specs=rdimon.specs -Wl,--section-start=.vectors=0 \
+    vectors.c probe.c -lm -o probe.elf
+  timeout 60 qemu-system-arm -M mps2-an386 -nographic -semihosting -kernel probe.elf 2>&1
+}
+
 # stated EXPECTED SEEN: prints what was seen; ends with 1 where it is not what the finding states.
 stated() {
   printf '%s\n' "$2"

@@ -9,8 +9,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 enter_scratch
-debian libnewlib-arm-none-eabi=3.3.0-1.3+deb12u1 gcc-arm-none-eabi=15:12.2.rel1-1 \
-  qemu-system-arm=1:7.2+dfsg-7+deb12u18+b3
+newlib_on_board
 cat >probe.c <<'C'
 #include <stdio.h>
 int main(void) {
@@ -20,15 +19,6 @@ int main(void) {
   printf("size %zu, rows %d\n", size, 7);
 }
 C
-cat >vectors.c <<'C'
-void _start(void);
-__attribute__((section(".vectors"), used)) void *const vectors[] = {(void *)0x20080000, _start};
-C
-board() {
-  arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -O1 -Wall -Werror "$@" --specs=rdimon.specs \
-    -Wl,--section-start=.vectors=0 vectors.c probe.c -o probe.elf
-  timeout 60 qemu-system-arm -M mps2-an386 -nographic -semihosting -kernel probe.elf 2>&1
-}
 gcc -O1 -Wall -Werror probe.c -o probe
 stated 'PC: byte fe, then 5
 PC: size 300, rows 7
@@ -37,6 +27,6 @@ full: size zu, rows 300
 nano: byte hx, then -2
 nano: size zu, rows 300' "$(
   ./probe | sed 's/^/PC: /'
-  board | sed 's/^/full: /'
-  board --specs=nano.specs | sed 's/^/nano: /'
+  on_board -Wall -Werror | sed 's/^/full: /'
+  on_board -Wall -Werror --specs=nano.specs | sed 's/^/nano: /'
 )"

@@ -8,8 +8,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 enter_scratch
-debian libnewlib-arm-none-eabi=3.3.0-1.3+deb12u1 gcc-arm-none-eabi=15:12.2.rel1-1 \
-  qemu-system-arm=1:7.2+dfsg-7+deb12u18+b3
+newlib_on_board
 cat >probe.c <<'C'
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,13 +20,7 @@ int main(void) {
   printf("%x\n", bits);
 }
 C
-cat >vectors.c <<'C'
-void _start(void);
-__attribute__((section(".vectors"), used)) void *const vectors[] = {(void *)0x20080000, _start};
-C
-arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -O1 -fno-builtin --specs=rdimon.specs -Wl,--section-start=.vectors=0 \
-  vectors.c probe.c -lm -o probe.elf
 gcc -O1 -fno-builtin probe.c -lm -o probe
 stated 'PC 3f800001
 Cortex-M 3f800000' "PC $(./probe)
-Cortex-M $(timeout 60 qemu-system-arm -M mps2-an386 -nographic -semihosting -kernel probe.elf 2>&1)"
+Cortex-M $(on_board -fno-builtin)"
