@@ -186,8 +186,7 @@ class EffectBank {
   template <template <class> class... Effects>
   EffectBank(const EffectsParameters& parameters, EffectList<Effects...> /*list*/)
       : coefficient_fraction_(parameters.coefficient_fraction),
-        slots_(SlotFor<Effects<BoardNumbers>>(
-            parameters.by_id[Effects<BoardNumbers>::description.id])...) {}
+        slots_(parameters.by_id[Effects<BoardNumbers>::description.id]...) {}
 
   template <class Function>
   void for_each(Function function) {

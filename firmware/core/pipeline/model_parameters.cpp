@@ -22,24 +22,20 @@ Value next_fixed(TableReader& table) {
 
 template <class Value>
 Value next_positive(TableReader& table) {
-  return Value::from_raw(table.next(1, kMax32));
-}
-
-std::size_t next_count(TableReader& table, std::size_t max) {
-  return static_cast<std::size_t>(table.next(0, static_cast<std::int32_t>(max)));
+  return Value::from_raw(table.next_from(1));
 }
 
 void read_calibration(TableReader& table, ModelParameters& parameters) {
-  parameters.acquisition.sample_period_us = static_cast<std::uint32_t>(table.next(1, kMax32));
+  parameters.acquisition.sample_period_us = static_cast<std::uint32_t>(table.next_from(1));
   parameters.acquisition.sample_rate_part =
       static_cast<std::uint32_t>(table.next(1, SampleRateMonitor::kMaxPart));
-  parameters.samples_per_block = static_cast<std::uint32_t>(table.next(1, kMax32));
-  parameters.calibration.multiplier = table.next(1 << 30, kMax32);
+  parameters.samples_per_block = static_cast<std::uint32_t>(table.next_from(1));
+  parameters.calibration.multiplier = table.next_from(1 << 30);
   parameters.calibration.shift = table.next(0, kMaxCalibrationShift);
   parameters.acquisition.rate.range = next_positive<Rate>(table);
   parameters.acquisition.rate.step = next_positive<RateStep>(table);
-  parameters.acquisition.stuck.samples = static_cast<std::uint32_t>(table.next(0, kMax32));
-  parameters.acquisition.stuck.band = static_cast<std::uint32_t>(table.next(0, kMax32));
+  parameters.acquisition.stuck.samples = static_cast<std::uint32_t>(table.next_from(0));
+  parameters.acquisition.stuck.band = static_cast<std::uint32_t>(table.next_from(0));
 }
 
 void read_thermal(TableReader& table, ModelParameters& parameters) {
@@ -50,27 +46,25 @@ void read_thermal(TableReader& table, ModelParameters& parameters) {
   thermal.max = next_fixed<Temperature>(table);
   table.require(kMinTemperature <= thermal.min && thermal.min <= thermal.max &&
                 thermal.max <= kMaxTemperature);
-  parameters.policy.hold_blocks = static_cast<std::uint32_t>(table.next(0, kMax32));
-  parameters.policy.accurate_blocks = static_cast<std::uint32_t>(table.next(0, kMax32));
-  parameters.policy.settle_blocks = static_cast<std::uint32_t>(table.next(0, kMax32));
+  parameters.policy.hold_blocks = static_cast<std::uint32_t>(table.next_from(0));
+  parameters.policy.accurate_blocks = static_cast<std::uint32_t>(table.next_from(0));
+  parameters.policy.settle_blocks = static_cast<std::uint32_t>(table.next_from(0));
 }
 
 // Their number is checked by the stages that use them.
 void read_input_limits(TableReader& table, AcquisitionParameters& acquisition) {
   acquisition.input_limits =
-      table.next_words(kInputLimitWords * next_count(table, kExtensionInputs));
+      table.next_words(kInputLimitWords * table.next_count(kExtensionInputs));
 }
 
 // Returns the effects that the table enables.
 EffectMask read_effects(TableReader& table, EffectCheck effect_fits, EffectsParameters& effects) {
   effects.coefficient_fraction = table.next(kMinCoefficientFraction, kMaxCoefficientFraction);
   EffectMask enabled = 0;
-  for (std::size_t left = next_count(table, kMaxEffects); left > 0 && table.good(); --left) {
-    const std::size_t id = next_count(table, kMaxEffects - 1);
-    const Span<const std::int32_t> constants =
-        table.next_words(next_count(table, kZeroConstants.size()));
-    const Span<const std::int32_t> coefficients =
-        table.next_words(next_count(table, kMaxRegressors));
+  for (std::size_t left = table.next_count(kMaxEffects); left > 0 && table.good(); --left) {
+    const std::size_t id = table.next_count(kMaxEffects - 1);
+    const Span<const std::int32_t> constants = table.next_list(kZeroConstants.size());
+    const Span<const std::int32_t> coefficients = table.next_list(kMaxRegressors);
     const EffectMask bit = EffectMask{1} << id;
     table.require((enabled & bit) == 0U && (kAllEffects & bit) != 0U);
     enabled |= bit;
@@ -84,25 +78,25 @@ EffectMask read_effects(TableReader& table, EffectCheck effect_fits, EffectsPara
 
 void read_expressions(TableReader& table, ExpressionCheck expressions_fit,
                       ExpressionParameters& expressions) {
-  expressions.coefficients = table.next_words(next_count(table, kMaxExpressions));
-  expressions.program = table.next_words(next_count(table, kMaxExpressionWords));
+  expressions.coefficients = table.next_list(kMaxExpressions);
+  expressions.program = table.next_list(kMaxExpressionWords);
   if (!table.good()) return;
   table.require(expressions_fit(expressions));
 }
 
 void read_network(TableReader& table, NetworkParameters& network) {
   using Decay = FirstOrderLag<BoardNumbers>::Decay;
-  network.input_count = next_count(table, kMaxNetworkInputs);
-  const std::size_t hidden = next_count(table, kMaxHidden);
+  network.input_count = table.next_count(kMaxNetworkInputs);
+  const std::size_t hidden = table.next_count(kMaxHidden);
   if (hidden == 0) return;
   table.require(network.input_count > 0);
   for (std::size_t i = 0; i < network.input_count; ++i) {
     InputScaling& input = network.inputs[i];
     input.signal = static_cast<NetworkInput>(table.next(0, kNetworkInputs - 1));
-    input.decay = Decay::from_raw(table.next(0, kMax32));
+    input.decay = Decay::from_raw(table.next_from(0));
     table.require((input.signal == NetworkInput::lagged_temperature) == (input.decay > Decay{}));
     input.centre = table.next();
-    input.half_range = table.next(1, kMax32);
+    input.half_range = table.next_from(1);
     input.shift = table.next(0, 30);
     table.require(input.half_range <= floor_shift(kMax32, input.shift));
   }
@@ -145,8 +139,8 @@ bool filters_fit(const DenoiseParameters& denoise) {
 }
 
 void read_denoise(TableReader& table, DenoiseParameters& denoise) {
-  const std::size_t levels = next_count(table, kMaxLevels);
-  const std::size_t taps = next_count(table, kMaxTaps);
+  const std::size_t levels = table.next_count(kMaxLevels);
+  const std::size_t taps = table.next_count(kMaxTaps);
   denoise.rule = static_cast<ThresholdRule>(table.next(0, 2));
   denoise.mode = static_cast<ThresholdMode>(table.next(0, 1));
   denoise.filters = table.next_words(2 * taps);

@@ -13,35 +13,19 @@ class TableReader {
  public:
   explicit TableReader(Span<const std::int32_t> table) : rest_(table) {}
 
-  std::int32_t next() {
-    if (rest_.size == 0) {
-      good_ = false;
-      return 0;
-    }
-    const std::int32_t word = rest_[0];
-    rest_ = {rest_.data + 1, rest_.size - 1};
-    return word;
-  }
-
+  std::int32_t next();
   /// Next word if within [min, max], else `min`.
-  std::int32_t next(std::int32_t min, std::int32_t max) {
-    const std::int32_t word = next();
-    if (word >= min && word <= max) return word;
-    good_ = false;
-    return min;
-  }
+  std::int32_t next(std::int32_t min, std::int32_t max);
+  /// Next word if at least `min`, else `min`.
+  std::int32_t next_from(std::int32_t min);
+  /// Next word if within [0, max], else 0.
+  std::size_t next_count(std::size_t max);
 
-  Span<const std::int32_t> next_words(std::size_t count) {
-    if (count > rest_.size) {
-      good_ = false;
-      return {};
-    }
-    const Span<const std::int32_t> words{rest_.data, count};
-    rest_ = {rest_.data + count, rest_.size - count};
-    return words;
-  }
+  Span<const std::int32_t> next_words(std::size_t count);
+  /// Words behind their own count, which is at most `max`.
+  Span<const std::int32_t> next_list(std::size_t max);
 
-  void require(bool condition) { good_ = good_ && condition; }
+  void require(bool condition);
 
   /// Whether all words so far were present and in range.
   bool good() const { return good_; }
