@@ -67,9 +67,10 @@ inline SerialLine output_line() {
   return kHasUsualLines ? SerialLine() : model().parameters.output_line();
 }
 
-inline SelfTest& self_test() {
-  static SelfTest instance(model().bytes(), model(),
-                           model().parameters.acquisition.sample_period_us,
+// Not inline: each of its users would hold its construction.
+[[gnu::noinline]] inline SelfTest& self_test() {
+  const Model& used = model();
+  static SelfTest instance(used.bytes(), used, used.parameters.acquisition.sample_period_us,
                            pipeline().integrity_token());
   return instance;
 }
