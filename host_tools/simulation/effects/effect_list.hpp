@@ -4,7 +4,7 @@
 
 namespace fogcomp::simulation {
 
-// One per file of the same name.
+// Defined beside their classes: of rotation, temperature_course, memory, power_on, surroundings.
 EffectDescription aging_effect();
 EffectDescription axial_gradient_effect();
 EffectDescription bias_effect();
