@@ -23,7 +23,6 @@ struct PoolEvents {
 /// Runs `work(job)` for every job from 0 to `jobs` - 1, each in a child process (a copy of this
 /// one), so that a failure of one, even out of memory, does not affect the others. `work` returns
 /// results in files; an exception ends its process with code 1.
-/// `work` has to say it writes to files; what it throws ends its process with code 1.
 ///
 /// SIGINT, SIGTERM or SIGHUP ends the children and the call, which returns the signal; else 0. Only
 /// for single-threaded programs.
