@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/bytes/state_carrier.hpp"
 #include "core/fixed_point/fixed.hpp"
 #include "core/signal/inputs.hpp"
 #include "core/thermal/signals.hpp"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "core/effects/effect.hpp"
 #include "core/thermal/play.hpp"
@@ -41,7 +42,7 @@ class ThermalHysteresis {
   template <class Real>
   static void board_constants(const Real* given, Real /*block_s*/, Real* constants) {
     constexpr Real kMinRadius = Real{1} / 2;
-    for (int i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < 2; ++i) {
       const bool used = given[i] > Real{};
       const Real radius = given[i] < kMinRadius ? kMinRadius : given[i];
       constants[2 * i] = used ? radius : Real{};

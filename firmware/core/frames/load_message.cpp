@@ -62,7 +62,7 @@ bool LoadParser::feed(std::uint8_t byte) {
     if (byte == kMessageSync) bytes_[size_++] = byte;
     return false;
   }
-  if (size_ < kLoadHeaderBytes || size_ < kLoadHeaderBytes + 4U * bytes_[kSizeAt] + 4U)
+  if (size_ < kLoadHeaderBytes || size_ < kLoadHeaderBytes + std::size_t{4} * bytes_[kSizeAt] + 4U)
     return false;
   const bool good = read();
   size_ = 0;
