@@ -1,9 +1,12 @@
-// A power failure while a table is loaded: at every byte, with the flashed code. The board always
-// has a good table, the old or the new one, and can be loaded again.
+// A power failure while a table is loaded, and another while it is loaded again: at every byte,
+// with the flashed code. The board always has a good table, the old or the new one, and can be
+// loaded.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
+#include <map>
 #include <string>
 
 #include "board/model_slot.hpp"
@@ -76,29 +79,97 @@ LoadRefusal load(CutFlash& flash, const Words& slot, std::uint32_t options = 0) 
   return load(loader, slot, options);
 }
 
-TEST(PowerCut, AtEveryByteTheOldTableOrTheNewOneIsUsed) {
-  CutFlash flash;
-  ASSERT_EQ(load(flash, slot_of(1), fog::kMayBeFirst), LoadRefusal::none);
-  std::size_t all_cuts = 0;
-  for (std::uint32_t sequence = 2; sequence < 5; ++sequence) {  // both slots, empty and not
-    const SlotChoice old = boot(flash);
-    ASSERT_EQ(old.used().sequence, sequence - 1);
-    std::size_t cuts = 0;
-    flash.may_be_cut = [&] {
-      ++cuts;
-      const SlotChoice choice = boot(flash);
-      ASSERT_EQ(choice.error, fog::ModelError::none) << "cut " << cuts;
-      ASSERT_EQ(choice.slot, old.slot) << "cut " << cuts;
-    };
-    ASSERT_EQ(load(flash, slot_of(sequence)), LoadRefusal::none);
-    flash.may_be_cut = {};
-    EXPECT_GE(cuts, 4 * slot_of(sequence).size());
-    EXPECT_EQ(boot(flash).used().sequence, sequence);
-    EXPECT_NE(boot(flash).slot, old.slot);
-    all_cuts += cuts;
+// What a board has before a load, and whose table is loaded.
+struct CutLoad {
+  const char* name;
+  std::vector<const char*> before;  // serial numbers of the tables loaded so far, one after another
+  std::uint32_t damaged;            // the table, from 1, that is damaged then; 0: none
+  const char* serial;               // of the table that is loaded
+};
+const CutLoad kCutLoads[] = {
+    {"VirginBoard", {}, 0, "G1"},
+    {"OneTable", {"G1"}, 0, "G1"},
+    {"TwoTables", {"G1", "G1"}, 0, "G1"},
+    {"NewerTableDamaged", {"G1", "G1"}, 2, "G1"},
+    {"OnlyTableDamaged", {"G1"}, 1, "G1"},
+    {"OtherGyro", {"G1"}, 0, "G2"},
+    {"OtherGyroThirdTable", {"G1", "G1"}, 0, "G2"},
+};
+
+// Plays a load up to each state in which a power failure can leave the flash, and there the load
+// that follows, which is cut likewise.
+class CutLoads : public testing::TestWithParam<CutLoad> {
+ protected:
+  static std::uint32_t used_in(const CutFlash& flash) {  // sequence; 0: no table
+    const SlotChoice choice = boot(flash);
+    return choice.error == fog::ModelError::none ? choice.used().sequence : 0;
   }
-  std::printf("%zu cuts: the table before, each time\n", all_cuts);
+  CutFlash before() const {
+    CutFlash flash;
+    for (const char* serial : GetParam().before) {
+      const std::uint32_t sequence = used_in(flash) + 1;
+      EXPECT_EQ(load(flash, slot_of(sequence, of_gyro(serial)), fog::kMayBeFirst),
+                LoadRefusal::none);
+    }
+    if (GetParam().damaged != 0) flash.slot(boot(flash).slot)[60] ^= 1;
+    return flash;
+  }
+  // With `cuts` of 0 the load is not cut.
+  void load_cut(CutFlash flash, int cuts) {
+    const std::uint32_t used = used_in(flash);
+    const std::size_t erased = flash.erases;
+    bool is_erased = false;
+    flash.may_be_cut = [&] {
+      if (cuts > 0) {
+        ++states_;
+        const std::uint32_t left = used_in(flash);
+        ASSERT_TRUE(left == used || left == used + 1) << left << " instead of " << used;
+        load_cut(flash, cuts - 1);
+      }
+      if (is_erased || flash.erases == erased) return;
+      is_erased = true;
+      if (cuts < kCuts && was_seen(flash, used)) throw IsSeen();
+      if (cuts > 0) seen_.push_back({used, flash.slot(0), flash.slot(1)});
+    };
+    try {
+      ASSERT_EQ(load(flash, table(used + 1), fog::kMayBeFirst | fog::kMayBeAnotherGyro),
+                LoadRefusal::none);
+      flash.may_be_cut = {};
+      ASSERT_EQ(used_in(flash), used + 1);
+    } catch (const IsSeen&) {
+    }
+  }
+  const Words& table(std::uint32_t sequence) {
+    Words& words = tables_[sequence];
+    if (words.empty()) words = slot_of(sequence, of_gyro(GetParam().serial));
+    return words;
+  }
+  static constexpr int kCuts = 2;
+  std::size_t states_ = 0;
+
+ private:
+  struct IsSeen {};  // what follows has been played from the same state
+  struct Erased {
+    std::uint32_t used;
+    CutFlash::Memory first;
+    CutFlash::Memory second;
+  };
+  bool was_seen(CutFlash& flash, std::uint32_t used) const {
+    return std::any_of(seen_.begin(), seen_.end(), [&](const Erased& erased) {
+      return erased.used == used && erased.first == flash.slot(0) && erased.second == flash.slot(1);
+    });
+  }
+  std::map<std::uint32_t, Words> tables_;
+  std::vector<Erased> seen_;
+};
+
+TEST_P(CutLoads, CutTwice_OldTableOrNewOneAndLoadable) {
+  load_cut(before(), kCuts);
+  EXPECT_GT(states_, 4 * table(1).size());
+  std::printf("%zu states\n", states_);
 }
+INSTANTIATE_TEST_SUITE_P(PowerCut, CutLoads, testing::ValuesIn(kCutLoads),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 // Repeatedly, at any byte, until one load succeeds.
 TEST(PowerCut, LeavesABoardThatCanBeLoaded) {
@@ -223,21 +294,6 @@ TEST_F(Loading, OtherGyro_Loaded_OldTableRetired) {
   EXPECT_EQ(boot(flash_).slots[old].error, fog::ModelError::not_a_model);
   flash_.slot(old ^ 1U)[0] ^= 1;
   EXPECT_NE(boot(flash_).error, fog::ModelError::none);
-}
-
-TEST_F(Loading, OtherGyro_PowerCutAnywhere_OldTableOrNewOne) {
-  const Words slot = slot_of(2, of_gyro("G2"));
-  std::size_t cuts = 0;
-  std::size_t of_new = 0;
-  flash_.may_be_cut = [&] {
-    const SlotChoice choice = boot(flash_);
-    ++cuts;
-    ASSERT_EQ(choice.error, fog::ModelError::none) << cuts;
-    of_new += choice.used().sequence == 2 ? 1U : 0U;
-  };
-  ASSERT_EQ(load(flash_, slot, fog::kMayBeAnotherGyro), LoadRefusal::none);
-  flash_.may_be_cut = {};
-  EXPECT_EQ(of_new, 4U) << "while the old one is retired";
 }
 
 TEST_F(Loading, RefusesWhatTurnsOutToBeNoGoodTableBeforeItIsOne) {

@@ -79,7 +79,8 @@ class SlotLoader {
     has_begun_ = true;
     total_ = static_cast<std::uint32_t>(kSlotHeaderWords) + message.words[3] + 1;
     next_ = 0;
-    if (!flash_.erase(target_.slot())) return LoadRefusal::flash_failed;
+    // Half erased, a slot that still began like one could pass for a newer table of another gyro.
+    if (!retire(target_.slot()) || !flash_.erase(target_.slot())) return LoadRefusal::flash_failed;
     next_ = 1;
     return write(message.words.data() + 1, kLoadHeadWords - 1);
   }
@@ -116,8 +117,12 @@ class SlotLoader {
     const SlotMemory loaded = flash_.memory(target_.slot());
     const SlotMemory used = flash_.memory(target_.used);
     if (have_same_serial(loaded, used)) return;
+    retire(target_.used);
+  }
+
+  bool retire(std::size_t slot) {
     constexpr std::uint32_t kNoMagic = 0;
-    flash_.program(target_.used, 0, &kNoMagic, 1);
+    return flash_.program(slot, 0, &kNoMagic, 1);
   }
 
   LoadRefusal write(const std::uint32_t* words, std::size_t count) {
