@@ -54,7 +54,7 @@ constexpr PllInput kInternal{Rcc::kHsiOn, Rcc::kHsiReady, pll_setting(kInternalH
 constexpr ClockTree kAsResetLeftIt{
     kInternalHz, kInternalHz, kInternalHz, "internal oscillator, no PLL", true, false};
 
-ClockTree running = kAsResetLeftIt;
+ClockTree running;  // from start_clock_tree() on
 
 // Restores the reset state of the clocks, whatever a boot loader or a debugger has set: a PLL that
 // is the system clock cannot be stopped, and a running one cannot be changed (7.3.1, 7.3.2).
