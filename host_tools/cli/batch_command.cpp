@@ -280,7 +280,7 @@ struct BatchCommand : Command {
   Integer<std::size_t> jobs{
       this, {"jobs", "N", "gyros at a time (default: one per processor)"}, 1, 1024};
   Number time_limit{
-      this, {"time-limit", "S", "ends a gyro that takes longer; 0: none", "0"}, {0, 1e7}};
+      this, {"time-limit", "S", "ends a gyro that takes longer; 0: none", "0", kRare}, {0, 1e7}};
   Text part{this, {"shard", "I/N", "only every N-th gyro, from the I-th on; no table", "", kRare}};
   Flag merge{this, "merge", "only table and page, of what is calibrated", kRare};
   Flag reports{this, "reports", "a page of plots for every gyro too (needs hold-outs)"};
