@@ -34,9 +34,8 @@ struct RecordingOptions : OptionGroup {
       this,
       {"axis", "up|down", "where the input axis points, with --latitude", "up", kRare},
       {{"up", 1}, {"down", -1}}};
-  Number rate{this,
-              {"rate", "HZ", "rate of a stream or a CSV without true times", "200"},
-              {1e-3, 1e6}};
+  Number rate{
+      this, {"rate", "HZ", "rate of a stream or a CSV without true times", "200"}, {1e-3, 1e6}};
   Flag table{this, "table", "each line is a mean at a steady temperature, without a time", kRare};
   Number temperature{
       this,
