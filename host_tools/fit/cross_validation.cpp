@@ -1,5 +1,7 @@
 #include "fit/cross_validation.hpp"
 
+#include <algorithm>
+
 #include "fit/decision_rules.hpp"
 #include "fit/noise_weighted_fit.hpp"
 #include "noise/outlier_rows.hpp"
@@ -19,6 +21,12 @@ CrossValidation::CrossValidation(const KnownRegressors& known, const JudgedEffec
       after_(known, after, with) {}
 
 OutOfSample CrossValidation::on(const Folds& folds) const {
+  if (std::none_of(folds.parts.begin(), folds.parts.end(),
+                   [&](const Part& part) { return can_foretell(part); })) {
+    throw InputError("add",
+                     "too few rows: the first minutes of a run, in which the board's "
+                     "temperature rate settles, show nothing; use longer recordings");
+  }
   Foretelling::OfPart before = before_.of(folds.parts.front());
   Foretelling::OfPart after = after_.of(folds.parts.front());
   for (std::size_t i = 1; i < folds.parts.size(); ++i) {
@@ -31,11 +39,6 @@ OutOfSample CrossValidation::on(const Folds& folds) const {
   result.promise = after.promise;
   result.score = judge::score(rows_.drift_dph, before.rows, after.rows);
   result.score.gain -= after_.log_choices() - before_.log_choices();
-  if ((before.rows.variance.array() <= 0).all()) {
-    throw InputError("add",
-                     "too few rows: the first minutes of a run, in which the board's "
-                     "temperature rate settles, show nothing; use longer recordings");
-  }
   const Eigen::VectorXd counted =
       noise::counted_weights(rows_, (before.rows.variance.array() > 0).select(weights_, 0));
   // A bias that was left out is no error of a model that gives each range its own.
