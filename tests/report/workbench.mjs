@@ -1,5 +1,5 @@
-// node workbench.mjs DRIVER SHOTS [PART]: what workbench.sh says, on its pages in this folder; leaves the page's first
-// diagnosis, that of two runs, the commands of a random session and the model that the page made of it.
+// node workbench.mjs DRIVER SHOTS work|files|PART: what workbench.sh says, on its pages in this folder. Work leaves the
+// page's first diagnosis, that of two runs, the commands of a random session and the model that the page made of it.
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { trapping, with_memory } from "./altered_module.mjs";
@@ -790,7 +790,7 @@ const long = async (browser) => {
 };
 
 // A page without recordings takes files and asks about columns that are not clear.
-const files = async (browser) => {
+const opened = async (browser) => {
   const bench = await Bench.open(browser, "empty.html");
   await bench.until(`!document.getElementById("opening").hidden`);
   // A file that cannot be read says why, and is taken away.
@@ -899,29 +899,12 @@ const large = async (browser) => {
   bench.silent();
 };
 
-const parts = {
-  loop,
-  two_runs,
-  keyboard,
-  reload,
-  recordings,
-  looking,
-  handling,
-  session,
-  trouble,
-  stepped,
-  memory,
-  escape,
-  rate_table,
-  report,
-  long,
-  files,
-  units,
-  large,
-};
+const work = [loop, two_runs, keyboard, reload, recordings, looking, handling, session];
+const files = [trouble, stepped, memory, escape, rate_table, report, long, opened, units, large];
+const chosen = { work, files }[only] ?? [...work, ...files].filter((part) => part.name === only);
 const browser = await launch(driver);
 try {
-  for (const part of only ? [parts[only]] : Object.values(parts)) {
+  for (const part of chosen) {
     const begin = Date.now();
     await part(browser);
     console.log(`${part.name}: done in ${((Date.now() - begin) / 1000).toFixed(1)} s`);

@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
-# workbench.sh FOGCOMP DRIVER [SHOTS]: the workbench's page in Chromium, with a mouse and a keyboard: the README's loop, a
-# random session whose commands make the same files in a shell, masked rows, hostile names, an engine that traps, 60,000
-# rows, a rate table, columns that are not clear, a screen reader, a narrow window. Screenshots go to the folder SHOTS.
+# workbench.sh FOGCOMP DRIVER work|files [SHOTS]: the workbench's page in Chromium, with a mouse and a keyboard. Work: the
+# README's loop, a random session whose commands make the same files in a shell, masked rows, a screen reader, a narrow
+# window. Files: hostile names, an engine that traps, 60,000 rows, a rate table, columns that are not clear, large files.
+# Screenshots go to the folder SHOTS.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
-fogcomp=$(realpath "${1:?usage: workbench.sh FOGCOMP DRIVER [SHOTS]}")
-driver=$(realpath "${2:?usage: workbench.sh FOGCOMP DRIVER [SHOTS]}")
-shots=${3:+$(realpath "$3")}
+fogcomp=$(realpath "${1:?usage: workbench.sh FOGCOMP DRIVER work|files [SHOTS]}")
+driver=$(realpath "${2:?usage: workbench.sh FOGCOMP DRIVER work|files [SHOTS]}")
+half=${3:?usage: workbench.sh FOGCOMP DRIVER work|files [SHOTS]}
+shots=${4:+$(realpath "$4")}
 needs /usr/bin/chromium node "$driver/node_modules/puppeteer-core/package.json"
 enter_scratch
 needs_engine
@@ -44,7 +46,8 @@ done
 "$fogcomp" workbench fast.csv -o long.html >/dev/null 2>note.txt
 grep -q "has 297750 samples; the workbench has their 59550 means over 1 s" note.txt
 
-node "$here/workbench.mjs" "$driver" "$shots"
+node "$here/workbench.mjs" "$driver" "$shots" "$half"
+[[ $half == work ]] || exit 0
 
 in_lines() { node -p 'JSON.stringify(JSON.parse(fs.readFileSync(0)), null, 1)'; }
 # The diagnosis in a shell, of one run and of two, where the verdict hangs on simulated noise.
