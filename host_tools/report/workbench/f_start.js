@@ -747,7 +747,7 @@
       await list();
       for (const { name } of chosen) {
         const { found } = await engine.call(["columns", name, ...setup.reading]);
-        if (found.refusal && found.columns.length > 1) await choose_columns(name);
+        if (found.refusal && found.columns.length > 1 && found.rows.length > 0) await choose_columns(name);
       }
     };
     byId("chosen").onchange = () => take([...byId("chosen").files]);
