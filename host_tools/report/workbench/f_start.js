@@ -231,11 +231,12 @@
       const before = now
         ? { ...now, effects: effects_of(now.view), expressions: expressions_of(now.view) }
         : { ...setup, effects: ["bias"], expressions: [], masks: masks_from(setup.masks, files_of(setup)) };
-      const after = { ...before, ...change(before) };
+      const changed = change(before);
+      const after = { ...before, ...changed };
       const model = states.next_model();
       const words = fit_words(after, after.effects, after.expressions, model, now ? rows_of(now.view) : []);
       const { state } = await made_by(words, after);
-      state.ticked = after.ticked && { before: now, effect: after.ticked };
+      state.ticked = changed.ticked && { before: now, effect: changed.ticked };
       enter(state);
     });
 
