@@ -185,7 +185,9 @@ std::vector<Fault> missing(const Command& command) {
     missing.push_back({"", "expects " + command.positionals.usage});
   }
   for (const auto& [option, unless, proposal] : command.needs) {
-    if (!option->text().empty() || (unless != nullptr && unless->given())) continue;
+    const bool is_unnecessary = std::any_of(unless.begin(), unless.end(),
+                                            [](const Option* other) { return other->given(); });
+    if (!option->text().empty() || is_unnecessary) continue;
     std::string what = dashed(option->name) + " " + option->value_name + " is missing";
     if (!proposal.empty()) what += " (try " + dashed(option->name) + " " + proposal + ")";
     missing.push_back({"", what});

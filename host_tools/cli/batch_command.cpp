@@ -296,7 +296,7 @@ struct BatchCommand : Command {
     FitOptions& fit = calibration.fit;
     calibration.make_rare();
     fit.effects.rare = fit.training.network.rare = false;
-    needs = {{&output}, {&fit.effects, &fit.model, model::kFirstEffects}};
+    needs = {{&output}, {&fit.effects, {&fit.model}, model::kFirstEffects}};
   }
   int run() const override;
 

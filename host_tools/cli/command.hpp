@@ -31,8 +31,8 @@ class Command : public OptionGroup {
   /// A required option; all missing ones are reported together.
   struct Need {
     const Option* option;
-    const Option* unless = nullptr;  ///< another option that makes it unnecessary
-    std::string proposal{};          ///< example value
+    std::vector<const Option*> unless{};  ///< others, each of which makes it unnecessary
+    std::string proposal{};               ///< example value
   };
   std::vector<Need> needs;
   std::vector<std::string> words;  ///< positionals that are not files

@@ -19,7 +19,8 @@
 namespace fogcomp::cli {
 
 workflow::FitRequest FitCommand::request() const {
-  workflow::FitRequest request = fit.request(arguments, recording.value(arguments));
+  workflow::FitRequest request = fit.request(arguments, recording.value(arguments), prior.given());
+  request.prior = prior.find();
   request.serial = serial.value();
   board::serial_words(request.serial);  // throws if no board can hold it
   return request;

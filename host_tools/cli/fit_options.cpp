@@ -12,7 +12,8 @@ Choice<std::optional<denoise::ThresholdRule>>::Meanings FitOptions::row_rules() 
 }
 
 workflow::FitRequest FitOptions::request(const std::vector<std::string>& runs,
-                                         const recording::ReadOptions& reading) const {
+                                         const recording::ReadOptions& reading,
+                                         bool has_prior) const {
   workflow::FitRequest request;
   request.runs = runs;
   request.reading = reading;
@@ -23,13 +24,14 @@ workflow::FitRequest FitOptions::request(const std::vector<std::string>& runs,
   request.training = training.value();
   request.force_network = training.force_network.given();
   request.preset = model.find();
-  request.effects = workflow::takes_effects(request.preset) ? effects.required() : effects.find();
+  const bool needs_effects = workflow::takes_effects(request.preset) && !has_prior;
+  request.effects = needs_effects ? effects.required() : effects.find();
   request.expressions = expressions.value();
   request.run_offsets = run_offsets.given();
   request.row_denoising = denoise_rows.value();
   request.network_inputs = inputs.value();
   request.average_s = average.value();
-  request.derivative_tau_s = derivative_tau.value();
+  request.derivative_tau_s = derivative_tau.find();
   request.board_denoiser = denoiser.over({});
   if (request.row_denoising && request.board_denoiser.levels == 0) {
     fail("--levels '0' is not a number from 1 to 10");

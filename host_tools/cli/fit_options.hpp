@@ -50,9 +50,9 @@ struct BoardDenoiserOptions : OptionGroup {
 struct FitOptions : OptionGroup {
   using OptionGroup::OptionGroup;
   /// The request for these recordings. Throws InputError for values out of range and missing
-  /// effects.
+  /// effects. `has_prior`: which says the effects.
   workflow::FitRequest request(const std::vector<std::string>& runs,
-                               const recording::ReadOptions& reading) const;
+                               const recording::ReadOptions& reading, bool has_prior = false) const;
 
   Text effects{this,
                {"effects", "LIST", "NAME,NAME:p=VALUE,...; ? for a value: identified"},

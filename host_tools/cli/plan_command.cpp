@@ -40,7 +40,7 @@ struct PlanCommand : Command {
       : Command("plan", {"[MODEL] [--compare PROGRAMME...]", 0, kAnyNumber},
                 "the chamber programme that determines most, and what it shows",
                 "fogcomp plan --use T:-40..60,ramp:1 --hours 6 -o six_hours.profile") {
-    needs = {{&output, &compare}};
+    needs = {{&output, {&compare}}};
     for (const EmbeddedFile& file : simulation::ready_made_profiles()) words.push_back(file.name);
   }
   int run() const override;

@@ -65,7 +65,7 @@ struct SimulateCommand : Command {
   SimulateCommand()
       : Command("simulate", {}, "makes the recording of a gyro in a chamber from first principles",
                 "fogcomp simulate -o run.csv --effect shupe:peak=0.03 --seed 7") {
-    needs = {{&output, &list}};
+    needs = {{&output, {&list}}};
   }
   int run() const override;
 

@@ -16,8 +16,9 @@ struct TrainingOptions : OptionGroup {
                        {"network", "N", "hidden neurons, 0 for none, at most 32", "0"},
                        0,
                        network::kMaxTrainedHidden};
-  Choice<std::string> trainer{
-      this, {"trainer", "NAME", trainer_summaries(), "lm"}, as_named(network::trainer_names())};
+  Choice<std::string> trainer{this,
+                              {"trainer", "NAME", trainer_summaries(), "lm", kRare},
+                              as_named(network::trainer_names())};
   Integer<std::uint64_t> seed{
       this, {"seed", "N", "of all that training draws", "1", kRare}, 0, 1LL << 53};
   Choice<fog::Activation> activation{

@@ -6,6 +6,7 @@
 #include "findings/figures.hpp"
 #include "findings/history_findings.hpp"
 #include "findings/network_words.hpp"
+#include "findings/prior_findings.hpp"
 #include "findings/run_section.hpp"
 #include "fit/decision_rules.hpp"
 #include "noise/outlier_rows.hpp"
@@ -42,10 +43,11 @@ void add_rows(Document& document, const FitOutcome& fit) {
   }
   Text text = "noise of a row " + number(noise.white_dph()) + " white";
   if (!noise.components.empty()) text += ", " + number(noise.wander_dph()) + " slow";
-  document.sentence(
-      text + " deg/h (" +
-      (noise.from_quiet_parts ? "from the soaks" : "from neighbouring rows: no soak") +
-      words(format("); misfit %.2f", identified.birge_ratio)));
+  document.sentence(text + " deg/h (" +
+                    (identified.prior         ? "from all rows"
+                     : noise.from_quiet_parts ? "from the soaks"
+                                              : "from neighbouring rows: no soak") +
+                    words(format("); misfit %.2f", identified.birge_ratio)));
   const auto& better = fit.better_derivative;
   document.sentence(
       words(format("of the error, the board's delay (block means, derivative filter) makes %.2g "
@@ -140,6 +142,7 @@ Document fit_findings(const FitOutcome& fit, const compare::ModelOnRuns& model) 
   add_cuts(document, fit);
   add_turn_on(document, fit);
   add_model(document, fit);
+  add_prior(document, fit);
   add_ladder(document, fit);
   for (std::size_t run = 0; run < model.runs.size(); ++run) {
     add_run(document, {&model}, run, Shown::on_page);

@@ -1,5 +1,6 @@
 #include "findings/json.hpp"
 #include "findings/network_words.hpp"
+#include "findings/prior_findings.hpp"
 
 namespace fogcomp::findings {
 namespace {
@@ -54,6 +55,7 @@ Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
           : Json());
   result.set("masked_rows", identified.masked);
   result.set("effects", terms_json(fit.model));
+  result.set("prior", prior_json(fit));
   result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));
   const std::optional<double> determined = fit.determined_weights();
   result.set("network_effective_parameters", determined ? Json(*determined) : Json());

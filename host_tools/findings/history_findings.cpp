@@ -1,5 +1,7 @@
 #include "findings/history_findings.hpp"
 
+#include <algorithm>
+
 #include "findings/figures.hpp"
 #include "model/catalogue.hpp"
 #include "support/text.hpp"
@@ -82,12 +84,17 @@ Table error_ladder(const model::Model& model) {
   table.columns = {"step", {"rms left", "residual"}};
   table.quantity = "rms left, deg/h";
   table.floor = history.back().noise_floor_dph.value_or(0);
-  const double before_dph = history.front().rms_before_dph;
-  Table::Row constant{"by a constant alone", {number(before_dph), before_dph}};
-  constant.colour = "measured";
-  table.rows.push_back(std::move(constant));
-  for (const model::HistoryEntry& step : history) {
-    table.rows.push_back({action_of(step), {number(step.rms_after_dph), step.rms_after_dph}});
+  // A model that went on has been fitted to other data before.
+  const auto first = std::find_if(history.rbegin(), history.rend(), [&](const auto& step) {
+                       return step.data_hash != history.back().data_hash;
+                     }).base();
+  const double before_dph = first->rms_before_dph;
+  Table::Row before{first == history.begin() ? "by a constant alone" : "the model before",
+                    {number(before_dph), before_dph}};
+  before.colour = "measured";
+  table.rows.push_back(std::move(before));
+  for (auto step = first; step != history.end(); ++step) {
+    table.rows.push_back({action_of(*step), {number(step->rms_after_dph), step->rms_after_dph}});
   }
   return table;
 }

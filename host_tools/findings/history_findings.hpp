@@ -7,7 +7,7 @@
 
 namespace fogcomp::findings {
 
-/// What each step of a model left on the data of its fit. The model has a history.
+/// What each step of a model left on the data of its last fit. The model has a history.
 Table error_ladder(const model::Model& model);
 
 /// What was done to make a model, and what it has become: steps, errors, coefficients.

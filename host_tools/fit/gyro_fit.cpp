@@ -82,9 +82,13 @@ std::optional<GyroFit> fit_gyro(const KnownRegressors& known, const NoiseWeighte
   const std::vector<series::ColumnRange> columns = series::columns_of(board.terms, rows.row_s);
   const Eigen::Index beside = board.linear() - columns.back().first - columns.back().count;
   constexpr bool kShapesFound = true;  // the same minimum, not a better one elsewhere
-  const NoiseWeightedFit fit =
-      fit_rows(known.of(series::Reading::of_gyro), board.terms, board.columns.rightCols(beside),
-               {board.robust, std::nullopt, kShapesFound});
+  RowSettings settings{board.robust, std::nullopt, kShapesFound};
+  if (board.prior) {
+    settings.noise = board.noise;
+    settings.prior = &*board.prior;
+  }
+  const NoiseWeightedFit fit = fit_rows(known.of(series::Reading::of_gyro), board.terms,
+                                        board.columns.rightCols(beside), settings);
   if (!is_determined(fit)) return std::nullopt;
   return values_of(predict(rows, fit, offsets, temperature_error(known, fit)), fit, rows.row_s);
 }

@@ -8,6 +8,7 @@
 #include "fit/decision_rules.hpp"
 #include "fit/expression_survey.hpp"
 #include "fit/gyro_fit.hpp"
+#include "fit/informed_fit.hpp"
 #include "fit/noise_weighted_fit.hpp"
 #include "fit/predict.hpp"
 #include "fit/reference_values.hpp"
@@ -229,6 +230,29 @@ Eigen::VectorXd shares_of_biases(const series::Rows& rows) {
   return shares / shares.sum();
 }
 
+// The signals of an expression may be where either has seen them.
+void widen_ranges(const model::EffectTerm& seen, model::EffectTerm& term) {
+  if (!term.expression) return;
+  for (std::size_t i = 0; i < term.expression->ranges.size(); ++i) {
+    model::SignalRange& range = term.expression->ranges[i];
+    const model::SignalRange& other = seen.expression->ranges[i];
+    range = {std::min(range.min, other.min), std::max(range.max, other.max)};
+  }
+}
+
+NoiseWeightedFit fitted(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
+                        const Eigen::MatrixXd& offsets, const IdentifySettings& settings,
+                        Identification& result) {
+  const Eigen::VectorXd all = Eigen::VectorXd::Ones(known.series().rows().size());
+  if (!settings.prior) return fit_determined(known, terms, offsets, all, settings.progress);
+  Prior prior = *settings.prior;
+  for (std::size_t i = 0; i < terms.size(); ++i) widen_ranges(terms[i], prior.terms[i]);
+  InformedFit found = fit_with_prior(known, prior, offsets, settings.progress);
+  result.prior = settings.prior;
+  result.departures = std::move(found.departures);
+  return std::move(found.fit);
+}
+
 }  // namespace
 
 Identification identify(model::Model& model, const KnownRegressors& known,
@@ -239,14 +263,13 @@ Identification identify(model::Model& model, const KnownRegressors& known,
   set_references(model.terms, series);
   set_expression_ranges(model.terms, series);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
-  NoiseWeightedFit fit = fit_determined(known, model.terms, offsets,
-                                        Eigen::VectorXd::Ones(rows.size()), settings.progress);
+  Identification result;
+  NoiseWeightedFit fit = fitted(known, model.terms, offsets, settings, result);
   model.terms = fit.terms;
 
   // order: coefficients, offsets of all biases but the first
   const std::vector<series::ColumnRange> columns = series::columns_of(model.terms, rows.row_s);
   const Eigen::Index behind = columns.back().first + columns.back().count;
-  Identification result;
   const series::ColumnRange offset_columns{behind, offsets.cols()};
   const std::optional<GyroFit> gyro = fit_gyro(known, fit, offset_columns);
   Eigen::MatrixXd covariance = predict(rows, fit).covariance();

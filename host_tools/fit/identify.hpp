@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "fit/departure.hpp"
 #include "fit/known_regressors.hpp"
+#include "fit/prior.hpp"
 #include "model/model.hpp"
 #include "noise/noise_model.hpp"
 #include "series/signal_series.hpp"
@@ -28,6 +30,8 @@ struct Identification {
       0;  ///< std of the drift in the soak that is known worst (SoakUncertainty)
   std::vector<double> run_offsets_dph;   ///< of the second, third... power-on against the first
   double turn_on_repeatability_dph = 0;  ///< std of the power-ons' biases, if each has its own
+  std::optional<Prior> prior;            ///< that the fit was given
+  std::vector<Departure> departures;     ///< of each of its unknowns
 };
 
 struct IdentifySettings {
@@ -37,6 +41,8 @@ struct IdentifySettings {
   bool run_offsets = false;
   /// Called with the fraction of the shape search done, 0..1; may be empty.
   std::function<void(double)> progress{};
+  /// Of the model's terms, which are the prior's; nothing: the rows alone tell.
+  std::optional<Prior> prior{};
 };
 
 /// Identifies coefficients, and the shape parameters that model.terms marks, from all recordings of

@@ -86,8 +86,8 @@ std::vector<bool> ranges_to_search_again(const std::vector<model::EffectTerm>& t
 }  // namespace
 
 double NoiseWeightedFit::birge_ratio() const {
-  const auto degrees_of_freedom =
-      static_cast<double>((row_weights.array() > 0).count() - whitened.cols());
+  const auto degrees_of_freedom = static_cast<double>(
+      (row_weights.array() > 0).count() + whitened.rows() - row_weights.size() - whitened.cols());
   return std::sqrt(whitened_residual.squaredNorm() / std::max(1.0, degrees_of_freedom));
 }
 
@@ -104,15 +104,16 @@ NoiseWeightedFit fit_rows(const KnownRegressors& known, const std::vector<model:
   fit.row_weights = rows.weights.cwiseProduct(fit.robust);
   fit.terms = terms;
   fit.shapes = model::shape_parameters(terms);
+  if (settings.prior != nullptr) fit.prior = *settings.prior;
   fit.columns = all_columns(known, terms, nuisance);
   const LinearFit first =
       solve_linear(fit.robust.asDiagonal() * fit.columns, fit.robust.cwiseProduct(rows.drift_dph));
   fit.residual_dph = rows.drift_dph - fit.columns * first.coefficients;
-  std::vector<bool> ranges(fit.shapes.size(), !settings.shapes_found);
+  std::vector<bool> ranges(fit.shapes.size(), !settings.shapes_found && !fit.prior);
   for (int round = 0; round < kRounds; ++round) {
     set_noise(rows, quiet, settings.noise, fit);
     const noise::Whitening whitening(fit.noise, rows, fit.row_weights);
-    WhitenedProblem problem(known, whitening, fit.terms, nuisance);
+    WhitenedProblem problem(known, whitening, fit.terms, nuisance, settings.prior);
     const auto progress = [&](double done) {
       if (settings.progress) settings.progress((round + done) / kRounds);
     };

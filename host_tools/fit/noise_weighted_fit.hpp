@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fit/known_regressors.hpp"
+#include "fit/prior.hpp"
 #include "fit/shape_search.hpp"
 #include "noise/noise_model.hpp"
 #include "series/signal_series.hpp"
@@ -28,7 +29,9 @@ struct NoiseWeightedFit {
   Eigen::VectorXd residual_dph;   ///< per row
   Eigen::MatrixXd shape_columns;  ///< rows x shapes: derivatives of the drift by their positions
 
-  Eigen::MatrixXd whitened;           ///< the whitened columns, then one per shape parameter
+  std::optional<Prior> prior;  ///< nothing: none
+  /// The whitened columns, then one per shape parameter; behind the rows, those of the prior.
+  Eigen::MatrixXd whitened;
   Eigen::VectorXd whitened_measured;  ///< noise variance 1
   Eigen::VectorXd whitened_residual;
   Eigen::MatrixXd covariance;  ///< of coefficients and shapes (0..1); empty if rank deficient
@@ -44,6 +47,7 @@ struct RowSettings {
   std::optional<noise::NoiseModel> noise;  ///< used instead of an estimate
   bool shapes_found = false;  ///< the shapes are near their minimum: no range is searched
   std::function<void(double)> progress{};  ///< called with the fraction done, 0..1; may be empty
+  const Prior* prior = nullptr;  ///< of the terms' unknowns; no range is searched with one
 };
 
 /// Solves for the coefficients of `terms` and of the nuisance columns (rows x any number), and for

@@ -44,6 +44,40 @@ void add_inexact_rate(const series::Rows& rows, const NoiseWeightedFit& fit, jud
   judged.first_found += inexact.cols();
 }
 
+// Unknowns of judged rows in those of which a prior knows that they are independent. What lies
+// between coefficients and shapes is not the prior's.
+Independent independent_unknowns(const NoiseWeightedFit& fit, series::Reading reading,
+                                 Eigen::Index count) {
+  const auto shapes = static_cast<Eigen::Index>(fit.shapes.size());
+  Eigen::VectorXd positions(shapes);
+  for (Eigen::Index i = 0; i < shapes; ++i) {
+    const model::ShapeParameter& shape = fit.shapes[static_cast<std::size_t>(i)];
+    positions[i] = shape.unit_in(fit.terms[shape.term]);
+  }
+  const Independent own = independent(*fit.prior, reading, positions);
+  const Eigen::Index coefficients = own.origin.size() - shapes;
+  Independent all{Eigen::VectorXd::Zero(count), Eigen::MatrixXd::Identity(count, count)};
+  all.origin.head(coefficients) = own.origin.head(coefficients);
+  all.slopes.topLeftCorner(coefficients, coefficients) =
+      own.slopes.topLeftCorner(coefficients, coefficients);
+  all.slopes.topRightCorner(coefficients, shapes) = own.slopes.topRightCorner(coefficients, shapes);
+  all.slopes.bottomRightCorner(shapes, shapes) = own.slopes.bottomRightCorner(shapes, shapes);
+  return all;
+}
+
+// With the prior of a fit, if it has one.
+judge::Prediction prediction(judge::Rows judged, const NoiseWeightedFit& fit,
+                             series::Reading reading) {
+  if (!fit.prior) return judge::Prediction(judged);
+  const Eigen::Index count = judged.columns.cols();
+  const Independent unknowns = independent_unknowns(fit, reading, count);
+  judged.drift_dph -= judged.columns * unknowns.origin;
+  judged.columns = (judged.columns * unknowns.slopes).eval();
+  judged.prior_sigma.head(fit.prior->coefficients()).setOnes();
+  judged.prior_sigma.tail(static_cast<Eigen::Index>(fit.shapes.size())).setOnes();
+  return judge::Prediction(judged).of(unknowns.origin, unknowns.slopes);
+}
+
 }  // namespace
 
 noise::NoiseModel noise_beside(const PossibleDrift& possible, const series::Rows& rows,
@@ -80,8 +114,9 @@ noise::NoiseModel noise_beside(const series::Rows& rows, const NoiseWeightedFit&
   return noise_model(predict(rows, fit).noise(), rows.row_s, rows.longest_run_s());
 }
 
-judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit) {
-  return judge::Prediction(judged_rows(rows, fit, {fit.linear(), 0}));
+judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit,
+                          series::Reading reading) {
+  return prediction(judged_rows(rows, fit, {fit.linear(), 0}), fit, reading);
 }
 
 judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit,
@@ -92,7 +127,7 @@ judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit,
   judged.temperature = temperature;
   const std::vector<recording::RowRange> power_ons = rows.bias_ranges();
   if (power_ons.size() > 1) judged.power_ons = power_ons;
-  return judge::Prediction(judged);
+  return prediction(std::move(judged), fit, series::Reading::of_gyro);
 }
 
 }  // namespace fogcomp::fit

@@ -31,11 +31,13 @@ judge::Rows judged_rows(const series::Rows& rows, const NoiseWeightedFit& fit,
 
 /// What the rows of a fit say of its coefficients and, after them, of the positions of its shapes
 /// in their ranges (0 to 1; any is equally probable beforehand): in the noise of all rows, white,
-/// flicker and random walk, not only in that of the weights. Requires is_determined().
-judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit);
+/// flicker and random walk, not only in that of the weights, and what its prior does. `reading`: of
+/// the fit. Requires is_determined().
+judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit,
+                          series::Reading reading = series::Reading::of_sensor);
 
-/// The same with a bias for each power-on, whose spread is found, instead of the columns `offsets`,
-/// with inexact_rate_terms() and errors of the temperature.
+/// The same of the gyro's reading with a bias for each power-on, whose spread is found, instead of
+/// the columns `offsets`, with inexact_rate_terms() and errors of the temperature.
 judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit,
                           const series::ColumnRange& offsets,
                           const judge::TemperatureError& temperature);

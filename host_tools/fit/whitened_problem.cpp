@@ -1,5 +1,6 @@
 #include "fit/whitened_problem.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -51,14 +52,51 @@ double rough_cost_of(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& with
 WhitenedProblem::WhitenedProblem(const KnownRegressors& regressors,
                                  const noise::Whitening& whitening,
                                  std::vector<model::EffectTerm> terms,
-                                 const Eigen::MatrixXd& nuisance)
+                                 const Eigen::MatrixXd& nuisance, const Prior* prior)
     : regressors_(&regressors),
       whitening_(&whitening),
+      prior_(prior),
       terms_(std::move(terms)),
       measured_(whitening.apply(regressors.series().rows().drift_dph)) {
-  for (const model::EffectTerm& term : terms_) columns_.push_back(whitened(term));
-  columns_.push_back(whitening.apply(nuisance));
+  if (prior_ != nullptr) {
+    const Eigen::Index size = prior_->covariance.rows();
+    prior_root_ = Eigen::LLT<Eigen::MatrixXd>(prior_->covariance)
+                      .matrixL()
+                      .solve(Eigen::MatrixXd::Identity(size, size));
+    measured_.conservativeResize(measured_.size() + size);
+    set_measured();
+  }
+  for (std::size_t i = 0; i < terms_.size(); ++i) columns_.push_back(whitened(i));
+  columns_.push_back(beside_prior(nuisance));
   project_out_fixed();
+}
+
+// What the prior's rows would have of the coefficients, at the present shapes.
+void WhitenedProblem::set_measured() {
+  const Eigen::VectorXd& mean = prior_->mean(regressors_->reading());
+  Eigen::VectorXd left = mean;
+  const std::vector<model::ShapeParameter> shapes = model::shape_parameters(terms_);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    left[prior_->coefficients() + static_cast<Eigen::Index>(i)] -=
+        shapes[i].to_unit(value(shapes[i]));
+  }
+  measured_.tail(mean.size()) = prior_root_ * left;
+}
+
+Eigen::MatrixXd WhitenedProblem::with_prior(Eigen::MatrixXd whitened, Eigen::Index first) const {
+  if (prior_ == nullptr) return whitened;
+  const Eigen::Index rows = whitened.rows();
+  whitened.conservativeResize(measured_.size(), Eigen::NoChange);
+  whitened.bottomRows(measured_.size() - rows) = prior_root_.middleCols(first, whitened.cols());
+  return whitened;
+}
+
+Eigen::MatrixXd WhitenedProblem::beside_prior(const Eigen::MatrixXd& columns) const {
+  Eigen::MatrixXd whitened = whitening_->apply(columns);
+  const Eigen::Index rows = whitened.rows();
+  whitened.conservativeResize(measured_.size(), Eigen::NoChange);
+  whitened.bottomRows(measured_.size() - rows).setZero();
+  return whitened;
 }
 
 void WhitenedProblem::project_out_fixed() {
@@ -82,8 +120,8 @@ void WhitenedProblem::project_out_fixed() {
   }
 }
 
-Eigen::MatrixXd WhitenedProblem::whitened(const model::EffectTerm& term) const {
-  return whitening_->apply(*(*regressors_)(term));
+Eigen::MatrixXd WhitenedProblem::whitened(std::size_t term) const {
+  return with_prior(whitening_->apply(*(*regressors_)(terms_[term])), first_column(columns_, term));
 }
 
 double WhitenedProblem::value(const model::ShapeParameter& parameter) const {
@@ -98,9 +136,12 @@ void WhitenedProblem::set(const std::vector<model::ShapeParameter>& parameters,
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::size_t term = parameters[i].term;
     if (i + 1 < parameters.size() && parameters[i + 1].term == term) continue;  // once per term
-    columns_[term] = whitened(terms_[term]);
+    columns_[term] = whitened(term);
     left_[term] = without(fixed_, columns_[term]);
   }
+  if (prior_ == nullptr) return;
+  set_measured();
+  measured_left_ = without(fixed_, measured_);
 }
 
 Eigen::MatrixXd WhitenedProblem::matrix() const {
@@ -122,8 +163,9 @@ LinearFit WhitenedProblem::solve(const std::vector<model::ShapeParameter>& param
   }
   Eigen::MatrixXd instruments = columns;
   for (std::size_t i = 0; i < terms_.size(); ++i) {
-    instruments.middleCols(first_column(columns_, i), columns_[i].cols()) =
-        whitening_->apply(*(*regressors_)(terms_[i], series::Reading::without_noise));
+    const Eigen::Index first = first_column(columns_, i);
+    instruments.middleCols(first, columns_[i].cols()) = with_prior(
+        whitening_->apply(*(*regressors_)(terms_[i], series::Reading::without_noise)), first);
   }
   return solve_with_instruments(columns, instruments, measured_);
 }
@@ -139,13 +181,24 @@ Eigen::VectorXd WhitenedProblem::derivative(const model::ShapeParameter& paramet
 Eigen::MatrixXd WhitenedProblem::derivatives(const std::vector<model::ShapeParameter>& parameters,
                                              const std::vector<Eigen::MatrixXd>& columns,
                                              const Eigen::VectorXd& coefficients) const {
-  Eigen::MatrixXd all(measured_.size(), static_cast<Eigen::Index>(parameters.size()));
+  Eigen::MatrixXd all(regressors_->series().rows().size(),
+                      static_cast<Eigen::Index>(parameters.size()));
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     const std::size_t term = parameters[i].term;
     all.col(static_cast<Eigen::Index>(i)) = derivative(
         parameters[i], coefficients.segment(first_column(columns, term), columns[term].cols()));
   }
-  return whitening_->apply(all);
+  if (prior_ == nullptr) return whitening_->apply(all);
+  Eigen::MatrixXd whitened = beside_prior(all);
+  const std::vector<model::ShapeParameter> shapes = model::shape_parameters(terms_);
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const auto same = std::find_if(shapes.begin(), shapes.end(), [&](const auto& shape) {
+      return shape.term == parameters[i].term && shape.index == parameters[i].index;
+    });
+    whitened.col(static_cast<Eigen::Index>(i)).tail(prior_root_.rows()) =
+        prior_root_.col(prior_->coefficients() + (same - shapes.begin()));
+  }
+  return whitened;
 }
 
 Eigen::MatrixXd WhitenedProblem::jacobian(

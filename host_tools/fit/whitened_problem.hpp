@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fit/known_regressors.hpp"
+#include "fit/prior.hpp"
 #include "model/shape_parameter.hpp"
 #include "noise/whitening.hpp"
 #include "support/least_squares.hpp"
@@ -16,9 +17,11 @@ namespace fogcomp::fit {
 class WhitenedProblem {
  public:
   /// `nuisance`: further columns (rows x any number) whose coefficients are solved for but not
-  /// returned.
+  /// returned. `prior`: of the terms' unknowns, in rows of variance 1 behind the others; its shapes
+  /// have no range to be searched. nullptr: none.
   WhitenedProblem(const KnownRegressors& regressors, const noise::Whitening& whitening,
-                  std::vector<model::EffectTerm> terms, const Eigen::MatrixXd& nuisance);
+                  std::vector<model::EffectTerm> terms, const Eigen::MatrixXd& nuisance,
+                  const Prior* prior = nullptr);
 
   const std::vector<model::EffectTerm>& terms() const { return terms_; }
   double value(const model::ShapeParameter& parameter) const;
@@ -66,7 +69,12 @@ class WhitenedProblem {
   Step step(const std::vector<model::ShapeParameter>& parameters, const Solution& here) const;
 
  private:
-  Eigen::MatrixXd whitened(const model::EffectTerm& term) const;
+  Eigen::MatrixXd whitened(std::size_t term) const;
+  /// Whitened columns, and behind them those of the prior's unknowns from `first` on.
+  Eigen::MatrixXd with_prior(Eigen::MatrixXd whitened, Eigen::Index first) const;
+  /// Whitened columns of which the prior knows nothing.
+  Eigen::MatrixXd beside_prior(const Eigen::MatrixXd& columns) const;
+  void set_measured();
   void project_out_fixed();
   /// Whitened, one per parameter; `coefficients` are those of `columns`, which are those of each
   /// term.
@@ -84,6 +92,8 @@ class WhitenedProblem {
 
   const KnownRegressors* regressors_;
   const noise::Whitening* whitening_;
+  const Prior* prior_;
+  Eigen::MatrixXd prior_root_;  // rows of the prior: root * (unknowns - mean)
   std::vector<model::EffectTerm> terms_;
   std::vector<Eigen::MatrixXd> columns_;  // of each term, then nuisance columns
   Eigen::VectorXd measured_;

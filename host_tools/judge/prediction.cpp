@@ -296,4 +296,11 @@ Prediction::Prediction(const Rows& rows) {
   noise_.turn_on_dph = std::sqrt(turn_on / total);
 }
 
+Prediction Prediction::of(const Eigen::VectorXd& origin, const Eigen::MatrixXd& slopes) const {
+  Prediction other = *this;
+  other.mean_ = origin + slopes * mean_;
+  other.covariance_ = slopes * covariance_ * slopes.transpose();
+  return other;
+}
+
 }  // namespace fogcomp::judge

@@ -25,6 +25,8 @@ struct NoiseLevels {
 class Prediction {
  public:
   explicit Prediction(const Rows& rows);
+  /// The same of other unknowns: origin + slopes * these.
+  Prediction of(const Eigen::VectorXd& origin, const Eigen::MatrixXd& slopes) const;
 
   const Eigen::VectorXd& mean() const { return mean_; }
   /// NaN if the rows do not determine an unknown without a prior.

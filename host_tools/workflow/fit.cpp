@@ -11,6 +11,7 @@
 #include "series/required_inputs.hpp"
 #include "support/text.hpp"
 #include "workflow/fit_presets.hpp"
+#include "workflow/older_model.hpp"
 #include "workflow/reading.hpp"
 
 namespace fogcomp::workflow {
@@ -34,8 +35,9 @@ std::optional<denoise::DenoiseMethod> row_denoising(const FitRequest& request) {
 struct Plan {
   WantedModel wanted;
   fit::FitSettings settings;
-  model::Model model;  // without coefficients
+  model::Model model;  // without coefficients, or with those of its prior
   recording::ReadOptions reading;
+  std::optional<model::Model> older;  // of the same gyro, which goes on
 };
 
 Plan plan_of(const FitRequest& request) {
@@ -47,16 +49,24 @@ Plan plan_of(const FitRequest& request) {
   settings.network = plan.wanted.network;
   settings.force_network = plan.wanted.network_is_the_model || request.force_network;
   settings.network_inputs = network::parse_network_inputs(request.network_inputs);
-  plan.model.serial = request.serial;
-  plan.model.terms = wanted_terms(request);
+  plan.older = older_model(request);
+  const model::Model before = plan.older.value_or(model::Model());
+  if (plan.older) settings.identify.prior = fit::prior_of(before, *request.prior);
+  plan.model.history = before.history;
+  plan.model.serial = request.serial.empty() ? before.serial : request.serial;
+  plan.model.terms = plan.older ? before.terms : wanted_terms(request);
   plan.model.average_s = request.average_s;
-  plan.model.derivative_tau_s = request.derivative_tau_s;
+  plan.model.derivative_tau_s =
+      plan.older ? before.derivative_tau_s : request.derivative_tau_s.value_or(kDerivativeTau_s);
   plan.model.denoise = request.board_denoiser;
   // needed for reading the runs
   if (plan.wanted.network.hidden > 0) plan.model.network.inputs = settings.network_inputs;
   // The scale factor is also the board's: it is stored for recordings in deg/h as well.
   plan.reading = request.reading;
-  plan.model.limits = plan.reading.limits.over({});
+  if (plan.older && plan.reading.columns.empty()) plan.reading.columns = before.columns;
+  if (plan.older && !plan.reading.scale_factor) plan.reading.scale_factor = before.scale_factor;
+  plan.reading.model_limits = before.limits;
+  plan.model.limits = plan.reading.limits.over(before.limits);
   remember_reading(plan.reading, plan.model);
   plan.model.scale_factor = plan.reading.scale_factor.value_or(recording::kDefaultScaleFactor);
   std::swap(plan.reading.scale_factor, plan.reading.model_scale_factor);
@@ -65,15 +75,16 @@ Plan plan_of(const FitRequest& request) {
 
 // Appends the actions and their results: the effects, then the network.
 void write_history(FitOutcome& outcome, const FitRequest& request, const WantedModel& wanted,
-                   const runs::Runs& runs) {
+                   const runs::Runs& runs, double before_dph) {
   model::Model& model = outcome.model;
   const double effects_rms_dph = outcome.result.effects_rms_dph;
-  std::string fitted = wanted.effects;
+  const fit::Identification& identified = outcome.result.identified;
+  std::string fitted = identified.prior ? prior_words(identified) : wanted.effects;
   for (const std::string& definition : request.expressions) fitted += ", " + definition;
   fitted += mask_words(request.reading);
   const std::optional<double> floor_dph = runs.noise_floor_dph(model.average_s);
   model.history.push_back(
-      {"fit " + fitted, runs.data_hash, outcome.result.raw_std_dph, effects_rms_dph, floor_dph});
+      {"fit " + fitted, runs.data_hash, before_dph, effects_rms_dph, floor_dph});
   if (!model.network.present()) return;
   model.history.push_back(
       {format("network %d %s", wanted.network.hidden, wanted.network.trainer.c_str()),
@@ -148,7 +159,7 @@ FitOutcome fit(const FitRequest& request, const Observer& observer) {
 
 FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& observer,
                const fit::KnownRegressors* kept) {
-  auto [wanted, settings, wanted_terms, reading] = plan_of(request);
+  auto [wanted, settings, wanted_terms, reading, older] = plan_of(request);
   FitOutcome outcome;
   model::Model& model = outcome.model;
   model = std::move(wanted_terms);
@@ -167,6 +178,7 @@ FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& obser
     if (wanted.order_by_validation) choose_order(model.terms, rows);
     observer.tell(kFittingEffects, 0);
     outcome.result = fit_effects(model, known, settings.identify, training, observer, turn_on);
+    if (older) unite_ranges(*older, model);
     if (observer.progress) {
       settings.network.training.go_on = [&](double done) {
         return observer.should_continue(kTraining, done);
@@ -180,7 +192,8 @@ FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& obser
   }
   const bool is_known = turn_on && !model.network.present();
   outcome.turn_on = is_known ? std::move(*turn_on) : fit::turn_on_biases(model, training);
-  write_history(outcome, request, wanted, runs);
+  write_history(outcome, request, wanted, runs,
+                older ? rms_of(*older, training, model.average_s) : outcome.result.raw_std_dph);
   outcome.runs = std::move(runs.training);
   return outcome;
 }

@@ -13,6 +13,9 @@
 
 namespace fogcomp::workflow {
 
+/// Where neither a request nor its prior says another.
+constexpr double kDerivativeTau_s = 30;
+
 /// All settings of a fit.
 struct FitRequest {
   std::vector<std::string> runs;  ///< recordings
@@ -24,8 +27,11 @@ struct FitRequest {
       preset;  ///< one of preset_names(); nothing: the following members decide
   std::optional<std::string> effects;  ///< in the syntax of parse_effects(); nothing: the preset's
   std::vector<std::string> expressions;  ///< `NAME = EXPRESSION`
-  double average_s = 10;                 ///< rows of the fit, > 0
-  double derivative_tau_s = 30;          ///< of each of the two lags of dT/dt, > 0
+  /// A model file of the same gyro, whose effects and values are what is known before the fit.
+  std::optional<std::string> prior{};
+  double average_s = 10;  ///< rows of the fit, > 0
+  /// Of each of the two lags of dT/dt, > 0; nothing: the prior's, or kDerivativeTau_s.
+  std::optional<double> derivative_tau_s{};
   bool run_offsets = false;  ///< a bias for each power-on, even if they do not certainly differ
   model::DenoiseSettings board_denoiser;
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "fit/departure.hpp"
+#include "fit/known_regressors.hpp"
+#include "fit/noise_weighted_fit.hpp"
+#include "fit/prior.hpp"
+
+namespace fogcomp::fit {
+
+/// A fit with a prior, and what it changed of it.
+struct InformedFit {
+  NoiseWeightedFit fit;               ///< its prior is as wide as the rows made it
+  std::vector<Departure> departures;  ///< of each of the prior's unknowns, by the gyro's reading
+};
+
+/// Fits the prior's terms, as fit_determined() fits others, and the nuisance columns. The noise is
+/// that of all rows (predict.hpp), so that rows and prior have their true weights. An unknown that
+/// the rows show to be unlike the prior is let go of (departure.hpp).
+InformedFit fit_with_prior(const KnownRegressors& known, const Prior& prior,
+                           const Eigen::MatrixXd& nuisance,
+                           const std::function<void(double)>& progress = {});
+
+}  // namespace fogcomp::fit

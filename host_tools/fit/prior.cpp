@@ -1,0 +1,127 @@
+#include "fit/prior.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "model/catalogue.hpp"
+#include "model/shape_parameter.hpp"
+#include "support/input_error.hpp"
+
+namespace fogcomp::fit {
+namespace {
+
+// Rounding must not make a variance negative.
+Eigen::MatrixXd positive_definite(const Eigen::MatrixXd& covariance) {
+  constexpr double kMinEigenvalue = 1e-12;  // of the correlations
+  const Eigen::VectorXd sigma = covariance.diagonal().cwiseSqrt();
+  const Eigen::VectorXd inverse = sigma.cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(inverse.asDiagonal() * covariance *
+                                                            inverse.asDiagonal());
+  return sigma.asDiagonal() * axes.eigenvectors() *
+         axes.eigenvalues().cwiseMax(kMinEigenvalue).asDiagonal() *
+         axes.eigenvectors().transpose() * sigma.asDiagonal();
+}
+
+// Coefficients and positions of the terms as they are.
+Eigen::VectorXd unknowns_in(const std::vector<model::EffectTerm>& terms,
+                            const std::vector<model::ShapeParameter>& shapes) {
+  std::vector<double> values;
+  for (const model::EffectTerm& term : terms) {
+    for (const model::Estimate& coefficient : term.coefficients_dph)
+      values.push_back(coefficient.value);
+  }
+  for (const model::ShapeParameter& shape : shapes)
+    values.push_back(shape.unit_in(terms[shape.term]));
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+void add_turn_on(const model::Model& model, Eigen::MatrixXd& covariance) {
+  Eigen::Index at = 0;
+  for (const model::EffectTerm& term : model.terms) {
+    if (term.name == "bias") covariance(at, at) += std::pow(model.uncertainty->turn_on_dph, 2);
+    at += static_cast<Eigen::Index>(term.coefficients_dph.size());
+  }
+}
+
+}  // namespace
+
+const Eigen::VectorXd& Prior::mean(series::Reading reading) const {
+  return reading == series::Reading::of_gyro ? gyro_mean : board_mean;
+}
+
+Eigen::Index Prior::coefficients() const {
+  Eigen::Index count = 0;
+  for (const model::EffectTerm& term : terms)
+    count += static_cast<Eigen::Index>(term.coefficients_dph.size());
+  return count;
+}
+
+Prior prior_of(const model::Model& model, const std::string& file) {
+  model::refuse_events(model.terms);
+  if (!model.uncertainty || !(model.uncertainty->covariance.diagonal().minCoeff() > 0)) {
+    throw InputError(file, "has no uncertainties, without which it is no prior; fit it again");
+  }
+  if (model.network.present()) {
+    throw InputError(file,
+                     "has a network, which is no prior; fit the effects alone to its recordings");
+  }
+  Prior prior;
+  prior.file = file;
+  prior.terms = model.terms;
+  const std::vector<model::ShapeParameter> shapes = model::shape_parameters(model.terms);
+  std::vector<model::EffectTerm> own;
+  for (const model::EffectTerm& term : model.terms) own.push_back(model::of_gyro(term));
+  prior.board_mean = unknowns_in(model.terms, shapes);
+  prior.gyro_mean = unknowns_in(own, shapes);
+  Eigen::VectorXd unit = Eigen::VectorXd::Ones(prior.board_mean.size());  // values -> positions
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const model::ShapeParameter& shape = shapes[i];
+    unit[prior.coefficients() + static_cast<Eigen::Index>(i)] =
+        1 / shape.slope(own[shape.term].parameters[shape.index].value);
+  }
+  Eigen::MatrixXd covariance = model.uncertainty->covariance;
+  add_turn_on(model, covariance);
+  prior.covariance = positive_definite(unit.asDiagonal() * covariance * unit.asDiagonal());
+  return prior;
+}
+
+std::vector<std::string> names_of_unknowns(const std::vector<model::EffectTerm>& terms) {
+  std::vector<std::string> names;
+  for (const model::EffectTerm& term : terms) {
+    const model::TermInfo info = model::info_of(term);
+    for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i)
+      names.push_back(term.name + "." + info.coefficients[i].symbol);
+  }
+  for (const model::ShapeParameter& shape : model::shape_parameters(terms)) {
+    const model::EffectTerm& term = terms[shape.term];
+    names.push_back(term.name + "." + model::info_of(term).parameters[shape.index].name);
+  }
+  return names;
+}
+
+Independent independent(const Prior& prior, series::Reading reading,
+                        const Eigen::VectorXd& positions) {
+  const Eigen::VectorXd& mean = prior.mean(reading);
+  const Eigen::Index count = prior.coefficients();
+  const Eigen::Index shapes = mean.size() - count;
+  Independent result{Eigen::VectorXd::Zero(mean.size()),
+                     Eigen::MatrixXd::Zero(mean.size(), mean.size())};
+  Eigen::MatrixXd given_shapes = prior.covariance.topLeftCorner(count, count);
+  result.origin.head(count) = mean.head(count);
+  if (shapes > 0) {
+    const Eigen::LLT<Eigen::MatrixXd> of_shapes(prior.covariance.bottomRightCorner(shapes, shapes));
+    const Eigen::MatrixXd with = prior.covariance.topRightCorner(count, shapes);
+    const Eigen::MatrixXd by_shapes = of_shapes.solve(with.transpose()).transpose();
+    given_shapes -= by_shapes * with.transpose();
+    result.origin.head(count) += by_shapes * (positions - mean.tail(shapes));
+    result.slopes.bottomRightCorner(shapes, shapes) = of_shapes.matrixL();
+    result.slopes.topRightCorner(count, shapes) =
+        by_shapes * result.slopes.bottomRightCorner(shapes, shapes);
+  }
+  result.slopes.topLeftCorner(count, count) =
+      Eigen::LLT<Eigen::MatrixXd>(positive_definite(given_shapes)).matrixL();
+  return result;
+}
+
+}  // namespace fogcomp::fit

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "fit/departure.hpp"
+#include "model/model.hpp"
+#include "series/signal_series.hpp"
+
+namespace fogcomp::fit {
+
+/// What an older model knows of a gyro before a fit: a Gaussian distribution of its coefficients,
+/// term by term, and of the positions of its shapes in their ranges behind them.
+struct Prior {
+  std::string file;                      ///< of the older model
+  std::vector<model::EffectTerm> terms;  ///< those to be fitted, with the mean's values
+  Eigen::VectorXd board_mean;            ///< of what compensates best on a board
+  Eigen::VectorXd gyro_mean;             ///< of the gyro's own values
+  Eigen::MatrixXd covariance;            ///< of both
+
+  const Eigen::VectorXd& mean(series::Reading reading) const;
+  Eigen::Index coefficients() const;  ///< number; the rest are shapes
+};
+
+/// Of a fitted model, for a run to come: its bias has the spread from power-on to power-on besides.
+/// `file`: for messages. Throws InputError for a model without uncertainties, or with an event.
+Prior prior_of(const model::Model& model, const std::string& file);
+
+/// `EFFECT.COEFFICIENT` or `EFFECT.PARAMETER` of each unknown.
+std::vector<std::string> names_of_unknowns(const std::vector<model::EffectTerm>& terms);
+
+/// The unknowns of a prior in others, which are independent, of variance 1 and mean 0 before the
+/// fit: unknowns = origin + slopes * others. Shapes depend on the last of them alone, so that
+/// coefficients about shapes that are already found stay a linear problem.
+struct Independent {
+  Eigen::VectorXd origin;
+  Eigen::MatrixXd slopes;
+};
+/// `positions`: of the shapes that are found.
+Independent independent(const Prior& prior, series::Reading reading,
+                        const Eigen::VectorXd& positions);
+
+}  // namespace fogcomp::fit

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# prior.sh FOGCOMP: three hours and a model of the gyro a year ago leave less on a programme that no model has seen than
+# three hours alone. What has moved is named. What is no prior is refused in one line.
+set -euo pipefail
+source "$(dirname "$0")/common.sh"
+fogcomp=$(realpath "${1:?usage: prior.sh FOGCOMP}")
+enter_scratch
+
+effects=bias,bias_temperature,temperature_rate,shupe
+plain=(--preset none --effect bias:value_dph=0.5 --effect shupe:asymmetry_m=0.2)
+printf 'start 20 degC\nramp to -40 degC at 1 degC/min\nramp to 60 degC at 1 degC/min\nsoak 20 min\n' >short.profile
+# gyro FILE SEED RATE SLOPE OPTIONS...: a run of the gyro with these sizes.
+gyro() {
+  local file=$1 seed=$2 rate=$3 slope=$4
+  shift 4
+  "$fogcomp" simulate -o "$file" --seed "$seed" "${plain[@]}" --effect "temperature_rate:coefficient=$rate" \
+    --effect "bias_temperature:slope=$slope,curvature=1e-5" "$@" >said.txt
+}
+noise=(--noise white=0.002,flicker=0.003)
+error() { "$fogcomp" compare "$1" "$2" --json | jq -r '.runs[0].residual_rms_dph'; }
+below() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a < b) }' || fail "$3: $1, not below $2"; }
+
+# The same gyro, a year ago and now.
+gyro year_ago.csv 1 0.1 3e-4 "${noise[@]}"
+gyro now.csv 2 0.1 3e-4 "${noise[@]}" --profile short.profile
+gyro unseen.csv 3 0.1 3e-4 --profile reversed
+"$fogcomp" fit year_ago.csv -o old.model --effects $effects --serial G1 >said.txt
+"$fogcomp" fit now.csv -o alone.model --effects $effects >said.txt
+"$fogcomp" fit now.csv -o new.model --prior old.model --json >new.json
+below "$(error new.model unseen.csv)" "$(error alone.model unseen.csv)" 'with the older model'
+holds new.json '.prior.file == "old.model"'
+holds new.json '.prior.unknowns | all(.moved | not)'
+"$fogcomp" history new.model >history.txt
+says history.txt 'prior: old.model'
+grep -qx 'serial G1' new.model || fail 'the serial number is lost'
+
+# Repaired: another coil.
+gyro repaired.csv 4 0.2 3e-4 "${noise[@]}" --profile short.profile
+gyro unseen_repaired.csv 3 0.2 3e-4 --profile reversed
+"$fogcomp" fit repaired.csv -o repaired.model --prior old.model >repaired.txt
+says repaired.txt 'temperature_rate.K.* moved from old.model'
+"$fogcomp" history repaired.model >history.txt
+says history.txt 'temperature_rate.K by [+][0-9.]* sigma'
+"$fogcomp" fit repaired.csv -o alone.model --effects $effects >said.txt
+below "$(error repaired.model unseen_repaired.csv)" \
+  "$(awk -v e="$(error alone.model unseen_repaired.csv)" 'BEGIN { print 1.1 * e }')" 'after a repair'
+
+# refused PATTERN WORDS...: exit code 2, one line, no file.
+refused() {
+  local pattern=$1 status=0
+  shift
+  "$fogcomp" fit now.csv -o refused.model "$@" >refused.out 2>refused.txt || status=$?
+  ((status == 2)) || fail "fit $*: exit code $status"
+  [[ ! -s refused.out && ! -e refused.model ]] || fail "fit $*: an output"
+  (($(wc -l <refused.txt) == 1)) || fail "fit $*: $(cat refused.txt)"
+  says refused.txt "$pattern" "fit $*"
+}
+refused 'determined by --prior' --prior old.model --effects bias
+refused 'determined by --prior' --prior old.model --derivative-tau 60
+refused 'is of gyro G1, not of G2' --prior old.model --serial G2
+"$fogcomp" fit year_ago.csv -o network.model --effects bias --network 2 --force-network >said.txt
+refused 'has a network' --prior network.model
