@@ -43,9 +43,13 @@ void add_ladder(Document& document, const diagnosis::Ladder& ladder, const Diagn
   table.rows.push_back(std::move(first));
   for (const diagnosis::Ladder::Step& step : ladder.steps) {
     const diagnosis::TriedAddition& tried = step.addition;
+    // A cut foretells nothing of other rows.
+    const Text judged = tried.request.cuts.empty()
+                            ? number(tried.rms_before_dph) + " -> " + number(tried.rms_after_dph)
+                            : Text("");
     table.rows.push_back({words(step_words(step), names),
                           {number(tried.fitted_after_dph), tried.fitted_after_dph},
-                          number(tried.rms_before_dph) + " -> " + number(tried.rms_after_dph)});
+                          judged});
   }
   document.table(std::move(table));
   document.sentence(words(end_words(ladder), names));

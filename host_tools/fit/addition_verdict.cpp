@@ -213,9 +213,14 @@ void decide(Addition& after) {
   if (!after.out_of_sample) return;
   const OutOfSample& judged = *after.out_of_sample;
   const bool is_better = after.is_network() ? helps(judged) : judged.score.improves();
-  after.reason = format("%s out of sample: %s %s", is_better ? "helps" : "does not help",
-                        after.is_network() ? "it takes the residual" : "the effects alone leave",
-                        out_of_sample_words(judged).c_str());
+  after.reason =
+      after.cuts.empty()
+          ? format("%s out of sample: %s %s", is_better ? "helps" : "does not help",
+                   after.is_network() ? "it takes the residual" : "the effects alone leave",
+                   out_of_sample_words(judged).c_str())
+          // says nothing of other rows
+          : (is_better ? "the bias jumps there: " : "no jump of the bias shows there: ") +
+                gain_words(judged.score);
   if (!is_better) return;
   const auto needless = std::find_if(after.parts.begin(), after.parts.end(), is_needless);
   const OutOfSample* const harm = harmed(after);

@@ -1,6 +1,7 @@
 #include "fit/cross_validation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fit/decision_rules.hpp"
 #include "fit/noise_weighted_fit.hpp"
@@ -9,6 +10,28 @@
 #include "support/least_squares.hpp"
 
 namespace fogcomp::fit {
+namespace {
+
+// Of a typical part, as the score sees it: a sum of logarithms. An rms over all parts would be that
+// of the one that is farthest from what the others tell.
+double typical_rms(const Eigen::VectorXd& residual_dph, const Eigen::VectorXd& weights,
+                   const std::vector<Part>& parts) {
+  double logarithms = 0;
+  double rows = 0;
+  for (const Part& part : parts) {
+    Eigen::VectorXd own = Eigen::VectorXd::Zero(weights.size());
+    for (const recording::RowRange& range : part) {
+      series::of_rows(own, range) = series::of_rows(weights, range);
+    }
+    const double count = own.sum();
+    if (count <= 0) continue;
+    logarithms += count * std::log(weighted_rms(residual_dph, own));
+    rows += count;
+  }
+  return std::exp(logarithms / rows);
+}
+
+}  // namespace
 
 CrossValidation::CrossValidation(const KnownRegressors& known, const JudgedEffects& before,
                                  const JudgedEffects& after, const JudgedWith& with)
@@ -44,7 +67,8 @@ OutOfSample CrossValidation::on(const Folds& folds) const {
   // A bias that was left out is no error of a model that gives each range its own.
   const auto rms = [&](const Eigen::VectorXd& residual, const series::Rows& biases) {
     const bool own = has_own_biases(biases, run_offsets_);
-    return weighted_rms(own ? biases.about_biases(residual, counted) : residual, counted);
+    return typical_rms(own ? biases.about_biases(residual, counted) : residual, counted,
+                       folds.parts);
   };
   result.rms_before_dph = rms(before.residual_dph, biases_before_);
   result.rms_after_dph = rms(after.residual_dph, biases_after_);

@@ -41,10 +41,14 @@ bool harms(const OutOfSample& judged) {
          judged.promise.is_broken();
 }
 
+std::string gain_words(const judge::Score& score) {
+  return format("gain %.1f +- %.1f, needed %.1f", score.gain, score.standard_error, judge::kGain);
+}
+
 std::string out_of_sample_words(const OutOfSample& judged) {
-  return format("%s -> %s deg/h %s (gain %.1f +- %.1f, needed %.1f)",
-                rounded(judged.rms_before_dph).c_str(), rounded(judged.rms_after_dph).c_str(),
-                judged.how.c_str(), judged.score.gain, judged.score.standard_error, judge::kGain);
+  return format("%s -> %s deg/h %s (%s)", rounded(judged.rms_before_dph).c_str(),
+                rounded(judged.rms_after_dph).c_str(), judged.how.c_str(),
+                gain_words(judged.score).c_str());
 }
 
 OutOfSample judge_residuals(const series::Rows& rows, const Eigen::VectorXd& before,

@@ -14,7 +14,7 @@ namespace fogcomp::fit {
 
 /// Comparison of two models on rows to which neither was fitted.
 struct OutOfSample {
-  double rms_before_dph = 0;
+  double rms_before_dph = 0;  ///< of parts left out in turn: the geometric mean
   double rms_after_dph = 0;
   judge::Score score;
   judge::Promise promise;    ///< of the model after the change
@@ -29,6 +29,9 @@ bool helps(const OutOfSample& judged);
 /// Whether the model before foretells the rows better, and the error is larger than the uncertainty
 /// of the one after allows: not for want of rows that tell, but because the form is wrong there.
 bool harms(const OutOfSample& judged);
+
+/// "gain 83.4 +- 9.1, needed 4.6".
+std::string gain_words(const judge::Score& score);
 
 /// "0.0503 -> 0.0304 deg/h on the holdout (gain 83.4 +- 9.1, needed 4.6)".
 std::string out_of_sample_words(const OutOfSample& judged);
