@@ -300,7 +300,11 @@ std::string end_words(const diagnosis::Ladder& ladder) {
   const auto [verdict, certainty] = verdict_words(ladder.last, !ladder.last_next.describes);
   std::string text = "at the end: " + verdict + (certainty.empty() ? "" : "; " + certainty);
   const diagnosis::NextStep& next = ladder.last_next;
-  const std::string why = next.addition ? "" : why_nothing(ladder.last, next);
+  const bool was_not_looked_for =
+      ladder.is_cut_off && ladder.last.verdict != diagnosis::Verdict::none;
+  const std::string why = next.addition        ? ""
+                          : was_not_looked_for ? "not tried, as the loop may add no more"
+                                               : why_nothing(ladder.last, next);
   return why.empty() ? text : text + "; " + why;
 }
 
