@@ -7,7 +7,7 @@
 #include "cli/page_bench.hpp"
 #include "cli/training_options.hpp"
 #include "cli/watch.hpp"
-#include "findings/add_findings.hpp"
+#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "findings/text.hpp"
 #include "model/model_file.hpp"

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "cli/report_option.hpp"
-#include "findings/axes_findings.hpp"
+#include "findings/findings.hpp"
 #include "report/page.hpp"
 #include "report/terminal.hpp"
 #include "support/input_error.hpp"

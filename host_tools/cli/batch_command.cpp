@@ -16,7 +16,7 @@
 #include "batch/tables.hpp"
 #include "cli/arguments.hpp"
 #include "cli/gyro_calibration.hpp"
-#include "findings/batch_findings.hpp"
+#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "model/effect_list.hpp"
 #include "report/page.hpp"

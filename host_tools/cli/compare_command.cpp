@@ -5,7 +5,7 @@
 #include "cli/compare_command.hpp"
 #include "cli/page_bench.hpp"
 #include "cli/watch.hpp"
-#include "findings/compare_findings.hpp"
+#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "report/terminal.hpp"
 

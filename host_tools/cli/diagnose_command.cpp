@@ -5,7 +5,7 @@
 #include "cli/diagnose_command.hpp"
 #include "cli/page_bench.hpp"
 #include "cli/watch.hpp"
-#include "findings/diagnose_findings.hpp"
+#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "findings/next_step_words.hpp"
 #include "model/model_file.hpp"

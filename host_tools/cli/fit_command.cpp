@@ -8,7 +8,7 @@
 #include "cli/page_bench.hpp"
 #include "cli/training_options.hpp"
 #include "cli/watch.hpp"
-#include "findings/fit_findings.hpp"
+#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "model/model_file.hpp"
 #include "report/terminal.hpp"

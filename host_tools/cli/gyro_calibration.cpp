@@ -4,9 +4,9 @@
 
 #include "batch/fingerprint.hpp"
 #include "cli/watch.hpp"
-#include "findings/compare_findings.hpp"
 #include "findings/compare_words.hpp"
 #include "findings/diagnosis_words.hpp"
+#include "findings/findings.hpp"
 #include "model/model_file.hpp"
 #include "model/serial_number.hpp"
 #include "report/page.hpp"

@@ -6,7 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/report_option.hpp"
-#include "findings/history_findings.hpp"
+#include "findings/findings.hpp"
 #include "model/model_file.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"

@@ -8,7 +8,7 @@
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
 #include "cli/watch.hpp"
-#include "findings/info_findings.hpp"
+#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "report/terminal.hpp"
 #include "workflow/info.hpp"

@@ -1,8 +1,7 @@
-#include "findings/add_findings.hpp"
+#include "findings/findings.hpp"
 
 #include "board/settling_time.hpp"
 #include "findings/figures.hpp"
-#include "findings/fit_findings.hpp"
 #include "findings/network_words.hpp"
 #include "findings/run_plots.hpp"
 #include "findings/run_section.hpp"

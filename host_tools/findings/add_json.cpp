@@ -1,4 +1,4 @@
-#include "findings/add_findings.hpp"
+#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "findings/network_words.hpp"
 

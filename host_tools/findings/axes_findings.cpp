@@ -1,4 +1,4 @@
-#include "findings/axes_findings.hpp"
+#include "findings/findings.hpp"
 
 #include <utility>
 

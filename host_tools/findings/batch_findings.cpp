@@ -1,4 +1,4 @@
-#include "findings/batch_findings.hpp"
+#include "findings/findings.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "findings/compare_findings.hpp"
+#include "findings/findings.hpp"
 
 #include <algorithm>
 #include <cmath>

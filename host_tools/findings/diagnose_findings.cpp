@@ -1,4 +1,4 @@
-#include "findings/diagnose_findings.hpp"
+#include "findings/findings.hpp"
 
 #include <algorithm>
 #include <numeric>

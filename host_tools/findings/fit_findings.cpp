@@ -1,12 +1,10 @@
-#include "findings/fit_findings.hpp"
+#include "findings/findings.hpp"
 
 #include <algorithm>
 
 #include "findings/compare_words.hpp"
 #include "findings/figures.hpp"
-#include "findings/history_findings.hpp"
 #include "findings/network_words.hpp"
-#include "findings/prior_findings.hpp"
 #include "findings/run_section.hpp"
 #include "fit/decision_rules.hpp"
 #include "noise/outlier_rows.hpp"

@@ -1,6 +1,5 @@
 #include "findings/json.hpp"
 #include "findings/network_words.hpp"
-#include "findings/prior_findings.hpp"
 
 namespace fogcomp::findings {
 namespace {

@@ -1,4 +1,4 @@
-#include "findings/history_findings.hpp"
+#include "findings/findings.hpp"
 
 #include <algorithm>
 

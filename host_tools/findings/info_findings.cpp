@@ -1,4 +1,4 @@
-#include "findings/info_findings.hpp"
+#include "findings/findings.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>

@@ -24,6 +24,9 @@ Json visible_json(const std::vector<planning::VisibleSize>& sizes);
 /// `output`: the model file that was written.
 Json fit_json(const workflow::FitOutcome& fit, const std::string& output);
 
+/// Null without a prior.
+Json prior_json(const workflow::FitOutcome& fit);
+
 /// The first model's runs at the top level; all models under "models".
 Json compare_json(const std::vector<compare::ModelOnRuns>& models);
 

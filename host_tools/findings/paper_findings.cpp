@@ -1,4 +1,4 @@
-#include "findings/paper_findings.hpp"
+#include "findings/findings.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "findings/plan_findings.hpp"
+#include "findings/findings.hpp"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
-#include "findings/prior_findings.hpp"
-
 #include <cmath>
 
 #include "findings/figures.hpp"
+#include "findings/findings.hpp"
+#include "findings/json.hpp"
 #include "model/catalogue.hpp"
 #include "model/shape_parameter.hpp"
 #include "support/text.hpp"

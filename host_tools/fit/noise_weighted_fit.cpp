@@ -83,6 +83,13 @@ std::vector<bool> ranges_to_search_again(const std::vector<model::EffectTerm>& t
   return elsewhere;
 }
 
+// Before the noise is known.
+Eigen::VectorXd residual_in_white_noise(const series::Rows& rows, const NoiseWeightedFit& fit) {
+  const LinearFit first =
+      solve_linear(fit.robust.asDiagonal() * fit.columns, fit.robust.cwiseProduct(rows.drift_dph));
+  return rows.drift_dph - fit.columns * first.coefficients;
+}
+
 }  // namespace
 
 double NoiseWeightedFit::birge_ratio() const {
@@ -106,9 +113,7 @@ NoiseWeightedFit fit_rows(const KnownRegressors& known, const std::vector<model:
   fit.shapes = model::shape_parameters(terms);
   if (settings.prior != nullptr) fit.prior = *settings.prior;
   fit.columns = all_columns(known, terms, nuisance);
-  const LinearFit first =
-      solve_linear(fit.robust.asDiagonal() * fit.columns, fit.robust.cwiseProduct(rows.drift_dph));
-  fit.residual_dph = rows.drift_dph - fit.columns * first.coefficients;
+  fit.residual_dph = residual_in_white_noise(rows, fit);
   std::vector<bool> ranges(fit.shapes.size(), !settings.shapes_found && !fit.prior);
   for (int round = 0; round < kRounds; ++round) {
     set_noise(rows, quiet, settings.noise, fit);

@@ -11,7 +11,7 @@
 #include "cli/fit_command.hpp"
 #include "cli/page_rows.hpp"
 #include "findings/diagnosis_words.hpp"
-#include "findings/fit_findings.hpp"
+#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "findings/residual_plots.hpp"
 #include "findings/text.hpp"

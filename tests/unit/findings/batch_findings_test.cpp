@@ -1,4 +1,4 @@
-#include "findings/batch_findings.hpp"
+#include "findings/findings.hpp"
 
 #include <gtest/gtest.h>
 

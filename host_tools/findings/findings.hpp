@@ -1,0 +1,87 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "batch/summary.hpp"
+#include "compare/model_on_runs.hpp"
+#include "compare/run_summary.hpp"
+#include "diagnosis/diagnosis_data.hpp"
+#include "diagnosis/ladder.hpp"
+#include "findings/diagnosis_words.hpp"
+#include "findings/document.hpp"
+#include "fit/add_effect.hpp"
+#include "model/model.hpp"
+#include "planning/information.hpp"
+#include "recording/recording.hpp"
+#include "research/gyros.hpp"
+#include "workflow/fit.hpp"
+#include "workflow/plan.hpp"
+
+/// What each command found, as its user reads it.
+namespace fogcomp::findings {
+
+/// Output of `fogcomp info`, with plots. `summary` is that of `recording`, `visible` what it can
+/// show.
+Document info_findings(const recording::Recording& recording, const compare::RunSummary& summary,
+                       const std::vector<planning::VisibleSize>& visible = {});
+
+/// `model`: its FitOutcome::on_its_runs().
+Document fit_findings(const workflow::FitOutcome& fit, const compare::ModelOnRuns& model);
+
+/// With plots. The best model, with the smallest rms on its worst run, comes first, and is on top
+/// in plots of several; plots for a single model show the best one.
+Document compare_findings(const std::vector<compare::ModelOnRuns>& models);
+
+/// With plots. The stepwise selection has a section if it was requested (--max-effects).
+Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
+                           const diagnosis::DiagnosisData& data, const DiagnosedFiles& files);
+
+/// With plots of every run before and after. `model`: the original model; `written`: the new file,
+/// "" if none was written.
+Document add_findings(const fit::Addition& addition, const std::string& model,
+                      const std::string& written);
+
+/// What was done to make a model, and what it has become: steps, errors, coefficients.
+Document history_findings(const model::Model& model, const std::string& file);
+
+/// The steps for an operator, what they would show, how long to record. `profile`: the written
+/// file.
+Document plan_findings(const workflow::PlanOutcome& outcome, const std::string& profile);
+
+/// Output of `fogcomp plan --compare`: programmes side by side.
+Document comparison_findings(const workflow::PlanComparison& comparison);
+
+/// The index page of a batch: who passes, who fails and why, and the distribution of every value
+/// over the gyros. `input`: folder of recordings; `output`: folder of results and of this page.
+/// `reports`: each gyro has SERIAL/report.html.
+Document batch_findings(const batch::Summary& summary, const std::string& input,
+                        const std::string& output, bool reports);
+
+/// The reference paper's figures 1, 3, 4, 8, 9, 10 and Tables 1 to 3 for the first gyro, with the
+/// printed values, and medians over all gyros. Throws InputError if the study lacks bp or pso-bp.
+Document paper_findings(const std::vector<research::Study>& studies);
+
+/// What a command found of one axis.
+struct AxisFindings {
+  std::string axis;
+  Document document;
+};
+
+/// The axes of one call side by side: a table of what was found of each.
+Document axes_table(const std::string& subject, const std::vector<AxisFindings>& axes);
+
+/// That, and then all that was found of each axis.
+Document axes_findings(const std::string& subject, const std::vector<AxisFindings>& axes);
+
+/// What each step of a model left on the data of its last fit. The model has a history.
+Table error_ladder(const model::Model& model);
+
+/// What a fit made of its prior: which coefficients the recordings moved, by how many standard
+/// deviations. Nothing without a prior.
+void add_prior(Document& document, const workflow::FitOutcome& fit);
+
+/// One sentence for each bias but the first, where power-ons and parts of cut runs have their own.
+std::vector<Text> own_bias_words(const fit::Identification& identified);
+
+}  // namespace fogcomp::findings
