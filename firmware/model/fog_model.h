@@ -14,6 +14,7 @@
 #define FOG_MODEL_LEVELS 5
 #define FOG_MODEL_OUTPUT 0 /* frames: 0 KVH, 1 compact, 2 both */
 #define FOG_MODEL_OUTPUT_OPTIONS 0x0u /* 4: delta angle, 8: KVH commands, 16: undelayed */
+/* KVH frames: denoised, 2325 ms late (465 samples), -3 dB at 2.85 Hz for what is below its thresholds */
 #define FOG_MODEL_SENSOR_LINE 921600u /* bit rate + 2^24 format */
 #define FOG_MODEL_OUTPUT_LINE 921600u
 #define FOG_MODEL_BOUND 0 /* 1: to one processor */

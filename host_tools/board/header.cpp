@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "board/rate_response.hpp"
 #include "support/input_error.hpp"
 #include "support/model_title.hpp"
 #include "support/text.hpp"
@@ -61,6 +62,7 @@ std::string header_text(const BoardTable& table, const std::string& model_name,
       "#define FOG_MODEL_OUTPUT_OPTIONS 0x%xu /* 4: delta angle, 8: KVH commands, 16: undelayed "
       "*/\n",
       static_cast<unsigned>(parameters.output_options));
+  text += "/* " + rate_words(parameters) + " */\n";
   text += format("#define FOG_MODEL_SENSOR_LINE %uu /* bit rate + 2^24 format */\n",
                  parameters.sensor_line().word());
   text += format("#define FOG_MODEL_OUTPUT_LINE %uu\n", parameters.output_line().word());

@@ -40,6 +40,8 @@ void print_json(const ExportOutcome& header, const std::string& output, bool is_
   result.set("expressions", std::move(expressions));
   Json notes = header.notes;
   result.set("notes", std::move(notes));
+  result.set("rate", header.rate).set("denoised_delay_s", header.denoised.delay_s);
+  result.set("denoised_minus_3db_hz", header.denoised.minus_3db_hz);
   result.set("network_error_dph", network.worst_dph).set("network_points", network.points);
   std::puts(result.text().c_str());
 }
@@ -54,6 +56,7 @@ void print_text(const ExportOutcome& header, const std::string& output) {
     std::printf("  %s: at most %.2g deg/h from double there, %.2g by its bound\n",
                 expression.name.c_str(), expression.worst_dph, expression.bound_dph);
   }
+  std::printf("%s\n", header.rate.c_str());
   for (const std::string& note : header.notes) std::printf("note: %s\n", note.c_str());
   if (network.points > 0) {
     std::printf("network alone: at most %.5f deg/h over %zu points of its inputs' whole range\n",

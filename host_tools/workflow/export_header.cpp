@@ -127,8 +127,13 @@ ExportOutcome board_header(const model::Model& model, const std::string& file,
   const board::BoardTable table = board::make_board_table(model, board);
   const fog::ModelParameters parameters = board::read_board_table(table, file);
   const BoardErrors errors = verify_board(model, parameters, file, allow_error);
-  return {board::header_text(table, file_name(file), data_hash(model)), table, errors.quantization,
-          errors.network, left_out(model, parameters)};
+  return {board::header_text(table, file_name(file), data_hash(model)),
+          table,
+          errors.quantization,
+          errors.network,
+          board::denoised_response(parameters),
+          board::rate_words(parameters),
+          left_out(model, parameters)};
 }
 
 std::string export_refusal(const model::Model& model, const std::string& file, bool extension) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "board/board_table.hpp"
+#include "board/rate_response.hpp"
 #include "board/verification.hpp"
 #include "model/model.hpp"
 
@@ -24,6 +25,8 @@ struct ExportOutcome {
   board::BoardTable table;
   board::QuantizationError quantization;
   board::NetworkError network;
+  board::RateResponse denoised;
+  std::string rate;                ///< which one the frames have, one line
   std::vector<std::string> notes;  ///< parts that the board cannot use, one sentence each
 };
 

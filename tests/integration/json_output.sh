@@ -48,7 +48,8 @@ has_keys add.json effect accepted reason "runs 0 file" "runs 0 rms_before_dph" "
 has_keys history.json "steps 2 action" "steps 2 data_hash" "steps 2 rms_before_dph" "steps 2 rms_after_dph" \
   "steps 2 noise_floor_dph" "steps 2 holdout_rms_after_dph" "steps 2 forced"
 "$fogcomp" export gyro.model -o fog_model.h --json >export.json
-has_keys export.json words quantization_error_dph network_error_dph network_points
+has_keys export.json words rate denoised_delay_s denoised_minus_3db_hz quantization_error_dph \
+  network_error_dph network_points
 "$fogcomp" replay gyro.model run.csv -o out.bin --json >replay.json
 has_keys replay.json frames bytes
 "$fogcomp" apply gyro.model run.csv -o applied.csv --json >apply.json

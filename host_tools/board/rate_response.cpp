@@ -1,0 +1,64 @@
+#include "board/rate_response.hpp"
+
+#include <cmath>
+#include <complex>
+#include <limits>
+
+#include "support/text.hpp"
+
+namespace fogcomp::board {
+namespace {
+
+// Of small signals; `frequency` in cycles per sample.
+double small_signal_gain(const fog::DenoiseParameters& denoise, double frequency) {
+  double gain = 1;
+  for (std::size_t level = 0; level < denoise.levels(); ++level) {
+    const double radians = 2 * M_PI * std::ldexp(frequency, static_cast<int>(level));
+    std::complex<double> response = 0;
+    double phase = 0;
+    for (const std::int32_t tap : denoise.low()) {
+      response += std::polar(std::ldexp(tap, -fog::kTapFraction), phase);
+      phase -= radians;
+    }
+    gain *= std::norm(response);
+  }
+  return gain;
+}
+
+// 1 at a frequency of 0, and at most a half where the coarsest level is decimated.
+double minus_3db_cycles(const fog::DenoiseParameters& denoise) {
+  constexpr int kBisections = 40;
+  double below = 0;
+  double above = std::ldexp(0.5, -static_cast<int>(denoise.levels()));
+  for (int i = 0; i < kBisections; ++i) {
+    const double middle = (below + above) / 2;
+    (small_signal_gain(denoise, middle) > M_SQRT1_2 ? below : above) = middle;
+  }
+  return below;
+}
+
+}  // namespace
+
+RateResponse denoised_response(const fog::ModelParameters& parameters) {
+  const fog::DenoiseParameters& denoise = parameters.denoise;
+  if (denoise.levels() == 0) return {0, 0, std::numeric_limits<double>::infinity()};
+  const double period_s = 1e-6 * parameters.acquisition.sample_period_us;
+  const std::size_t delay = fog::denoise_delay(denoise.taps(), denoise.levels());
+  return {delay, static_cast<double>(delay) * period_s, minus_3db_cycles(denoise) / period_s};
+}
+
+std::string rate_words(const fog::ModelParameters& parameters) {
+  const std::string undelayed = "undelayed, with the gyro's own bandwidth";
+  const bool sends_kvh = parameters.output != fog::OutputSelection::compact;
+  const bool chosen = (parameters.output_options & fog::kRotationIsUndelayed) != 0U;
+  const std::string frames = sends_kvh ? "KVH frames: " : "compact frames: ";
+  const RateResponse response = denoised_response(parameters);
+  if (chosen || response.delay_samples == 0) return frames + undelayed;
+  return frames + (sends_kvh ? "" : undelayed + ", and ") +
+         format(
+             "denoised, %.4g ms late (%zu samples), -3 dB at %.3g Hz for what is below its "
+             "thresholds",
+             1e3 * response.delay_s, response.delay_samples, response.minus_3db_hz);
+}
+
+}  // namespace fogcomp::board

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "core/pipeline/model_parameters.hpp"
+
+namespace fogcomp::board {
+
+/// Delay and bandwidth of the denoised rate, beside those of the gyro itself.
+struct RateResponse {
+  std::size_t delay_samples = 0;  ///< the same for every frequency
+  double delay_s = 0;
+  /// Frequency from which on an amplitude is less than 1 / sqrt 2 of what it was. It is that of
+  /// small signals, whose details are below the thresholds on every level and are removed: the
+  /// least there is. Whatever exceeds the thresholds passes. Infinite without a denoiser.
+  double minus_3db_hz = 0;
+};
+
+/// From a board's parameters. Of small signals the bank leaves the approximation of its coarsest
+/// level. Averaged over the phases of the decimation its gain is the product of |H(2^k f)|^2 over
+/// the levels k, where H is the low-pass filter (Vaidyanathan, Multirate Systems and Filter Banks,
+/// 1993, section 4.2).
+RateResponse denoised_response(const fog::ModelParameters& parameters);
+
+/// Which rate the frames have, one line: "KVH frames: denoised, 2325 ms late (465 samples), ...".
+std::string rate_words(const fog::ModelParameters& parameters);
+
+}  // namespace fogcomp::board
