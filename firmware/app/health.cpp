@@ -25,7 +25,7 @@ HealthRecord health_now() {
   const SelfTest& test = self_test();
   const Model& used = model();
   static_assert(processor.size() == 3);
-  static_assert(HealthWord::serial == static_cast<HealthWord>(16));
+  static_assert(HealthWord::serial == static_cast<HealthWord>(18));
   HealthRecord record{
       test.start_crc() == kIntactImage,
       test.memory_good(),
@@ -36,6 +36,7 @@ HealthRecord health_now() {
        test.image_passes(), test.memory_passes(),
        static_cast<std::uint32_t>(platform::stack_bytes_reserved() | platform::stack_bytes_unused()
                                                                          << 16U),
+       pipeline().rate_delay(), used.parameters.acquisition.sample_period_us,
        FOG_BUILD_VERSION_NUMBER, FOG_BUILD_SOURCES, processor[0], processor[1], processor[2]},
       {}};
   if (used.error == ModelError::none) {

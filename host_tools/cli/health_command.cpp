@@ -40,6 +40,17 @@ std::string serial_of(const fog::HealthRecord& r) {
   return board::serial_text(&r.words[static_cast<std::size_t>(Word::serial)]);
 }
 
+double period_s(const fog::HealthRecord& r) {
+  return 1e-6 * r[Word::sample_period];
+}
+
+std::string delay_in_words(const fog::HealthRecord& r) {
+  const std::uint32_t samples = r[Word::rate_delay];
+  if (samples == 0) return "undelayed";
+  return format("%.4g ms late (%u samples of %.4g ms)", 1e3 * samples * period_s(r), samples,
+                1e3 * period_s(r));
+}
+
 // Empty if the board does not know it.
 std::string processor_of(const fog::HealthRecord& r) {
   const auto* const words = &r.words[static_cast<std::size_t>(Word::processor)];
@@ -69,6 +80,7 @@ void print_words(const fog::HealthRecord& r, const std::vector<std::string>& com
   std::printf("memory        %s\n",
               r.memory_good ? "good" : "FAILS: no rate is valid; replace the processor");
   std::printf("model         %s\n", model_in_words(r).c_str());
+  std::printf("rate          %s\n", delay_in_words(r).c_str());
   std::printf("checked       image %s, memory %s since the start\n",
               counted(r[Word::image_passes], "time").c_str(),
               counted(r[Word::memory_passes], "time").c_str());
@@ -99,6 +111,8 @@ Json as_json(const fog::HealthRecord& r, const std::vector<std::string>& complai
       .set("model_finding", fog::describe(error))
       .set("model_crc32", format("%08x", r[Word::model]))
       .set("gyro_serial", serial_of(r))
+      .set("rate_delay_s", r[Word::rate_delay] * period_s(r))
+      .set("sample_period_s", period_s(r))
       .set("image_checks", count(Word::image_passes))
       .set("memory_tests", count(Word::memory_passes))
       .set("reset_cause", r.reset_cause.data())

@@ -21,6 +21,8 @@ enum class HealthWord : std::uint8_t {
   image_passes,            ///< checks of the whole image since the start
   memory_passes,           ///< tests of the whole memory since the start
   stack,                   ///< size in bytes; from bit 16 on: bytes never written since the start
+  rate_delay,              ///< of the KVH frames' rate, or without them the denoised one; samples
+  sample_period,           ///< of the model, us
   version,                 ///< of the firmware: 1.2.3 is 010203
   sources,                 ///< 32 bits of the SHA-256 of the image's sources, without the model
   processor,               ///< three words: unique number of the processor, or 0
@@ -60,7 +62,7 @@ struct HealthRecord {
   Status status_seen() const { return static_cast<Status>((*this)[HealthWord::status_seen]); }
 };
 
-constexpr std::size_t kHealthResponseBytes = 104;
+constexpr std::size_t kHealthResponseBytes = 112;
 using HealthResponse = std::array<std::uint8_t, kHealthResponseBytes>;
 
 HealthResponse encode_health_response(const HealthRecord& record);

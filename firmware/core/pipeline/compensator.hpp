@@ -154,6 +154,11 @@ class Compensator {
   /// Bytes of the sensor stream that belonged to no good frame, modulo 2^32.
   std::uint32_t discarded_bytes() const { return parser_.discarded_bytes(); }
 
+  /// Samples by which the rate of the KVH frames is late; without such frames, the denoised rate.
+  std::uint32_t rate_delay() const {
+    return sends_undelayed() ? 0U : static_cast<std::uint32_t>(denoiser_.delay());
+  }
+
   /// Whether a block ended with the last sample, so that keep() has new state.
   bool ended_block() const { return ended_block_; }
 

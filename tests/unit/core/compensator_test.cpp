@@ -236,6 +236,7 @@ TEST_F(CompensatorTest, KvhFrames_Undelayed_RateAndValidityOfTheSample) {
     settings_ = {};
     settings_.output_options = static_cast<fog::OutputOptions>(fog::kRotationIsUndelayed | angle);
     restart();
+    EXPECT_EQ(pipeline_->rate_delay(), 0U);
     fog::DeltaAngle summed(parameters_.acquisition.sample_period_us);
     std::array<std::uint8_t, fog::kMaxOutputBytes> frame{};
     int valid = 0;

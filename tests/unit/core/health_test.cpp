@@ -333,11 +333,11 @@ TEST(HealthRecord, ReturnsWhatWasPutInAndRefusesDamage) {
 
 // SPEC.md, "Health record", byte by byte.
 TEST(HealthRecord, HasTheLayoutOfItsSpecification) {
-  const Word order[] = {Word::model,         Word::image,           Word::samples,
-                        Word::invalid_rates, Word::sequence_gaps,   Word::status_last,
-                        Word::status_seen,   Word::discarded_bytes, Word::image_passes,
-                        Word::memory_passes, Word::stack,           Word::version,
-                        Word::sources,       Word::processor};
+  const Word order[] = {
+      Word::model,         Word::image,         Word::samples,     Word::invalid_rates,
+      Word::sequence_gaps, Word::status_last,   Word::status_seen, Word::discarded_bytes,
+      Word::image_passes,  Word::memory_passes, Word::stack,       Word::rate_delay,
+      Word::sample_period, Word::version,       Word::sources,     Word::processor};
   fog::HealthRecord record;
   std::uint8_t next = 1;
   const auto four = [&next] {
@@ -346,9 +346,9 @@ TEST(HealthRecord, HasTheLayoutOfItsSpecification) {
     return word;
   };
   for (const Word word : order) record[word] = four();
-  for (std::size_t i = 14; i < record.words.size(); ++i) record.words[i] = four();
-  record[Word::serial] = record.words[16];
-  record.words[19] &= 0xFFFFFFU;  // its end
+  for (std::size_t i = 16; i < record.words.size(); ++i) record.words[i] = four();
+  record[Word::serial] = record.words[18];
+  record.words[21] &= 0xFFFFFFU;  // its end
   for (std::size_t i = 0; i < 15; ++i) record.reset_cause[i] = static_cast<char>(next++);
   for (unsigned flags = 0; flags < 256; ++flags) {
     if ((flags & 0x0CU) != 0) continue;
@@ -356,15 +356,15 @@ TEST(HealthRecord, HasTheLayoutOfItsSpecification) {
     record.memory_good = flags / 2 % 2 != 0;
     record.model_error = static_cast<std::uint8_t>(flags / 16);
     const fog::HealthResponse sent = fog::encode_health_response(record);
-    ASSERT_EQ(sent.size(), 104U);
+    ASSERT_EQ(sent.size(), 112U);
     EXPECT_EQ(sent[0], 0xC3);
     EXPECT_EQ(sent[1], 0x99);
-    EXPECT_EQ(sent[2], 2);
+    EXPECT_EQ(sent[2], 3);
     EXPECT_EQ(sent[3], flags);
-    for (std::size_t i = 4; i < 99; ++i) EXPECT_EQ(sent[i], i == 83 ? 0 : i - 3) << i;
-    EXPECT_EQ(sent[99], 0);
-    const std::uint32_t crc = fog::crc32(sent.data(), 100);
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(sent[100 + i], (crc >> (8 * i)) & 0xFFU);
+    for (std::size_t i = 4; i < 107; ++i) EXPECT_EQ(sent[i], i == 91 ? 0 : i - 3) << i;
+    EXPECT_EQ(sent[107], 0);
+    const std::uint32_t crc = fog::crc32(sent.data(), 108);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(sent[108 + i], (crc >> (8 * i)) & 0xFFU);
 
     fog::HealthRecord got;
     got.image_intact = !record.image_intact;
@@ -386,14 +386,14 @@ TEST(HealthRecord, LeavesAloneWhatItRefuses) {
                                 {2, 0},
                                 {3, 2},
                                 {3, 3},
-                                {83, 0},
-                                {83, 7},
-                                {99, 0},
-                                {99, 7}}) {
+                                {91, 0},
+                                {91, 7},
+                                {107, 0},
+                                {107, 7}}) {
     fog::HealthResponse other = response;
     other[at] = static_cast<std::uint8_t>(other[at] ^ (1U << bit));
-    const std::uint32_t crc = fog::crc32(other.data(), 100);
-    for (std::size_t i = 0; i < 4; ++i) other[100 + i] = static_cast<std::uint8_t>(crc >> (8 * i));
+    const std::uint32_t crc = fog::crc32(other.data(), 108);
+    for (std::size_t i = 0; i < 4; ++i) other[108 + i] = static_cast<std::uint8_t>(crc >> (8 * i));
     fog::HealthRecord untouched;
     EXPECT_FALSE(fog::decode_health_response(other.data(), untouched)) << at;
     EXPECT_EQ(untouched.words, fog::HealthRecord().words);
