@@ -52,7 +52,7 @@ constexpr PllInput kInternal{Rcc::kHsiOn, Rcc::kHsiReady, pll_setting(kInternalH
                              "internal oscillator", true};
 
 constexpr ClockTree kAsResetLeftIt{
-    kInternalHz, kInternalHz, kInternalHz, "internal oscillator, no PLL", true, false};
+    kInternalHz, {kInternalHz, kInternalHz}, "internal oscillator, no PLL", true, false};
 
 ClockTree running;  // from start_clock_tree() on
 
@@ -99,7 +99,7 @@ bool run_from(const PllInput& input) {
     return_to_internal();
     return false;
   }
-  running = {kCoreHz, kCoreHz / 4U, kCoreHz / 2U, input.name, input.is_fallback, true};
+  running = {kCoreHz, {kCoreHz / 4U, kCoreHz / 2U}, input.name, input.is_fallback, true};
   return true;
 }
 
