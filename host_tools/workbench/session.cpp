@@ -188,7 +188,7 @@ Json Session::fit(const Words& words) {
   }
   model::Model rows;
   rows.average_s = request.average_s;
-  rows.derivative_tau_s = request.derivative_tau_s;
+  rows.derivative_tau_s = request.derivative_tau_s.value_or(workflow::kDerivativeTau_s);
   const workflow::FitOutcome found =
       workflow::fit(request, known->second, observer(), &regressors(key, rows, known->second));
   observer().say(found.result.identified.warnings);
