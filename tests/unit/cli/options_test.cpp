@@ -43,7 +43,7 @@ TEST(Options, ThatACommandNeedsAreItsOwn) {
     };
     for (const Command::Need& need : command->needs) {
       EXPECT_TRUE(lists(need.option)) << command->name();
-      EXPECT_TRUE(need.unless == nullptr || lists(need.unless)) << command->name();
+      for (const Option* other : need.unless) EXPECT_TRUE(lists(other)) << command->name();
     }
     for (const Option* other : command->stand_for_positional)
       EXPECT_TRUE(lists(other)) << command->name();
