@@ -17,7 +17,7 @@ double small_signal_gain(const fog::DenoiseParameters& denoise, double frequency
     std::complex<double> response = 0;
     double phase = 0;
     for (const std::int32_t tap : denoise.low()) {
-      response += std::polar(std::ldexp(tap, -fog::kTapFraction), phase);
+      response += std::ldexp(tap, -fog::kTapFraction) * std::polar(1.0, phase);
       phase -= radians;
     }
     gain *= std::norm(response);
