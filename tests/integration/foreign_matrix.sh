@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# foreign_matrix.sh FOGCOMP: what Octave, R, NumPy, pandas and gnuplot write of one recording (foreign_matrix/), each
-# property of a file alone and with each other one, is read as it is or refused in one line. Programs that are missing
-# are named; skipped where all are.
+# foreign_matrix.sh FOGCOMP: what Octave, R, NumPy, pandas, gnuplot and LibreOffice write of one recording
+# (foreign_matrix/), each property of a file alone and with each other one, is read as it is or refused in one line.
+# Programs that are missing are named; skipped where all are.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: foreign_matrix.sh FOGCOMP}")
@@ -71,6 +71,12 @@ if command -v gnuplot >/dev/null; then
   judge gnuplot 12
 else
   missing+=(gnuplot)
+fi
+if command -v soffice >/dev/null; then
+  written_by libreoffice "$writers/write_libreoffice.sh"
+  judge libreoffice 24
+else
+  missing+=(libreoffice-calc-nogui)
 fi
 echo "$files files"
 ((${#missing[@]} == 0)) || echo "not tried, not installed: ${missing[*]}"
