@@ -465,6 +465,12 @@ bool CsvHeader::is_constant(std::size_t slot) const {
                      [&](const Constant& each) { return each.slot == slot; });
 }
 
+bool CsvHeader::takes_row_of(const std::vector<std::string_view>& fields) const {
+  return fields.size() >= slots.size() &&
+         std::all_of(fields.begin() + static_cast<std::ptrdiff_t>(slots.size()), fields.end(),
+                     [](std::string_view field) { return field.empty(); });
+}
+
 std::size_t CsvHeader::field_of(std::size_t slot) const {
   return static_cast<std::size_t>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
 }

@@ -45,6 +45,9 @@ struct CsvHeader {
   std::size_t field_of(std::size_t slot) const;
   /// Of a slot of time; s if it is not converted.
   Unit unit_of(std::size_t slot) const;
+  /// Whether a row has a field for each name. Empty ones behind them, of lines that end in a
+  /// separator, are nothing.
+  bool takes_row_of(const std::vector<std::string_view>& fields) const;
 };
 
 /// Header of a file: names of its columns, and units in a row below, if any.

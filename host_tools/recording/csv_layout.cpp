@@ -29,6 +29,7 @@ struct Reading {
   HeaderLines lines;
   std::size_t rows = 0;
   std::size_t good_rows = 0;
+  bool first_is_good = false;
   std::vector<double> values{};  ///< of the good rows, to compare two interpretations
   bool has_values() const { return rows > 0 && good_rows == rows; }
 };
@@ -97,8 +98,12 @@ class LayoutFinder {
       remember_candidate(i, names, found);
       note_likeliest(i, separator, names, found);
       if (found < kRequired) continue;
+      const std::size_t before = readings_.size();
       i = try_header(i, separator, std::move(names));
-      if (!readings_.empty() && readings_.back().has_values()) return;
+      // A header stands before the rows: one that comes again is none.
+      const auto begun = readings_.begin() + static_cast<std::ptrdiff_t>(before);
+      if (std::any_of(begun, readings_.end(), [](const auto& each) { return each.first_is_good; }))
+        return;
     }
   }
 
@@ -110,7 +115,7 @@ class LayoutFinder {
     for (const ColumnChoice& choice : parse_column_map(options_.columns)) {
       const auto chosen = find_field(choice, columns);
       if (!chosen) continue;
-      if (!parse_number(without_quotes(names[chosen->field]))) return false;
+      if (!is_value(without_quotes(names[chosen->field]))) return false;
       any = true;
     }
     return any;
@@ -143,6 +148,8 @@ class LayoutFinder {
     const std::size_t below = next_line(line + 1);
     if (below < lines_.size()) {
       std::vector<std::string> fields = names_in(lines_[below], separator);
+      drop_empty_names(fields.size(), header);
+      while (fields.size() > header.names.size() && fields.back().empty()) fields.pop_back();
       if (fields.size() == header.names.size() && is_units_row(fields)) {
         header.units = std::move(fields);
         last = below;
@@ -152,7 +159,15 @@ class LayoutFinder {
     return last;
   }
 
-  void try_header(const HeaderLines& header, char separator, std::size_t lines_before_rows) {
+  // Of a header line that ends in a separator, unlike its rows.
+  static void drop_empty_names(std::size_t fields, HeaderLines& header) {
+    while (fields < header.names.size() && header.names.back().empty()) header.names.pop_back();
+    if (header.units.size() > header.names.size()) header.units.resize(header.names.size());
+  }
+
+  void try_header(HeaderLines header, char separator, std::size_t lines_before_rows) {
+    const std::size_t first = next_line(lines_before_rows);
+    if (first < lines_.size()) drop_empty_names(names_in(lines_[first], separator).size(), header);
     CsvLayout layout;
     layout.lines_before_rows = lines_before_rows;
     layout.dialect.separator = separator;
@@ -186,13 +201,14 @@ class LayoutFinder {
       split_fields(lines_[i], reading.layout.dialect.separator, fields);
       ++reading.rows;
       if (is_good(fields, reading)) ++reading.good_rows;
+      if (reading.rows == 1) reading.first_is_good = reading.good_rows == 1;
     }
   }
 
   static bool is_good(const std::vector<std::string_view>& fields, Reading& reading) {
     const CsvHeader& header = reading.layout.header;
-    if (fields.size() != header.slots.size()) return false;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (!header.takes_row_of(fields)) return false;
+    for (std::size_t i = 0; i < header.slots.size(); ++i) {
       if (header.slots[i] >= kColumns.size()) continue;
       double value = 0;
       const FieldKind kind = read_number(fields[i], reading.layout.dialect, value);
@@ -222,7 +238,7 @@ class LayoutFinder {
       if (other != readings_.end()) refuse_two(*fitting, *other);
       return *fitting;
     }
-    if (readings_.empty()) read_without_header();
+    read_without_header();
     if (readings_.empty()) explain();
     // Bad rows are reported when they are read.
     return *std::max_element(readings_.begin(), readings_.end(), [](const auto& a, const auto& b) {
@@ -245,6 +261,7 @@ class LayoutFinder {
   void read_without_header() {
     const std::size_t first = next_line(0);
     if (options_.columns.empty() || first == lines_.size()) return;
+    std::vector<Reading> with_header = std::exchange(readings_, {});
     for (const char separator : {',', ';', '\t', ' '}) {
       const std::vector<std::string> fields = names_in(lines_[first], separator);
       if (fields.size() < 2) continue;
@@ -255,6 +272,7 @@ class LayoutFinder {
     readings_.erase(std::remove_if(readings_.begin(), readings_.end(),
                                    [](const Reading& each) { return !each.has_values(); }),
                     readings_.end());
+    if (readings_.empty()) readings_ = std::move(with_header);
   }
 
   // Says why no line can be the header.
@@ -287,6 +305,7 @@ class LayoutFinder {
       remembered.decimal_comma = options_.model_decimal_comma;
       return LayoutFinder(head_, remembered).find();
     }
+    refuse_row_names(layout);
     refuse_several_sensors(lines_, head_.path, layout, options_);
     understand_header(chosen.lines, options_);  // to report its interpretation
     understand_times(lines_, head_.path, layout);
@@ -305,6 +324,26 @@ class LayoutFinder {
     }
     if (!understood.empty()) options_.watch.say(head_.path, "read as " + join(understood, "; "));
     return layout;
+  }
+
+  // A row with a field more than the header has names, which is empty: nothing stands there. But if
+  // the first field counts rows, that one may be without a name, and the last column empty.
+  void refuse_row_names(const CsvLayout& layout) const {
+    const std::size_t last = layout.header.slots.back();
+    if (last == kTimeSlot || last == kTemperatureSlot || last == kRateSlot) return;
+    std::optional<double> before;
+    std::vector<std::string_view> fields;
+    for (std::size_t i = next_line(layout.lines_before_rows); i < lines_.size();
+         i = next_line(i + 1)) {
+      split_fields(lines_[i], layout.dialect.separator, fields);
+      const std::optional<double> number = parse_number(std::string(fields.front()));
+      if (fields.size() != layout.header.slots.size() + 1 || !number) return;
+      if (before && *number != *before + 1) return;
+      before = number;
+    }
+    fail(next_line(layout.lines_before_rows) + 1,
+         "a field more than the header has names: is the last one empty, or is the first one the "
+         "number of the row, without a name? correct the header");
   }
 
   const FileHead& head_;

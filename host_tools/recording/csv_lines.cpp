@@ -69,10 +69,16 @@ bool is_units_row(const std::vector<std::string>& fields) {
   return units > 0;
 }
 
+bool is_value(std::string_view field) {
+  double value = 0;
+  return read_number(field, {}, value) == FieldKind::number ||
+         read_number(field, {',', true}, value) == FieldKind::number ||
+         read_calendar_time(field).has_value();
+}
+
 bool is_all_numbers(const std::vector<std::string>& names) {
-  return !names.empty() && std::all_of(names.begin(), names.end(), [](const std::string& name) {
-    return parse_number(name).has_value();
-  });
+  return !names.empty() && std::all_of(names.begin(), names.end(),
+                                       [](const std::string& name) { return is_value(name); });
 }
 
 bool is_comment_or_blank(std::string_view line) {

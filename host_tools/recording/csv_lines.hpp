@@ -25,6 +25,9 @@ std::vector<std::string> names_in(std::string_view line, char separator);
 /// Whether all fields are units, in brackets or not, empty or "-", and at least one is a unit.
 bool is_units_row(const std::vector<std::string>& fields);
 
+/// A number, with either decimal mark, or a time of a calendar: no name.
+bool is_value(std::string_view field);
+
 bool is_all_numbers(const std::vector<std::string>& names);
 
 /// The first line from `line` on that is neither a comment nor blank; lines.size() if none is.

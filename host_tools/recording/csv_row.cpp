@@ -42,8 +42,8 @@ bool CsvRowReader::read_plain(std::string_view line, CsvRow& row) const {
       if (slot == CsvHeader::kSegmentLabel) row.label = trim(text);
     }
     const bool last = field + 1 == slots.size();
-    if (last != (p == end)) return false;
-    if (!last && *p++ != separator) return false;
+    if (last) return std::all_of(p, end, [&](char c) { return c == separator; });
+    if (p == end || *p++ != separator) return false;
   }
   return true;
 }
@@ -51,7 +51,7 @@ bool CsvRowReader::read_plain(std::string_view line, CsvRow& row) const {
 bool CsvRowReader::read_any(std::string_view line, CsvRow& row) {
   split_fields(line, layout_.dialect.separator, fields_);
   const std::vector<std::size_t>& slots = layout_.header.slots;
-  if (fields_.size() != slots.size()) return false;
+  if (!layout_.header.takes_row_of(fields_)) return false;
   row.lacks_values = false;
   for (std::size_t field = 0; field < slots.size(); ++field) {
     const std::size_t slot = slots[field];
@@ -103,14 +103,14 @@ double CsvRowReader::first_date_s() const {
 std::string CsvRowReader::fault_of(std::string_view line) {
   const CsvHeader& header = layout_.header;
   split_fields(line, layout_.dialect.separator, fields_);
-  if (fields_.size() != header.slots.size()) {
+  if (!header.takes_row_of(fields_)) {
     const bool two_uses =
         layout_.dialect.separator == ',' && fields_.size() > header.slots.size() + 1;
     return counted(fields_.size(), "field") + " where the header has " +
            std::to_string(header.slots.size()) +
            (two_uses ? " (a ',' within numbers? separate columns by ';')" : "");
   }
-  for (std::size_t i = 0; i < fields_.size(); ++i) {
+  for (std::size_t i = 0; i < header.slots.size(); ++i) {
     if (header.slots[i] > CsvHeader::kTimePart) continue;
     double value = 0;
     const bool calendar = header.slots[i] == kTimeSlot && layout_.time == TimeFormat::calendar;

@@ -49,7 +49,8 @@ struct FileWriter {
   bool units_row = false;
   bool quotes = false;
   bool comment_header = false;
-  bool trailing_separator = false;
+  bool separator_behind_names = false;
+  bool separator_behind_rows = false;
   bool time_from_first_row = false;
   FileColumn time{"time_s", [](int row) { return digits(true_time_s(row)); }, "s"};
   FileColumn temperature{"temperature_degc",
@@ -70,7 +71,9 @@ struct FileWriter {
     for (const FileColumn* each : {&temperature, &rate})
       text += separator + field(of(*each), numbers);
     for (const FileColumn& each : others) text += separator + field(of(each), numbers);
-    return text + (trailing_separator ? separator : "") + line_end;
+    const bool is_behind = numbers ? separator_behind_rows : separator_behind_names;
+    const bool may_be = separator.find_first_not_of(' ') != std::string::npos;
+    return text + (is_behind && may_be ? separator : "") + line_end;
   }
   std::string content() const {
     std::string text = preamble + (comment_header ? "# " : "");
@@ -215,10 +218,12 @@ std::vector<Property> properties() {
          file.others = {{"acc_x [m/s2]", [](int) { return "9.81"; }, "m/s2"},
                         {"count", [](int row) { return std::to_string(row); }, "-"}};
        }},
-      {"others", "trailing separator",
-       [](FileWriter& file) {
-         file.trailing_separator = file.separator.find_first_not_of(' ') != std::string::npos;
-       }},
+      {"others", "a separator behind each line",
+       [](FileWriter& file) { file.separator_behind_names = file.separator_behind_rows = true; }},
+      {"others", "a separator behind each row",
+       [](FileWriter& file) { file.separator_behind_rows = true; }},
+      {"others", "a separator behind the header",
+       [](FileWriter& file) { file.separator_behind_names = true; }},
       time_in("Time_s", 1),
       time_in("TIME [s]", 1),
       time_in("time_ms", 1e3),
@@ -590,6 +595,44 @@ TEST(ForeignFiles, AreRefusedWhereTheMapOfColumnsIsWrong) {
   EXPECT_NE(said("speed=Gyro").find("a recording has no 'speed'"), std::string::npos);
   EXPECT_NE(said("rate").find("is no COLUMN=NAME[UNIT]"), std::string::npos);
   EXPECT_NE(said("rate=3,rate=4").find("two columns are given for rate"), std::string::npos);
+}
+
+// An empty field behind the names is nothing, unless the first one may be the number of the row.
+TEST(ForeignFiles, FieldWithoutName_NothingIfEmptyElseRefused) {
+  const std::string header = "time_s,temperature_degc,rate_dph";
+  const auto rows_of = [](const std::string& text) {
+    return read_recording(temporary_file("fields.csv", text), {}).rows();
+  };
+  EXPECT_EQ(rows_of(header + "\n0,20,1\n1,20,2,\n2,20,3,,\n"), 3U);
+  for (const char* surplus : {"5", "-", "NaN"}) {
+    EXPECT_NE(said_of(header + "\n0,20,1,\n1,20,2," + surplus + "\n")
+                  .find(":3: 4 fields where the header has 3"),
+              std::string::npos);
+  }
+  EXPECT_EQ(rows_of(header + ",note\n0,20,1,,\n2,20,2,,\n3,20,3,,\n"), 3U);
+  EXPECT_NE(said_of(header + ",note\n1,0,20,1,\n2,1,20,2,\n3,2,20,3,\n").find("without a name"),
+            std::string::npos);
+}
+
+TEST(ForeignFiles, HeaderThatComesAgain_RefusedAtItsLine) {
+  std::string text = "time_s,temp_degC,rate_dph\n";
+  text += "0,20,1\n1,20,2\n" + text + "2,20,3\n3,20,4\n";
+  EXPECT_NE(said_of(text).find(":4: time_s is 'time_s', not a finite number"), std::string::npos)
+      << said_of(text);
+}
+
+TEST(ForeignFiles, NoHeader_FirstRowIsRead) {
+  const auto check = [](const std::string& text, const std::string& columns) {
+    ReadOptions options;
+    options.columns = columns;
+    const Recording recording = read_recording(temporary_file("bare.csv", text), options);
+    EXPECT_EQ(recording.rate_dph, std::vector<double>({7.25, 10.75, 8.5})) << text;
+  };
+  check("0;21,5;7,25\n0,5;21,5;10,75\n1;21,5;8,5\n", "time=1[s],temperature=2[degC],rate=3[deg/h]");
+  check(
+      "2024-03-05 12:00:00,21.5,7.25\n2024-03-05 12:00:01,21.5,10.75\n"
+      "2024-03-05 12:00:02,21.5,8.5\n",
+      "time=1,temperature=2[degC],rate=3[deg/h]");
 }
 
 // A header may be wrong; who says so is believed.
