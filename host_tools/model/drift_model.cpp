@@ -86,6 +86,7 @@ const std::vector<double>& RegressorBank::see_rate(const fog::Signals<RealNumber
 
 RealDriftModel::RealDriftModel(const Model& model, double block_s)
     : model_(model),
+      block_s_(block_s),
       thermal_(thermal_parameters(model, block_s)),
       bank_(model.terms, block_s),
       network_signals_(model.network.inputs, block_s),
@@ -96,6 +97,10 @@ void RealDriftModel::start(const RealBlock& block) {
   bank_.reset(signals_);
   network_signals_.reset(signals_);
   evaluate();
+}
+
+void RealDriftModel::forget() {
+  bank_ = RegressorBank(model_.terms, block_s_);
 }
 
 void RealDriftModel::step(const RealBlock& block) {

@@ -54,6 +54,8 @@ class RealDriftModel {
 
   /// Starts from one sample, with temperature rate 0.
   void start(const RealBlock& block);
+  /// What went before, of which some is kept over a gap.
+  void forget();
   /// Takes the means of one more block.
   void step(const RealBlock& block);
   /// Takes the input rate of the present block, for the effects that follow it.
@@ -70,6 +72,7 @@ class RealDriftModel {
   void sum(const std::vector<double>& regressors);
 
   const Model& model_;
+  double block_s_;
   fog::ThermalState<RealNumbers> thermal_;
   RegressorBank bank_;
   NetworkSignals network_signals_;

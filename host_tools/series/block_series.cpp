@@ -230,6 +230,7 @@ BlockSeries without_blocks(const recording::Recording& recording) {
   series.period_s = recording.period_s;
   series.samples_per_block = samples_per_block(recording.period_s);
   series.block_s = recording.period_s > 0 ? recording.period_s * series.samples_per_block : 1;
+  series.is_table = recording.is_table;
   if (recording.is_table) series.period_s = series.block_s = kDwellBlockS;
   series.inputs = inputs_of(recording);
   series.input_ranges = input_ranges_of(recording);

@@ -21,6 +21,8 @@ struct BlockSeries {
   double period_s = 0;                    ///< of a sample
   std::uint32_t samples_per_block = 1;
   double block_s = 0;
+  /// Of a table: no line goes before another one, so that nothing is known of its history.
+  bool is_table = false;
   struct Block {
     std::int64_t number = 0;  ///< since the first sample; gaps skip numbers
     std::uint32_t samples = 0;

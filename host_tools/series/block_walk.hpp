@@ -28,10 +28,10 @@ void each_part(const BlockSeries& series, const Visit& visit) {
   }
 }
 
-/// Runs a model (start(means), step(means), see_rate(means)) over a recording like the
+/// Runs a model (start(means), step(means), see_rate(means), forget()) over a recording like the
 /// board: the first sample starts it; a block's means act from the next block on; a gap is bridged
 /// by the board's own rule or, if longer than the board holds its drift, restarts the model, as a
-/// power-on does. Calls
+/// power-on does; each line of a table is the first one of a model that has seen nothing. Calls
 /// visit(block) for every block with a valid drift, before that block's means are used; its input
 /// rate has been passed already, because the board has it at every sample. `first` and
 /// `means_of(i)`: values for the first sample and the means of block i.
@@ -53,6 +53,7 @@ void run_blocks(const BlockSeries& series, const fog::BlockMeans<model::RealNumb
       visit(block);
       while (bridge.remaining() > 0) model.step(bridge.next());
     } else {
+      if (series.is_table) model.forget();
       model.start(means);
       bridge.start(means);
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "model/drift_model.hpp"
 #include "model/input_value.hpp"
@@ -88,6 +89,7 @@ class SignalSeries::Recorder {
   void start(const model::RealBlock& block) { keep_(thermal_.reset(block), true); }
   void step(const model::RealBlock& block) { keep_(thermal_.step(block), false); }
   void see_rate(const model::RealBlock&) {}
+  void forget() {}
 
  private:
   static fog::ThermalParameters<model::RealNumbers> unclamped(
@@ -105,6 +107,7 @@ void SignalSeries::add(const BlockSeries& series) {
   require_inputs(model_, series);
   Run& run = runs_.emplace_back();
   run.block_s = series.block_s;
+  run.is_table = series.is_table;
   run.inputs = series.inputs;
   run.recordings = series.recordings;
   run.rates_within = series.input_rates;
@@ -177,8 +180,8 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading, bool 
   Eigen::VectorXd samples = Eigen::VectorXd::Zero(rows_.size());
   std::vector<double> values;
   for (const Run& run : runs_) {
-    auto part = make(run.block_s);
-    const std::size_t size = part.size();
+    std::optional part(make(run.block_s));
+    const std::size_t size = part->size();
     if (means.size() == 0) means.setZero(rows_.size(), static_cast<Eigen::Index>(size));
     values.resize(size * kTogether);
     Signals signals{};
@@ -189,8 +192,9 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading, bool 
         if (follows_rate && !run.input_rate.empty()) {
           signals.block.input_rate = run.input_rate[i].dph;
         }
-        if (run.restarts[i]) part.reset(at_rest(signals));
-        part.step(signals, &values[size * (i - first)]);
+        if (run.restarts[i] && run.is_table) part.emplace(make(run.block_s));
+        if (run.restarts[i]) part->reset(at_rest(signals));
+        part->step(signals, &values[size * (i - first)]);
       }
       for (std::size_t k = 0; k < size; ++k) {
         double* const sum = means.col(static_cast<Eigen::Index>(k)).data();

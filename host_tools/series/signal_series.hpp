@@ -98,6 +98,7 @@ class SignalSeries {
   };
   struct Run {
     double block_s = 0;
+    bool is_table = false;
     fog::InputMask inputs = 0;  ///< of the recording
     std::vector<std::uint64_t> recordings;
     std::vector<Block> blocks;

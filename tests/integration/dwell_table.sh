@@ -52,7 +52,7 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
   END { exit !(NR == 25 && sqrt(s / 24) < 0.4) }' out.csv || fail "the drift is wrong: $(cat out.csv)"
 
 # What a table cannot show is refused, and so are times.
-for effect in temperature_rate warm_up; do
+for effect in temperature_rate warm_up thermal_hysteresis thermal_lag glass_transition; do
   status=0
   "$fogcomp" fit still.csv "${columns[@]}" -o no.model --effects "bias,$effect" >said.txt 2>&1 || status=$?
   [[ $status == 2 && ! -e no.model ]] || fail "$effect of a table: exit code $status, $(cat said.txt)"
