@@ -466,7 +466,7 @@ bool CsvHeader::is_constant(std::size_t slot) const {
 }
 
 bool CsvHeader::takes_row_of(const std::vector<std::string_view>& fields) const {
-  return fields.size() >= slots.size() &&
+  return fields.size() == slots.size() + empty_behind &&
          std::all_of(fields.begin() + static_cast<std::ptrdiff_t>(slots.size()), fields.end(),
                      [](std::string_view field) { return field.empty(); });
 }

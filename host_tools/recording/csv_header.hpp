@@ -45,8 +45,9 @@ struct CsvHeader {
   std::size_t field_of(std::size_t slot) const;
   /// Of a slot of time; s if it is not converted.
   Unit unit_of(std::size_t slot) const;
-  /// Whether a row has a field for each name. Empty ones behind them, of lines that end in a
-  /// separator, are nothing.
+  /// Empty fields behind the names in each row, whose lines end in separators: they are nothing.
+  std::size_t empty_behind = 0;
+  /// Whether a row has a field for each name, and these.
   bool takes_row_of(const std::vector<std::string_view>& fields) const;
 };
 

@@ -165,9 +165,19 @@ class LayoutFinder {
     if (header.units.size() > header.names.size()) header.units.resize(header.names.size());
   }
 
+  // Of the first row, whose line ends in separators, as all others must then.
+  static std::size_t empty_behind(const std::vector<std::string>& fields, std::size_t names) {
+    if (fields.size() <= names) return 0;
+    const bool are_empty = std::all_of(fields.begin() + static_cast<std::ptrdiff_t>(names),
+                                       fields.end(), [](const auto& each) { return each.empty(); });
+    return are_empty ? fields.size() - names : 0;
+  }
+
   void try_header(HeaderLines header, char separator, std::size_t lines_before_rows) {
     const std::size_t first = next_line(lines_before_rows);
-    if (first < lines_.size()) drop_empty_names(names_in(lines_[first], separator).size(), header);
+    std::vector<std::string> fields;
+    if (first < lines_.size()) fields = names_in(lines_[first], separator);
+    if (!fields.empty()) drop_empty_names(fields.size(), header);
     CsvLayout layout;
     layout.lines_before_rows = lines_before_rows;
     layout.dialect.separator = separator;
@@ -177,6 +187,7 @@ class LayoutFinder {
       if (!refusal_) refusal_ = error;
       return;
     }
+    layout.header.empty_behind = empty_behind(fields, header.names.size());
     layout.dialect.groups = options_.decimal_comma.has_value();
     for (const bool decimal_comma : {false, true}) {
       if (options_.decimal_comma && *options_.decimal_comma != decimal_comma) continue;

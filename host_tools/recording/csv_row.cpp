@@ -42,8 +42,8 @@ bool CsvRowReader::read_plain(std::string_view line, CsvRow& row) const {
       if (slot == CsvHeader::kSegmentLabel) row.label = trim(text);
     }
     const bool last = field + 1 == slots.size();
-    if (last) return std::all_of(p, end, [&](char c) { return c == separator; });
-    if (p == end || *p++ != separator) return false;
+    if (last != (p == end)) return false;
+    if (!last && *p++ != separator) return false;
   }
   return true;
 }

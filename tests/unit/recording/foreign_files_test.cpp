@@ -603,7 +603,10 @@ TEST(ForeignFiles, FieldWithoutName_NothingIfEmptyElseRefused) {
   const auto rows_of = [](const std::string& text) {
     return read_recording(temporary_file("fields.csv", text), {}).rows();
   };
-  EXPECT_EQ(rows_of(header + "\n0,20,1\n1,20,2,\n2,20,3,,\n"), 3U);
+  EXPECT_EQ(rows_of(header + "\n0,20,1,\n1,20,2,\n2,20,3,\n"), 3U);
+  EXPECT_EQ(rows_of(header + "\n0,20,1,,\n1,20,2,,\n2,20,3,,\n"), 3U);
+  EXPECT_NE(said_of(header + "\n0,20,1\n1,20,2,\n2,20,3\n").find(":3: 4 fields"),
+            std::string::npos);
   for (const char* surplus : {"5", "-", "NaN"}) {
     EXPECT_NE(said_of(header + "\n0,20,1,\n1,20,2," + surplus + "\n")
                   .find(":3: 4 fields where the header has 3"),
