@@ -1,11 +1,10 @@
 #include "fit/prior.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "model/catalogue.hpp"
 #include "model/shape_parameter.hpp"
+#include "support/decompositions.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp::fit {
@@ -16,11 +15,10 @@ Eigen::MatrixXd positive_definite(const Eigen::MatrixXd& covariance) {
   constexpr double kMinEigenvalue = 1e-12;  // of the correlations
   const Eigen::VectorXd sigma = covariance.diagonal().cwiseSqrt();
   const Eigen::VectorXd inverse = sigma.cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(inverse.asDiagonal() * covariance *
-                                                            inverse.asDiagonal());
-  return sigma.asDiagonal() * axes.eigenvectors() *
-         axes.eigenvalues().cwiseMax(kMinEigenvalue).asDiagonal() *
-         axes.eigenvectors().transpose() * sigma.asDiagonal();
+  const SymmetricEigen axes =
+      symmetric_eigen(inverse.asDiagonal() * covariance * inverse.asDiagonal());
+  const Eigen::MatrixXd scaled = sigma.asDiagonal() * axes.vectors;
+  return scaled * axes.values.cwiseMax(kMinEigenvalue).asDiagonal() * scaled.transpose();
 }
 
 // Coefficients and positions of the terms as they are.
@@ -110,17 +108,16 @@ Independent independent(const Prior& prior, series::Reading reading,
   Eigen::MatrixXd given_shapes = prior.covariance.topLeftCorner(count, count);
   result.origin.head(count) = mean.head(count);
   if (shapes > 0) {
-    const Eigen::LLT<Eigen::MatrixXd> of_shapes(prior.covariance.bottomRightCorner(shapes, shapes));
+    const Eigen::MatrixXd of_shapes = prior.covariance.bottomRightCorner(shapes, shapes);
     const Eigen::MatrixXd with = prior.covariance.topRightCorner(count, shapes);
-    const Eigen::MatrixXd by_shapes = of_shapes.solve(with.transpose()).transpose();
+    const Eigen::MatrixXd by_shapes = with * inverse_of_definite(of_shapes);
     given_shapes -= by_shapes * with.transpose();
     result.origin.head(count) += by_shapes * (positions - mean.tail(shapes));
-    result.slopes.bottomRightCorner(shapes, shapes) = of_shapes.matrixL();
+    result.slopes.bottomRightCorner(shapes, shapes) = cholesky_factor(of_shapes);
     result.slopes.topRightCorner(count, shapes) =
         by_shapes * result.slopes.bottomRightCorner(shapes, shapes);
   }
-  result.slopes.topLeftCorner(count, count) =
-      Eigen::LLT<Eigen::MatrixXd>(positive_definite(given_shapes)).matrixL();
+  result.slopes.topLeftCorner(count, count) = cholesky_factor(positive_definite(given_shapes));
   return result;
 }
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "fit/departure.hpp"
 #include "model/model.hpp"
 #include "series/signal_series.hpp"
 

@@ -1,6 +1,5 @@
 #include "fit/whitened_problem.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -60,8 +59,8 @@ WhitenedProblem::WhitenedProblem(const KnownRegressors& regressors,
       measured_(whitening.apply(regressors.series().rows().drift_dph)) {
   if (prior_ != nullptr) {
     const Eigen::Index size = prior_->covariance.rows();
-    prior_root_ = Eigen::LLT<Eigen::MatrixXd>(prior_->covariance)
-                      .matrixL()
+    prior_root_ = cholesky_factor(prior_->covariance)
+                      .triangularView<Eigen::Lower>()
                       .solve(Eigen::MatrixXd::Identity(size, size));
     measured_.conservativeResize(measured_.size() + size);
     set_measured();

@@ -5,6 +5,7 @@
 
 #include "compare/comparison.hpp"
 #include "model/model_file.hpp"
+#include "series/block_series.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -56,14 +57,11 @@ void unite_ranges(const model::Model& older, model::Model& model) {
   unite(older.rate_range_degc_per_min, model.rate_range_degc_per_min);
   unite(older.time_range_s, model.time_range_s);
   unite(older.input_rate_range_dph, model.input_rate_range_dph);
-  for (std::size_t i = 0; i < model.input_ranges.size(); ++i) {
-    const auto& before = older.input_ranges[i];
-    auto& input = model.input_ranges[i];
-    if (!before || !input) continue;
-    input->range = {std::min(before->range.min, input->range.min),
-                    std::max(before->range.max, input->range.max)};
-    input->step = std::max(before->step, input->step);
+  model::InputRanges before = older.input_ranges;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (!model.input_ranges[i]) before[i].reset();
   }
+  series::widen(model.input_ranges, before);
 }
 
 double rms_of(const model::Model& model, const std::vector<runs::Run>& runs, double row_s) {
