@@ -24,7 +24,8 @@ forbid() {
 }
 
 standard='<(array|cstddef|cstdint|initializer_list|limits|new|tuple|type_traits|utility)>'
-forbid core "\"core/|$standard"
+own=FOG_OWN_EFFECTS # a user's header of effects
+forbid core "\"core/|$own|$standard"
 forbid hal "$standard"
 forbid platform "\"(core/bytes/crc.hpp|core/frames/(output_bytes|serial_line).hpp|core/thermometer/|hal/|platform/|wiring.hpp\")|$standard"
 forbid app "\"(app|core|hal|platform)/|\"(fog_model|build_identity)\.h\"|$standard"
@@ -35,7 +36,7 @@ order=(fixed_point bytes signal thermal frames health acquisition thermometer ne
 known=
 for folder in "${order[@]}"; do
   known+="${known:+|}$folder"
-  forbid "core/$folder" "\"core/($known)/|<"
+  forbid "core/$folder" "\"core/($known)/|$own|<"
 done
 for folder in core/*/; do
   [[ " ${order[*]} " == *" $(basename "$folder") "* ]] || { echo "$folder has no place in the order" >&2; status=1; }

@@ -250,8 +250,11 @@ struct Formula {
 };
 
 // From `equation` in the header of each effect, and the unit of each coefficient. A new effect
-// needs a formula here.
+// needs a formula here, an effect of one's own one in formulas.inc beside its header.
 const std::vector<Formula> kFormulas{
+#ifdef FOG_OWN_FORMULAS
+#include FOG_OWN_FORMULAS
+#endif
     {"bias", {{}}, [](const History& h, const Values&) { return Columns{Values(h.size(), 1)}; }},
     {"bias_temperature", {{1}, {2}, {9}}, polynomial},
     {"temperature_rate", {{}}, [](const History& h, const Values&) { return Columns{rate_of(h)}; }},
@@ -391,8 +394,8 @@ TEST(EffectFormulas, ThereIsOneForEveryEffectOfTheCatalogue) {
   const std::vector<std::string> effects = fogcomp::model::effect_names();
   for (const std::string& effect : effects) {
     EXPECT_EQ(std::count(known.begin(), known.end(), effect), 1)
-        << effect << " has no equation of its own here: add it to kFormulas in "
-        << "tests/property/effect_formulas_test.cpp (firmware/core/effects/TUTORIAL.md, 3).";
+        << effect << " has no equation of its own: an entry of kFormulas here, or of formulas.inc "
+        << "beside the header of your own effects (firmware/core/effects/TUTORIAL.md, 2).";
   }
   EXPECT_EQ(known.size(), effects.size());
 }

@@ -1,23 +1,24 @@
 #!/usr/bin/env bash
-# own_effect.sh SOURCE BUILD: carries out firmware/core/effects/TUTORIAL.md in a copy of the sources, block by block:
-# ```cpp file=PATH is written to PATH, ```sh is run. The copy is in BUILD, and as deep in it as BUILD in SOURCE: a
-# compiler cache that knows the tree by relative paths (tests/run.sh) has all objects that do not depend on the effects.
+# own_effect.sh SOURCE BUILD: carries out firmware/core/effects/TUTORIAL.md, block by block: ```cpp file=PATH is written to
+# PATH, ```sh is run. This happens in a folder of links to the sources, so that it writes nothing there. It is in BUILD,
+# and as deep in it as BUILD in SOURCE: a compiler cache that knows the tree by relative paths (tests/run.sh) has all
+# objects that do not depend on the effects.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 source=${1:?usage: own_effect.sh SOURCE BUILD} build=${2:?usage: own_effect.sh SOURCE BUILD}
 page=$source/firmware/core/effects/TUTORIAL.md
-copy=$build/own_effect
-rm -rf "$copy"
-mkdir -p "$copy"
-trap 'rm -rf "$copy"' EXIT
-cp -r "$source"/{CMakeLists.txt,CMakePresets.json,cmake,firmware,host_tools,linker,tests} "$copy"
-cd "$copy"
+here=$build/own_effect
+rm -rf "$here"
+mkdir -p "$here"/my_gyro
+trap 'rm -rf "$here"' EXIT
+ln -s "$source"/{CMakeLists.txt,CMakePresets.json,cmake,firmware,host_tools,linker,tests} "$here"
+cd "$here"
 export CCACHE_BASEDIR=$source
 # What npm has installed for BUILD.
 for folder in host_tools/report_library tests/checks/page_format tests/report/browser_driver; do
   [[ -d $build/$folder ]] || continue
-  mkdir -p "build/tests/$(dirname "$folder")"
-  ln -s "$build/$folder" "build/tests/$folder"
+  mkdir -p "build/my_gyro/$(dirname "$folder")"
+  ln -s "$build/$folder" "build/my_gyro/$folder"
 done
 
 # Blocks become numbered files, with their first line's words beside them.
@@ -30,7 +31,7 @@ for kind in $(ls block*.kind | sort -V); do
   case $language in
     cpp)
       cp "$text" "${target#file=}"
-      clang-format --dry-run --Werror --style="file:$source/.clang-format" "${target#file=}"
+      [[ $target == *.inc ]] || clang-format --dry-run --Werror --style="file:$source/.clang-format" "${target#file=}"
       ;;
     sh)
       bash -euo pipefail "$text" >log 2>&1 || fail "$(cat "$text"): $(tail -n 20 log)"
@@ -42,6 +43,6 @@ for kind in $(ls block*.kind | sort -V); do
   esac
   blocks=$((blocks + 1))
 done
-[[ -f build/stm32f405/fogcomp.bin ]] || fail "the page built no image"
+[[ -f build/my_board/fogcomp.bin ]] || fail "the page built no image"
 says fog_model.h temperature_rate_squared
 echo "$blocks blocks carried out"

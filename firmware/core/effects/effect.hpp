@@ -177,4 +177,7 @@ struct NoParameters {
 using EffectMask = std::uint32_t;  ///< bit = id
 constexpr std::size_t kMaxEffects = 32;
 
+template <template <class> class... Effects>
+struct EffectList {};
+
 }  // namespace fog

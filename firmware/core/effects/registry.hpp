@@ -26,33 +26,47 @@
 #include "core/effects/warm_up.hpp"
 #include "core/signal/quantities.hpp"
 
+// A user's own effects (TUTORIAL.md): the header that CMake's FOG_OWN_EFFECTS names defines
+// OwnEffects.
+#ifdef FOG_OWN_EFFECTS
+#include FOG_OWN_EFFECTS
+#else
+namespace fog {
+using OwnEffects = EffectList<>;
+}  // namespace fog
+#endif
+
 namespace fog {
 
-template <template <class> class... Effects>
-struct EffectList {};
+/// The effects of this tree. A line here makes an effect known to fit, export, replay and the
+/// board.
+using Catalogue = EffectList<effects::Bias,                     //
+                             effects::BiasTemperature,          //
+                             effects::TemperatureRate,          //
+                             effects::Shupe,                    //
+                             effects::ThermalLag,               //
+                             effects::TemperatureRateProduct,   //
+                             effects::AxialGradient,            //
+                             effects::PolarizationRipple,       //
+                             effects::ThermalHysteresis,        //
+                             effects::GlassTransition,          //
+                             effects::ScaleFactor,              //
+                             effects::ScaleFactorTemperature,   //
+                             effects::ScaleFactorNonlinearity,  //
+                             effects::ScaleFactorAsymmetry,     //
+                             effects::WarmUp,                   //
+                             effects::Aging,                    //
+                             effects::Magnetic,                 //
+                             effects::Vibration,                //
+                             effects::LightPower,               //
+                             effects::LateReference,            //
+                             effects::BiasStep>;
 
-/// All effects. A line here makes an effect known to fit, export, replay and the board.
-using Registry = EffectList<effects::Bias,                     //
-                            effects::BiasTemperature,          //
-                            effects::TemperatureRate,          //
-                            effects::Shupe,                    //
-                            effects::ThermalLag,               //
-                            effects::TemperatureRateProduct,   //
-                            effects::AxialGradient,            //
-                            effects::PolarizationRipple,       //
-                            effects::ThermalHysteresis,        //
-                            effects::GlassTransition,          //
-                            effects::ScaleFactor,              //
-                            effects::ScaleFactorTemperature,   //
-                            effects::ScaleFactorNonlinearity,  //
-                            effects::ScaleFactorAsymmetry,     //
-                            effects::WarmUp,                   //
-                            effects::Aging,                    //
-                            effects::Magnetic,                 //
-                            effects::Vibration,                //
-                            effects::LightPower,               //
-                            effects::LateReference,            //
-                            effects::BiasStep>;
+template <template <class> class... First, template <class> class... Second>
+EffectList<First..., Second...> joined(EffectList<First...> first, EffectList<Second...> second);
+
+/// All effects that are compiled here.
+using Registry = decltype(joined(Catalogue{}, OwnEffects{}));
 
 /// Largest number of regressors of any effect.
 template <template <class> class... Effects>
@@ -108,6 +122,17 @@ constexpr bool ids_differ(EffectList<Effects...> /*list*/) {
   return differ;
 }
 static_assert(ids_differ(Registry{}), "two effects share an id");
+
+/// Ids from here to 31 are kept for the effects of users.
+constexpr EffectMask kOwnIds = ~EffectMask{0} << 24;
+
+template <template <class> class... Effects>
+constexpr EffectMask ids_of(EffectList<Effects...> /*list*/) {
+  return (bit_of(Effects<BoardNumbers>::description) | ... | EffectMask{0});
+}
+static_assert((ids_of(Catalogue{}) & kOwnIds) == 0, "ids from 24 are kept for users");
+static_assert((ids_of(OwnEffects{}) & ~kOwnIds) == 0,
+              "an effect of one's own has an id from 24 to 31");
 
 constexpr std::size_t kMaxRegressors = max_regressors(Registry{});
 /// All effects that a board can run.
