@@ -30,10 +30,11 @@ class Shrinkage {
 
 void shrink_wavelet(fog::Span<double> values, const DenoiseMethod& method, DenoiseReport& report) {
   const std::vector<double>& lowpass = lowpass_filter(method.wavelet);
-  Decomposition parts =
-      decompose({values.data, values.size}, lowpass, method.levels, method.extension);
+  Decomposition parts = decompose(values, lowpass, method.levels, method.extension);
   Shrinkage shrinkage(method, report);
-  for (std::vector<double>& details : parts.details) shrinkage({details.data(), details.size()});
+  for (Eigen::VectorXd& details : parts.details) {
+    shrinkage({details.data(), static_cast<std::size_t>(details.size())});
+  }
   reconstruct(parts, lowpass, values);
 }
 

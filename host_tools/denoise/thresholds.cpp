@@ -1,5 +1,6 @@
 #include "denoise/thresholds.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,9 +28,9 @@ std::vector<double> magnitudes_of(fog::Span<const double> values) {
 
 // Whether the signal is strong enough compared with the noise to trust the risk estimate.
 bool is_strong(fog::Span<const double> coefficients, double n, double sigma) {
-  double squares = 0;
-  for (const double c : coefficients) squares += c * c;
-  return squares / (n * sigma * sigma) - 1 >= std::pow(std::log2(n), 1.5) / std::sqrt(n);
+  const Eigen::Map<const Eigen::VectorXd> all(coefficients.data,
+                                              static_cast<Eigen::Index>(coefficients.size));
+  return all.squaredNorm() / (n * sigma * sigma) - 1 >= std::pow(std::log2(n), 1.5) / std::sqrt(n);
 }
 
 // The magnitude t that minimises Stein's unbiased estimate of the risk of soft thresholding at t
@@ -54,6 +55,34 @@ double min_risk(fog::Span<const double> coefficients, double sigma) {
     }
   }
   return best;
+}
+
+struct Magnitudes {
+  std::vector<double> values;
+  std::size_t smaller = 0;  // how many others are smaller than these
+};
+
+// The magnitudes about the median of all, between two quantiles of a sample. All of them where
+// there are few, or where the median does not lie there.
+Magnitudes around_median(fog::Span<const double> values) {
+  constexpr std::size_t kSample = 4096;
+  if (values.size < 8 * kSample) return {magnitudes_of(values)};
+  std::vector<double> sample;
+  for (std::size_t i = 0; i < kSample; ++i) {
+    sample.push_back(std::abs(values[i * (values.size / kSample)]));
+  }
+  std::sort(sample.begin(), sample.end());
+  const double least = sample[kSample / 2 - kSample / 16];
+  const double most = sample[kSample / 2 + kSample / 16];
+  Magnitudes near;
+  for (const double value : values) {
+    const double magnitude = std::abs(value);
+    near.smaller += magnitude < least ? 1 : 0;
+    if (magnitude >= least && magnitude <= most) near.values.push_back(magnitude);
+  }
+  const bool has_median =
+      near.smaller <= (values.size - 1) / 2 && values.size / 2 < near.smaller + near.values.size();
+  return has_median ? near : Magnitudes{magnitudes_of(values)};
 }
 
 }  // namespace
@@ -91,10 +120,10 @@ double threshold_of(ThresholdRule rule, fog::Span<const double> coefficients, do
 }
 
 double noise_of(fog::Span<const double> details) {
-  std::vector<double> magnitudes = magnitudes_of(details);
-  const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(magnitudes.size() / 2);
+  auto [magnitudes, smaller] = around_median(details);
+  const auto middle = magnitudes.begin() + static_cast<std::ptrdiff_t>(details.size / 2 - smaller);
   std::nth_element(magnitudes.begin(), middle, magnitudes.end());
-  const bool odd = magnitudes.size() % 2 == 1;
+  const bool odd = details.size % 2 == 1;
   const double below = odd ? *middle : *std::max_element(magnitudes.begin(), middle);
   return (below + *middle) / 2 / 0.6745;
 }

@@ -26,84 +26,170 @@ std::size_t padded(std::size_t count) {
   return (count + kKernelStep - 1) / kKernelStep * kKernelStep;
 }
 
-// Pairs (even, odd) of the extended signal, from number first_pair on.
-void separate(fog::Span<const double> values, std::ptrdiff_t first_pair, std::size_t pairs,
-              Extension extension, double* even, double* odd) {
-  const std::ptrdiff_t begin = 2 * first_pair;
-  const auto end = begin + static_cast<std::ptrdiff_t>(2 * pairs);
-  if (begin >= 0 && end <= static_cast<std::ptrdiff_t>(values.size)) {
-    const double* from = values.data + begin;
-    for (std::size_t i = 0; i < pairs; ++i) {
-      even[i] = from[2 * i];
-      odd[i] = from[2 * i + 1];
-    }
-    return;
-  }
-  for (std::size_t i = 0; i < pairs; ++i) {
-    const std::ptrdiff_t at = begin + static_cast<std::ptrdiff_t>(2 * i);
-    even[i] = values[extended(at, values.size, extension)];
-    odd[i] = values[extended(at + 1, values.size, extension)];
-  }
-}
-
 std::size_t coefficients_of(std::size_t length, const FilterPair& filters) {
   return (length + filters.length() - 1) / 2;
 }
 
-// `low` and `high` have at least coefficients_of(values) elements.
-void analyse_level(fog::Span<const double> values, const FilterPair& filters, Extension extension,
-                   double* low, double* high) {
-  const std::size_t phases = filters.taps.size();
-  const std::size_t outputs = coefficients_of(values.size, filters);
-  Buffer even{};
-  Buffer odd{};
-  Buffer low_part;
-  Buffer high_part;
-  for (std::size_t first = 0; first < outputs; first += kChunk) {
-    const std::size_t count = std::min(kChunk, outputs - first);
-    separate(values, static_cast<std::ptrdiff_t>(first) - static_cast<std::ptrdiff_t>(phases - 1),
-             count + phases - 1, extension, even.data(), odd.data());
-    if (count == padded(count)) {
-      analyse(filters, even.data(), odd.data(), count, low + first, high + first);
-      continue;
+// Decomposes in place: the approximation of every level stands at the front of `work`. A chunk of a
+// level is followed by what the next levels can make of it, while it is in the cache. A chunk is
+// copied before its approximations overwrite what the level has read.
+class Analysis {
+ public:
+  Analysis(double* work, std::size_t length, const FilterPair& filters, Extension extension,
+           std::vector<Eigen::VectorXd>& details)
+      : work_(work), filters_(filters), extension_(extension), details_(details) {
+    for (const Eigen::VectorXd& detail : details) {
+      levels_.push_back({length, static_cast<std::size_t>(detail.size()), 0, {}});
+      length = levels_.back().outputs;
     }
-    analyse(filters, even.data(), odd.data(), padded(count), low_part.data(), high_part.data());
-    std::copy_n(low_part.data(), count, low + first);
-    std::copy_n(high_part.data(), count, high + first);
   }
-}
 
-// Transpose of analyse_level: combines the coefficients at the front of `values` with `high`.
-// Backwards, so that every coefficient is read before it is overwritten. A level of odd length
-// keeps its length.
-void synthesise_level(const double* high, const FilterPair& filters, fog::Span<double> values) {
-  const std::size_t phases = filters.taps.size();
-  Buffer low_part{};
-  Buffer high_part{};
-  Buffer even;
-  Buffer odd;
-  const std::size_t pairs = (values.size + 1) / 2;
-  for (std::size_t end = pairs; end > 0;) {
-    const std::size_t first = (end - 1) / kChunk * kChunk;
-    const std::size_t count = end - first;
-    if (count == padded(count)) {
-      synthesise(filters, values.data + first, high + first, count, even.data(), odd.data());
-    } else {
-      std::copy_n(values.data + first, count + phases - 1, low_part.data());
-      std::copy_n(high + first, count + phases - 1, high_part.data());
-      synthesise(filters, low_part.data(), high_part.data(), padded(count), even.data(),
-                 odd.data());
+  void run(std::size_t number = 0) {
+    if (number == levels_.size()) return;
+    Level& level = levels_[number];
+    const std::size_t there = number == 0 ? level.inputs : levels_[number - 1].done;
+    while (level.done < level.outputs) {
+      const std::size_t count = std::min(kChunk, level.outputs - level.done);
+      // The end of a level is mirrored or, in a periodic one, comes before the beginning.
+      const bool inside = extension_ == Extension::symmetric && 2 * (level.done + count) <= there;
+      if (!inside && there < level.inputs) return;
+      analyse_chunk(level, count, details_[number].data() + level.done);
+      level.done += count;
+      run(number + 1);
     }
-    const std::size_t whole = std::min(count, values.size / 2 - first);
-    double* to = values.data + 2 * first;
-    for (std::size_t i = 0; i < whole; ++i) {
-      to[2 * i] = even[i];
-      to[2 * i + 1] = odd[i];
-    }
-    if (whole < count) to[2 * whole] = even[whole];
-    end = first;
   }
-}
+
+ private:
+  struct Level {
+    std::size_t inputs;
+    std::size_t outputs;
+    std::size_t done;                              // outputs
+    std::array<double, 2 * kMaxPhases> beginning;  // the first inputs, which are overwritten early
+  };
+
+  void analyse_chunk(Level& level, std::size_t count, double* high) {
+    if (level.done == 0) {
+      std::copy_n(work_, std::min(level.inputs, level.beginning.size()), level.beginning.begin());
+    }
+    separate(level, count + filters_.taps.size() - 1);
+    double* const low = work_ + level.done;
+    if (count == padded(count)) {
+      analyse(filters_, even_.data(), odd_.data(), count, low, high);
+      return;
+    }
+    analyse(filters_, even_.data(), odd_.data(), padded(count), low_.data(), high_.data());
+    std::copy_n(low_.data(), count, low);
+    std::copy_n(high_.data(), count, high);
+  }
+
+  // Pairs (even, odd) of the level's extended input, from those that its next output needs on.
+  void separate(const Level& level, std::size_t pairs) {
+    const std::ptrdiff_t begin = 2 * (static_cast<std::ptrdiff_t>(level.done) -
+                                      static_cast<std::ptrdiff_t>(filters_.taps.size() - 1));
+    const auto end = begin + static_cast<std::ptrdiff_t>(2 * pairs);
+    if (begin >= 0 && end <= static_cast<std::ptrdiff_t>(level.inputs)) {
+      const double* from = work_ + begin;
+      for (std::size_t i = 0; i < pairs; ++i) {
+        even_[i] = from[2 * i];
+        odd_[i] = from[2 * i + 1];
+      }
+      return;
+    }
+    const auto value = [&](std::ptrdiff_t index) {
+      const std::size_t at = extended(index, level.inputs, extension_);
+      return at < level.beginning.size() ? level.beginning[at] : work_[at];
+    };
+    for (std::size_t i = 0; i < pairs; ++i) {
+      const std::ptrdiff_t at = begin + static_cast<std::ptrdiff_t>(2 * i);
+      even_[i] = value(at);
+      odd_[i] = value(at + 1);
+    }
+  }
+
+  double* work_;
+  const FilterPair& filters_;
+  Extension extension_;
+  std::vector<Eigen::VectorXd>& details_;
+  std::vector<Level> levels_;
+  Buffer even_{};
+  Buffer odd_{};
+  Buffer low_;
+  Buffer high_;
+};
+
+// Transpose of Analysis, from the end to the beginning, so that every coefficient is read before it
+// is overwritten. A level of odd length keeps its length.
+class Synthesis {
+ public:
+  Synthesis(double* work, std::size_t length, const FilterPair& filters,
+            const std::vector<Eigen::VectorXd>& details)
+      : work_(work), filters_(filters), details_(details) {
+    for (const Eigen::VectorXd& detail : details) {
+      levels_.push_back({length, (length + 1) / 2});
+      length = static_cast<std::size_t>(detail.size());
+    }
+  }
+
+  // Makes the values of a level from number `first` on.
+  void run(std::size_t number = 0, std::size_t first = 0) {
+    if (number == levels_.size()) return;
+    Level& level = levels_[number];
+    while (2 * level.begin > first) {
+      const std::size_t begin = (level.begin - 1) / kChunk * kChunk;
+      run(number + 1, begin);
+      synthesise_chunk(details_[number].data(), begin, level);
+      level.begin = begin;
+    }
+  }
+
+ private:
+  struct Level {
+    std::size_t size;
+    std::size_t begin;  // the pairs from here on are made
+  };
+
+  void synthesise_chunk(const double* high, std::size_t first, const Level& level) {
+    const std::size_t count = level.begin - first;
+    if (count == padded(count)) {
+      synthesise(filters_, work_ + first, high + first, count, even_.data(), odd_.data());
+    } else {
+      const std::size_t inputs = count + filters_.taps.size() - 1;
+      std::copy_n(work_ + first, inputs, low_.data());
+      std::copy_n(high + first, inputs, high_.data());
+      synthesise(filters_, low_.data(), high_.data(), padded(count), even_.data(), odd_.data());
+    }
+    const std::size_t whole = std::min(count, level.size / 2 - first);
+    double* to = work_ + 2 * first;
+    for (std::size_t i = 0; i < whole; ++i) {
+      to[2 * i] = even_[i];
+      to[2 * i + 1] = odd_[i];
+    }
+    if (whole < count) to[2 * whole] = even_[whole];
+  }
+
+  double* work_;
+  const FilterPair& filters_;
+  const std::vector<Eigen::VectorXd>& details_;
+  std::vector<Level> levels_;
+  Buffer low_{};
+  Buffer high_{};
+  Buffer even_;
+  Buffer odd_;
+};
+
+// Work space of a transform in place. Levels of a signal shorter than the filter are longer than
+// it.
+class WorkSpace {
+ public:
+  WorkSpace(fog::Span<double> values, std::size_t longest)
+      : longer_(longest > values.size ? longest : 0),
+        data_(longer_.empty() ? values.data : longer_.data()) {}
+  double* data() const { return data_; }
+
+ private:
+  std::vector<double> longer_;
+  double* data_;
+};
 
 }  // namespace
 
@@ -114,41 +200,31 @@ int max_levels(std::size_t length, std::size_t taps) {
   return levels;
 }
 
-Decomposition decompose(fog::Span<const double> values, const std::vector<double>& lowpass,
-                        int levels, Extension extension) {
+Decomposition decompose(fog::Span<double> values, const std::vector<double>& lowpass, int levels,
+                        Extension extension) {
   const FilterPair filters(lowpass);
   Decomposition result;
-  result.length = values.size;
-  fog::Span<const double> input = values;
-  std::array<std::vector<double>, 2> approximations;  // used alternately
+  std::size_t size = values.size;
   for (int level = 0; level < levels; ++level) {
-    const std::size_t outputs = coefficients_of(input.size, filters);
-    std::vector<double>& low = approximations[static_cast<std::size_t>(level % 2)];
-    // Levels get shorter, unless they are shorter than the filter.
-    if (level < 2) low = std::vector<double>(std::max(outputs, filters.length()));
-    std::vector<double> high(outputs);
-    analyse_level(input, filters, extension, low.data(), high.data());
-    result.details.push_back(std::move(high));
-    input = {low.data(), outputs};
+    size = coefficients_of(size, filters);
+    result.details.emplace_back(size);
   }
-  result.approximation = std::vector<double>(input.size);
-  std::copy(input.begin(), input.end(), result.approximation.begin());
+  const WorkSpace work(values, filters.length());
+  if (work.data() != values.data) std::copy(values.begin(), values.end(), work.data());
+  Analysis(work.data(), values.size, filters, extension, result.details).run();
+  result.approximation =
+      Eigen::Map<const Eigen::VectorXd>(work.data(), static_cast<Eigen::Index>(size));
   return result;
 }
 
 void reconstruct(const Decomposition& decomposition, const std::vector<double>& lowpass,
                  fog::Span<double> values) {
   const FilterPair filters(lowpass);
-  // Levels grow in place. With a signal shorter than the filter they are longer than it.
-  const std::vector<double>& coarsest = decomposition.approximation;
-  std::vector<double> longer(coarsest.size() > values.size ? coarsest.size() : 0);
-  double* const work = longer.size() > 0 ? longer.data() : values.data;
-  std::copy(coarsest.begin(), coarsest.end(), work);
-  for (std::size_t level = decomposition.details.size(); level-- > 0;) {
-    const std::size_t size = level > 0 ? decomposition.details[level - 1].size() : values.size;
-    synthesise_level(decomposition.details[level].data(), filters, {work, size});
-  }
-  if (longer.size() > 0) std::copy_n(work, values.size, values.data);
+  const Eigen::VectorXd& coarsest = decomposition.approximation;
+  const WorkSpace work(values, static_cast<std::size_t>(coarsest.size()));
+  std::copy(coarsest.begin(), coarsest.end(), work.data());
+  Synthesis(work.data(), values.size, filters, decomposition.details).run();
+  if (work.data() != values.data) std::copy_n(work.data(), values.size, values.data);
 }
 
 }  // namespace fogcomp::denoise

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,20 +18,19 @@ enum class Extension : std::uint8_t {
 
 /// Orthogonal discrete wavelet transform of a signal (PyWavelets' wavedec).
 struct Decomposition {
-  std::vector<double> approximation;         ///< of the coarsest level
-  std::vector<std::vector<double>> details;  ///< [0] is level 1, the finest
-  std::size_t length = 0;                    ///< of the signal
+  Eigen::VectorXd approximation;         ///< of the coarsest level
+  std::vector<Eigen::VectorXd> details;  ///< [0] is level 1, the finest
 };
 
 /// Largest number of levels at which the filter is no longer than its input: PyWavelets'
 /// dwt_max_level. 0 for fewer than 2 (taps - 1) values.
 int max_levels(std::size_t length, std::size_t taps);
 
-/// Transforms `values` (at least one). Any number of levels works; above max_levels() a level is
-/// more extension than signal. A level of n values has (n + taps - 1) / 2 coefficients, rounded
-/// down.
-Decomposition decompose(fog::Span<const double> values, const std::vector<double>& lowpass,
-                        int levels, Extension extension = Extension::symmetric);
+/// Transforms `values` (at least one), which are work space afterwards. Any number of levels works;
+/// above max_levels() a level is more extension than signal. A level of n values has (n + taps - 1)
+/// / 2 coefficients, rounded down.
+Decomposition decompose(fog::Span<double> values, const std::vector<double>& lowpass, int levels,
+                        Extension extension = Extension::symmetric);
 
 /// Inverse transform, exact to rounding for either extension; `values` has the original length.
 void reconstruct(const Decomposition& decomposition, const std::vector<double>& lowpass,

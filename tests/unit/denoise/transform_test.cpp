@@ -53,8 +53,8 @@ TEST(WaveletTransform, IsReversibleForAnyLengthLevelAndExtension) {
     for (const std::size_t size : {1U, 2U, 3U, 29U, 511U, 512U, 513U, 1024U, 1025U, 5955U}) {
       const std::vector<double> signal = white_noise(size, 1);
       for (const auto extension : {Extension::symmetric, Extension::periodic}) {
-        const auto parts = decompose(view(signal), taps, 10, extension);
-        std::vector<double> again(size);
+        std::vector<double> again = signal;
+        const auto parts = decompose({again.data(), size}, taps, 10, extension);
         reconstruct(parts, taps, {again.data(), size});
         for (std::size_t i = 0; i < size; ++i) ASSERT_NEAR(again[i], signal[i], 1e-12) << name;
       }
@@ -68,6 +68,22 @@ TEST(WaveletTransform, AllowsTheLevelsThatTheLengthCarries) {
   EXPECT_EQ(max_levels(30, 16), 1);
   EXPECT_EQ(max_levels(480, 16), 5);
   EXPECT_EQ(max_levels(1024, 2), 10);
+}
+
+// Of so many values those about the median are sought first, between quantiles of a sample.
+TEST(NoiseOf, ManyValues_IsTheirMedianMagnitude) {
+  for (const std::size_t size : {32768U, 100'000U, 100'001U}) {
+    std::vector<double> wave(size);
+    for (std::size_t i = 0; i < size; ++i) wave[i] = i % 8 == 0 ? 3 : static_cast<double>(i % 7);
+    for (const std::vector<double>& values :
+         {white_noise(size, 3), wave, std::vector<double>(size, -2.5)}) {
+      std::vector<double> sorted;
+      for (const double value : values) sorted.push_back(std::abs(value));
+      std::sort(sorted.begin(), sorted.end());
+      const double median = (sorted[(size - 1) / 2] + sorted[size / 2]) / 2;
+      EXPECT_DOUBLE_EQ(noise_of(view(values)), median / 0.6745) << size;
+    }
+  }
 }
 
 TEST(OfflineDenoise, LeavesAConstantAsItIs) {
