@@ -32,9 +32,7 @@ void shrink_wavelet(fog::Span<double> values, const DenoiseMethod& method, Denoi
   const std::vector<double>& lowpass = lowpass_filter(method.wavelet);
   Decomposition parts = decompose(values, lowpass, method.levels, method.extension);
   Shrinkage shrinkage(method, report);
-  for (Eigen::VectorXd& details : parts.details) {
-    shrinkage({details.data(), static_cast<std::size_t>(details.size())});
-  }
+  for (const fog::Span<double> details : parts.details) shrinkage(details);
   reconstruct(parts, lowpass, values);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <utility>
 
 namespace fogcomp::denoise {
@@ -36,10 +37,10 @@ std::size_t coefficients_of(std::size_t length, const FilterPair& filters) {
 class Analysis {
  public:
   Analysis(double* work, std::size_t length, const FilterPair& filters, Extension extension,
-           std::vector<Eigen::VectorXd>& details)
+           const std::vector<fog::Span<double>>& details)
       : work_(work), filters_(filters), extension_(extension), details_(details) {
-    for (const Eigen::VectorXd& detail : details) {
-      levels_.push_back({length, static_cast<std::size_t>(detail.size()), 0, {}});
+    for (const fog::Span<double> detail : details) {
+      levels_.push_back({length, detail.size, 0, {}});
       length = levels_.back().outputs;
     }
   }
@@ -53,7 +54,7 @@ class Analysis {
       // The end of a level is mirrored or, in a periodic one, comes before the beginning.
       const bool inside = extension_ == Extension::symmetric && 2 * (level.done + count) <= there;
       if (!inside && there < level.inputs) return;
-      analyse_chunk(level, count, details_[number].data() + level.done);
+      analyse_chunk(level, count, details_[number].data + level.done);
       level.done += count;
       run(number + 1);
     }
@@ -109,7 +110,7 @@ class Analysis {
   double* work_;
   const FilterPair& filters_;
   Extension extension_;
-  std::vector<Eigen::VectorXd>& details_;
+  const std::vector<fog::Span<double>>& details_;
   std::vector<Level> levels_;
   Buffer even_{};
   Buffer odd_{};
@@ -122,11 +123,11 @@ class Analysis {
 class Synthesis {
  public:
   Synthesis(double* work, std::size_t length, const FilterPair& filters,
-            const std::vector<Eigen::VectorXd>& details)
+            const std::vector<fog::Span<double>>& details)
       : work_(work), filters_(filters), details_(details) {
-    for (const Eigen::VectorXd& detail : details) {
+    for (const fog::Span<double> detail : details) {
       levels_.push_back({length, (length + 1) / 2});
-      length = static_cast<std::size_t>(detail.size());
+      length = detail.size;
     }
   }
 
@@ -137,7 +138,7 @@ class Synthesis {
     while (2 * level.begin > first) {
       const std::size_t begin = (level.begin - 1) / kChunk * kChunk;
       run(number + 1, begin);
-      synthesise_chunk(details_[number].data(), begin, level);
+      synthesise_chunk(details_[number].data, begin, level);
       level.begin = begin;
     }
   }
@@ -169,7 +170,7 @@ class Synthesis {
 
   double* work_;
   const FilterPair& filters_;
-  const std::vector<Eigen::VectorXd>& details_;
+  const std::vector<fog::Span<double>>& details_;
   std::vector<Level> levels_;
   Buffer low_{};
   Buffer high_{};
@@ -203,25 +204,31 @@ int max_levels(std::size_t length, std::size_t taps) {
 Decomposition decompose(fog::Span<double> values, const std::vector<double>& lowpass, int levels,
                         Extension extension) {
   const FilterPair filters(lowpass);
+  std::vector<std::size_t> sizes;
+  for (std::size_t size = values.size; levels > 0; --levels) {
+    sizes.push_back(size = coefficients_of(size, filters));
+  }
+  const std::size_t coarsest = sizes.empty() ? values.size : sizes.back();
   Decomposition result;
-  std::size_t size = values.size;
-  for (int level = 0; level < levels; ++level) {
-    size = coefficients_of(size, filters);
-    result.details.emplace_back(size);
+  result.coefficients.reset(new double[std::accumulate(sizes.begin(), sizes.end(), coarsest)]);
+  result.approximation = {result.coefficients.get(), coarsest};
+  double* free = result.approximation.end();
+  for (const std::size_t size : sizes) {
+    result.details.push_back({free, size});
+    free += size;
   }
   const WorkSpace work(values, filters.length());
   if (work.data() != values.data) std::copy(values.begin(), values.end(), work.data());
   Analysis(work.data(), values.size, filters, extension, result.details).run();
-  result.approximation =
-      Eigen::Map<const Eigen::VectorXd>(work.data(), static_cast<Eigen::Index>(size));
+  std::copy_n(work.data(), coarsest, result.approximation.data);
   return result;
 }
 
 void reconstruct(const Decomposition& decomposition, const std::vector<double>& lowpass,
                  fog::Span<double> values) {
   const FilterPair filters(lowpass);
-  const Eigen::VectorXd& coarsest = decomposition.approximation;
-  const WorkSpace work(values, static_cast<std::size_t>(coarsest.size()));
+  const fog::Span<double> coarsest = decomposition.approximation;
+  const WorkSpace work(values, coarsest.size);
   std::copy(coarsest.begin(), coarsest.end(), work.data());
   Synthesis(work.data(), values.size, filters, decomposition.details).run();
   if (work.data() != values.data) std::copy_n(work.data(), values.size, values.data);

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/signal/span.hpp"
@@ -18,8 +18,9 @@ enum class Extension : std::uint8_t {
 
 /// Orthogonal discrete wavelet transform of a signal (PyWavelets' wavedec).
 struct Decomposition {
-  Eigen::VectorXd approximation;         ///< of the coarsest level
-  std::vector<Eigen::VectorXd> details;  ///< [0] is level 1, the finest
+  fog::Span<double> approximation;         ///< of the coarsest level
+  std::vector<fog::Span<double>> details;  ///< [0] is level 1, the finest
+  std::unique_ptr<double[]> coefficients;  ///< all of them: what the others point into
 };
 
 /// Largest number of levels at which the filter is no longer than its input: PyWavelets'

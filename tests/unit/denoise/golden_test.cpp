@@ -57,12 +57,12 @@ TEST(WaveletGolden, DecompositionsOfEveryFamilyAndAwkwardLengthAgree) {
     std::vector<double> again = signal;
     const auto parts =
         decompose({again.data(), again.size()}, taps, std::stoi(words[4]), extension);
-    const auto expect_as_stored = [&](const Eigen::VectorXd& values) {
+    const auto expect_as_stored = [&](fog::Span<double> values) {
       expect_near(std::vector<double>(values.begin(), values.end()),
                   fog::test::numbers(lines[at++], 1), what);
     };
     expect_as_stored(parts.approximation);
-    for (const Eigen::VectorXd& detail : parts.details) expect_as_stored(detail);
+    for (const fog::Span<double> detail : parts.details) expect_as_stored(detail);
     reconstruct(parts, taps, {again.data(), again.size()});
     expect_near(again, signal, what + " reconstructed");
   }
