@@ -11,7 +11,6 @@ namespace {
 using findings::Band;
 using findings::Curve;
 using findings::Level;
-using findings::Look;
 using findings::Plot;
 using findings::Text;
 
@@ -32,35 +31,9 @@ std::vector<double> rounded_for_axis(std::vector<double> values, bool logarithmi
   return values;
 }
 
-const char* name_of(Look look) {
-  switch (look) {
-    case Look::line:
-      return "line";
-    case Look::dashed:
-      return "dashed";
-    case Look::faint:
-      return "faint";
-    case Look::points:
-      return "points";
-    case Look::cloud:
-      break;
-  }
-  return "cloud";
-}
-
-const char* name_of(Plot::Kind kind) {
-  switch (kind) {
-    case Plot::Kind::linear:
-      return "linear";
-    case Plot::Kind::log_x:
-      return "log_x";
-    case Plot::Kind::log_log:
-      return "log_log";
-    case Plot::Kind::stacked:
-      break;
-  }
-  return "stacked";
-}
+// In the order of Look and of Plot::Kind; page/plots.js knows them by these names.
+constexpr const char* kLooks[] = {"line", "dashed", "faint", "points", "cloud"};
+constexpr const char* kKinds[] = {"linear", "log_x", "log_log", "stacked"};
 
 }  // namespace
 
@@ -81,7 +54,8 @@ Json plot_json(const Plot& plot) {
   for (const Curve& curve : plot.curves) {
     Json one = Json::object();
     one.set("label", curve.label.typeset()).set("colour", curve.colour);
-    one.set("look", name_of(curve.look)).set("y", rounded_for_axis(curve.y, log_y));
+    one.set("look", kLooks[static_cast<std::size_t>(curve.look)])
+        .set("y", rounded_for_axis(curve.y, log_y));
     if (!curve.x.empty()) one.set("x", rounded_for_axis(curve.x, log_x));
     if (!curve.sigma.empty()) one.set("sigma", rounded_for_axis(curve.sigma, true));
     curves.push(std::move(one));
@@ -91,7 +65,7 @@ Json plot_json(const Plot& plot) {
   });
   Json names = json_array(plot.names, [](const Text& name) { return Json(name.typeset()); });
   Json json = Json::object();
-  json.set("kind", name_of(plot.kind)).set("group", plot.group);
+  json.set("kind", kKinds[static_cast<std::size_t>(plot.kind)]).set("group", plot.group);
   json.set("x_label", plot.x_label.typeset()).set("y_label", plot.y_label.typeset());
   json.set("x", rounded_for_axis(plot.x, log_x)).set("names", std::move(names));
   json.set("curves", std::move(curves)).set("levels", std::move(levels));
