@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "compare/effect_shares.hpp"
 #include "compare/trained_range.hpp"
 #include "model/drift_model.hpp"
 #include "model/model.hpp"
@@ -14,6 +13,18 @@
 #include "series/rows.hpp"
 
 namespace fogcomp::compare {
+
+/// Contribution of one part of a model (an effect, or the network) on a run.
+struct EffectShare {
+  std::string name;
+  double mean_dph = 0;  ///< of its contribution
+  double std_dph = 0;   ///< of its contribution, about that mean
+  /// Increase of the residual's sum of squares without this part, with all others as fitted,
+  /// relative to that of the raw data; both about their means, because a constant is no drift.
+  /// Parts that are correlated in a run share their contribution, so the sum need not be 1. Below
+  /// 0: the run is described better without this part.
+  double share = 0;
+};
 
 /// Result of a model on one recording, in rows.
 struct Comparison {
@@ -54,6 +65,11 @@ struct Comparison {
   std::vector<double> bridged(std::vector<double> values) const;
   std::vector<double> counted(const std::vector<double>& values) const;
 };
+
+/// One value per row each; `part_dph`: contribution of one part.
+EffectShare share_of(const std::string& name, const std::vector<double>& part_dph,
+                     const std::vector<double>& residual_dph,
+                     const std::vector<double>& measured_dph);
 
 /// Whether an input varies by more than the rounding of its means.
 bool varies(const std::vector<double>& values);

@@ -1,4 +1,4 @@
-#include "compare/effect_shares.hpp"
+#include "compare/comparison.hpp"
 
 #include <gtest/gtest.h>
 
