@@ -2,7 +2,6 @@
 
 #include "board/settling_time.hpp"
 #include "findings/figures.hpp"
-#include "findings/network_words.hpp"
 #include "findings/run_plots.hpp"
 #include "findings/run_section.hpp"
 #include "support/text.hpp"

@@ -1,6 +1,6 @@
 #include "findings/findings.hpp"
 #include "findings/json.hpp"
-#include "findings/network_words.hpp"
+#include "model/catalogue.hpp"
 
 namespace fogcomp::findings {
 namespace {
@@ -31,10 +31,10 @@ Json added_terms_json(const fit::Addition& addition) {
   Json terms = Json::array();
   for (std::size_t i = 0; i < addition.changed.size(); ++i) {
     const model::EffectTerm& term = addition.model.terms[addition.changed[i]];
-    Json one = Json::object();
-    one.set("effect", term.name)
-        .set("parameters", parameters_json(term))
-        .set("coefficients", coefficients_json(term));
+    Json one = Json::object()
+                   .set("effect", term.name)
+                   .set("parameters", parameters_json(term))
+                   .set("coefficients", coefficients_json(term));
     if (!addition.parts.empty()) {
       one.set("alone", judged_json(addition.parts[i].alone))
           .set("beside", judged_json(addition.parts[i].beside));
@@ -59,6 +59,20 @@ Json runs_json(const std::vector<fit::Addition::RunError>& runs) {
 
 }  // namespace
 
+void set_parameters(Json& object, const model::EffectTerm& term) {
+  const model::TermInfo info = model::info_of(term);
+  for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+    object.set(info.parameters[i].name, model::shape_value(term, i).value);
+  }
+}
+
+void set_coefficients(Json& object, const model::EffectTerm& term) {
+  const model::TermInfo info = model::info_of(term);
+  for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
+    object.set(info.coefficients[i].symbol, model::natural_coefficient(term, i).value);
+  }
+}
+
 Json cuts_json(const std::vector<recording::Cut>& cuts) {
   return json_array(cuts, [](const recording::Cut& cut) { return Json(cut_text(cut)); });
 }
@@ -67,20 +81,21 @@ Json add_json(const fit::Addition& addition, const std::string& written) {
   const bool is_effect = !addition.changed.empty();
   const model::EffectTerm term =
       is_effect ? addition.model.terms[addition.changed.front()] : model::EffectTerm();
-  const std::optional<fit::OutOfSample>& judged = addition.out_of_sample;
+  using Judged = fit::OutOfSample;
+  const std::optional<Judged>& judged = addition.out_of_sample;
   Json notes = addition.fit.identified.warnings;
   if (addition.fit.training && !addition.model.network.present()) {
     notes.push(network_verdict(addition.fit));
   }
-  Json result = Json::object();
-  result.set("effect", addition.names().front())
+  return Json::object()
+      .set("effect", addition.names().front())
       .set("effects", addition.names())
       .set("terms", added_terms_json(addition))
       .set("accepted", addition.accepted)
       .set("reason", addition.reason)
       .set("row_s", addition.row_s)
-      .set("out_of_sample_rms_before_dph", judged ? Json(judged->rms_before_dph) : Json())
-      .set("out_of_sample_rms_after_dph", judged ? Json(judged->rms_after_dph) : Json())
+      .set("out_of_sample_rms_before_dph", member_or_null(judged, &Judged::rms_before_dph))
+      .set("out_of_sample_rms_after_dph", member_or_null(judged, &Judged::rms_after_dph))
       .set("out_of_sample_gain", judged ? Json(judged->score.gain) : Json())
       .set("out_of_sample_gain_sigma", judged ? Json(judged->score.standard_error) : Json())
       .set("far", json_array(addition.far,
@@ -92,8 +107,7 @@ Json add_json(const fit::Addition& addition, const std::string& written) {
       .set("parameters", is_effect ? parameters_json(term) : Json::object())
       .set("coefficients", is_effect ? coefficients_json(term) : Json::object())
       .set("notes", std::move(notes))
-      .set("model", written.empty() ? Json() : Json(written));
-  return result;
+      .set("model", text_or_null(written));
 }
 
 }  // namespace fogcomp::findings

@@ -45,10 +45,6 @@ Text seen(const std::vector<Curve>& slopes) {
   return text + ": dashed." + bars;
 }
 
-}  // namespace
-
-namespace {
-
 // Slopes of the fitted coefficients over these times.
 std::vector<Curve> slopes_of(const noise::NoiseCoefficients& fitted,
                              const std::vector<double>& tau_s) {
@@ -67,11 +63,8 @@ std::vector<Curve> slopes_of(const noise::NoiseCoefficients& fitted,
 }  // namespace
 
 Plot allan_plot(const std::vector<AllanCurve>& curves, const noise::NoiseCoefficients& fitted) {
-  Plot plot;
+  Plot plot{"Allan deviation in soaks.", "averaging time, s", "Allan deviation, deg/h", {}};
   plot.kind = Plot::Kind::log_log;
-  plot.title = "Allan deviation in soaks.";
-  plot.x_label = "averaging time, s";
-  plot.y_label = "Allan deviation, deg/h";
   for (const AllanCurve& curve : curves) {
     Curve points{curve.label, curve.colour, {}, {}, {}, Look::points};
     for (const noise::AllanPoint& point : curve.points) {
@@ -81,8 +74,8 @@ Plot allan_plot(const std::vector<AllanCurve>& curves, const noise::NoiseCoeffic
     }
     plot.curves.push_back(std::move(points));
   }
-  std::vector<double> sum(plot.curves.back().x.size());
   const std::vector<double> tau_s = plot.curves.back().x;
+  std::vector<double> sum(tau_s.size());
   std::vector<Curve> slopes = slopes_of(fitted, tau_s);
   for (const Curve& slope : slopes) {
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += slope.y[i] * slope.y[i];

@@ -6,12 +6,12 @@ namespace {
 Json brief_json(const std::optional<batch::GyroDiagnosis>& diagnosis) {
   if (!diagnosis) return Json();
   return Json::object()
-      .set("verdict", diagnosis->verdict.empty() ? Json() : Json(diagnosis->verdict))
+      .set("verdict", text_or_null(diagnosis->verdict))
       .set("effects", diagnosis->effects)
       .set("size_dph", diagnosis->size_dph)
       .set("probability", diagnosis->probability)
       .set("sentence", diagnosis->sentence)
-      .set("next", diagnosis->next.empty() ? Json() : Json(diagnosis->next));
+      .set("next", text_or_null(diagnosis->next));
 }
 
 Json outliers_json(const batch::Lot& lot, const std::string& gyro) {

@@ -6,18 +6,10 @@
 namespace fogcomp::findings {
 namespace {
 
-// One member of every element, as an array.
-template <class Element, class Member>
-std::vector<double> members(const std::vector<Element>& elements, Member member) {
-  std::vector<double> values;
-  for (const Element& element : elements) values.push_back(static_cast<double>(member(element)));
-  return values;
-}
-
 Json segment_json(const compare::Comparison::SegmentError& segment,
                   const std::optional<double>& floor_dph) {
-  Json object = Json::object();
-  object.set("name", segment.name)
+  return Json::object()
+      .set("name", segment.name)
       .set("rows", segment.rows.size())
       .set("mean_dph", segment.mean_dph)
       .set("std_dph", segment.std_dph)
@@ -26,7 +18,6 @@ Json segment_json(const compare::Comparison::SegmentError& segment,
       .set("raw_std_dph", segment.raw_std_dph)
       .set("raw_rms_dph", segment.raw_rms_dph)
       .set("drift_left_dph", compare::floor_removed(segment.rms_dph, floor_dph));
-  return object;
 }
 
 Json effects_json(const std::vector<compare::EffectShare>& effects) {
@@ -40,52 +31,47 @@ Json effects_json(const std::vector<compare::EffectShare>& effects) {
 }
 
 Json test_json(const compare::ResidualAnalysis& analysis, const compare::ClassTest& test) {
-  Json object = Json::object();
-  object.set("structured", test.structured())
+  return Json::object()
+      .set("structured", test.structured())
       .set("score", test.score)
       .set("share_of_excess", analysis.share_of_excess(test));
-  return object;
 }
 
 Json dependence_json(const compare::ResidualAnalysis& analysis,
                      const compare::Dependence& dependence) {
   using Bin = compare::ResidualBin;
-  Json object = test_json(analysis, dependence.test);
-  object.set("at", members(dependence.bins, [](const Bin& bin) { return bin.at; }))
-      .set("mean_dph", members(dependence.bins, [](const Bin& bin) { return bin.mean_dph; }))
-      .set("sigma_dph", members(dependence.bins, [](const Bin& bin) { return bin.sigma_dph; }))
-      .set("rows", members(dependence.bins, [](const Bin& bin) { return bin.rows; }));
-  return object;
+  return test_json(analysis, dependence.test)
+      .set("at", members(dependence.bins, &Bin::at))
+      .set("mean_dph", members(dependence.bins, &Bin::mean_dph))
+      .set("sigma_dph", members(dependence.bins, &Bin::sigma_dph))
+      .set("rows", members(dependence.bins, &Bin::rows));
 }
 
 Json loop_json(const compare::ResidualAnalysis& analysis) {
+  using Bin = compare::LoopBin;
   const compare::Loop& loop = analysis.history;
-  const compare::LoopBin* const widest = loop.widest();
-  Json object = test_json(analysis, loop.test);
-  object.set("loop_width_dph", widest != nullptr ? Json(std::abs(widest->width_dph())) : Json())
-      .set("loop_sigma_dph", widest != nullptr ? Json(widest->sigma_dph) : Json())
-      .set("loop_at_degc", widest != nullptr ? Json(widest->at_degc) : Json())
-      .set("at", members(loop.bins, [](const compare::LoopBin& bin) { return bin.at_degc; }))
-      .set("heating_dph",
-           members(loop.bins, [](const compare::LoopBin& bin) { return bin.heating_dph; }))
-      .set("cooling_dph",
-           members(loop.bins, [](const compare::LoopBin& bin) { return bin.cooling_dph; }))
-      .set("sigma_dph",
-           members(loop.bins, [](const compare::LoopBin& bin) { return bin.sigma_dph; }));
-  return object;
+  const Bin* const widest = loop.widest();
+  return test_json(analysis, loop.test)
+      .set("loop_width_dph",
+           member_or_null(widest, [](const Bin& bin) { return std::abs(bin.width_dph()); }))
+      .set("loop_sigma_dph", member_or_null(widest, &Bin::sigma_dph))
+      .set("loop_at_degc", member_or_null(widest, &Bin::at_degc))
+      .set("at", members(loop.bins, &Bin::at_degc))
+      .set("heating_dph", members(loop.bins, &Bin::heating_dph))
+      .set("cooling_dph", members(loop.bins, &Bin::cooling_dph))
+      .set("sigma_dph", members(loop.bins, &Bin::sigma_dph));
 }
 
 Json structure_json(const compare::Comparison& comparison,
                     const compare::ResidualAnalysis& analysis) {
-  Json offset = test_json(analysis, analysis.offset);
-  offset.set("sigma_dph", analysis.offset_sigma_dph);
   Json object = Json::object();
   object.set("excess_dph2", analysis.excess_dph2)
       .set("temperature_degc", dependence_json(analysis, analysis.temperature))
       .set("temperature_rate", dependence_json(analysis, analysis.rate))
       .set("time_s", dependence_json(analysis, analysis.time))
       .set("history", loop_json(analysis))
-      .set("offset", std::move(offset))
+      .set("offset",
+           test_json(analysis, analysis.offset).set("sigma_dph", analysis.offset_sigma_dph))
       .set("input_rate_share", analysis.input_rate_share);
   for (std::size_t i = 0; i < analysis.inputs.size(); ++i) {
     object.set(description_of(comparison.inputs[i].input).column,
@@ -96,26 +82,20 @@ Json structure_json(const compare::Comparison& comparison,
 
 Json autocorrelation_json(const compare::ResidualAnalysis& analysis) {
   using Lag = compare::LagCorrelation;
-  Json object = Json::object();
-  object.set("lag_s", members(analysis.autocorrelation, [](const Lag& lag) { return lag.lag_s; }))
-      .set("correlation",
-           members(analysis.autocorrelation, [](const Lag& lag) { return lag.correlation; }))
+  return Json::object()
+      .set("lag_s", members(analysis.autocorrelation, &Lag::lag_s))
+      .set("correlation", members(analysis.autocorrelation, &Lag::correlation))
       .set("white_band", analysis.white_band);
-  return object;
 }
 
 Json allan_json(const compare::ResidualAnalysis& analysis) {
-  const auto sigma = [](const noise::AllanPoint& point) { return point.sigma; };
-  const auto one_sigma = [](const noise::AllanPoint& point) { return point.one_sigma; };
-  Json object = Json::object();
-  object
-      .set("tau_s",
-           members(analysis.raw_allan, [](const noise::AllanPoint& point) { return point.tau_s; }))
-      .set("raw_dph", members(analysis.raw_allan, sigma))
-      .set("residual_dph", members(analysis.residual_allan, sigma))
-      .set("raw_one_sigma_dph", members(analysis.raw_allan, one_sigma))
-      .set("residual_one_sigma_dph", members(analysis.residual_allan, one_sigma));
-  return object;
+  using Point = noise::AllanPoint;
+  return Json::object()
+      .set("tau_s", members(analysis.raw_allan, &Point::tau_s))
+      .set("raw_dph", members(analysis.raw_allan, &Point::sigma))
+      .set("residual_dph", members(analysis.residual_allan, &Point::sigma))
+      .set("raw_one_sigma_dph", members(analysis.raw_allan, &Point::one_sigma))
+      .set("residual_one_sigma_dph", members(analysis.residual_allan, &Point::one_sigma));
 }
 
 Json outside_json(const compare::OutsideTraining& outside) {
@@ -148,8 +128,8 @@ Json run_json(const compare::ModelOnRun& run) {
       json_array(comparison.segments, [&](const compare::Comparison::SegmentError& segment) {
         return segment_json(segment, comparison.noise_floor_dph);
       });
-  Json object = Json::object();
-  object.set("file", comparison.file)
+  return Json::object()
+      .set("file", comparison.file)
       .set("rows", comparison.size())
       .set("outliers", comparison.outliers)
       .set("row_s", comparison.rows.row_s)
@@ -172,7 +152,6 @@ Json run_json(const compare::ModelOnRun& run) {
       .set("allan", allan_json(run.analysis))
       .set("band", run.band ? band_json(*run.band) : Json())
       .set("outside_training", outside_json(comparison.outside));
-  return object;
 }
 
 Json model_json(const compare::ModelOnRuns& model, Json object) {

@@ -80,16 +80,15 @@ Json candidates_json(const std::vector<diagnosis::CandidateFinding>& candidates)
 void set_verdict(Json& result, const diagnosis::Diagnosis& diagnosis,
                  const diagnosis::NextStep& next) {
   result.set("verdict", diagnosis::name_of(diagnosis.verdict));
-  result.set("effect", diagnosis.effect.empty() ? Json() : Json(diagnosis.effect));
+  result.set("effect", text_or_null(diagnosis.effect));
   std::vector<std::string> effects = next.together;
   if (effects.empty() && !diagnosis.effect.empty()) effects = {diagnosis.effect};
   result.set("effects", effects);
   result.set("confusable", diagnosis.confusable);
   const bool proposed = diagnosis.experiment && !diagnosis.experiment->sentence.empty();
-  const std::string experiment = proposed ? diagnosis.experiment->sentence : diagnosis.blind_spot;
-  result.set("experiment", experiment.empty() ? Json() : Json(experiment));
-  const bool recordable = proposed && !diagnosis.experiment->profile.empty();
-  result.set("experiment_profile", recordable ? Json(diagnosis.experiment->profile) : Json());
+  result.set("experiment",
+             text_or_null(proposed ? diagnosis.experiment->sentence : diagnosis.blind_spot));
+  result.set("experiment_profile", text_or_null(proposed ? diagnosis.experiment->profile : ""));
   result.set("candidates", candidates_json(diagnosis.candidates));
   Json untestable = json_array(diagnosis.untestable, [&](const diagnosis::Untestable& effect) {
     return Json::object().set("effect", effect.effect).set("needs", effect.needs);
@@ -107,12 +106,11 @@ void set_verdict(Json& result, const diagnosis::Diagnosis& diagnosis,
 // Size of the residual relative to the noise.
 void set_residual(Json& result, const diagnosis::Diagnosis& diagnosis) {
   result.set("residual_rms_dph", diagnosis.residual_rms_dph);
-  const std::optional<compare::BoardError>& given = diagnosis.as_given;
-  result.set("as_given", given
-                             ? Json::object()
-                                   .set("residual_rms_dph", given->rms_dph)
-                                   .set("residual_rms_without_delay_dph", given->without_delay_dph)
-                             : Json());
+  result.set("as_given", member_or_null(diagnosis.as_given, [](const compare::BoardError& given) {
+               return Json::object()
+                   .set("residual_rms_dph", given.rms_dph)
+                   .set("residual_rms_without_delay_dph", given.without_delay_dph);
+             }));
   result.set("outliers", diagnosis.outliers);
   result.set("noise_floor_dph", diagnosis.noise_floor_dph);
   result.set("unexplained_fraction", diagnosis.unexplained_fraction);
@@ -121,10 +119,6 @@ void set_residual(Json& result, const diagnosis::Diagnosis& diagnosis) {
                           .set("slow_dph", diagnosis.noise.wander_dph())
                           .set("freedom", diagnosis.noise.degrees_of_freedom)
                           .set("from_quiet_parts", diagnosis.noise.from_quiet_parts));
-}
-
-Json expression_json(const diagnosis::AdditionRequest& request) {
-  return request.expression.empty() ? Json() : Json(request.expression);
 }
 
 std::string kind_of(const diagnosis::AdditionRequest& request) {
@@ -141,23 +135,16 @@ Json description_json(const diagnosis::NextStep& next) {
   return Json::object()
       .set("kind", kind_of(trial.request))
       .set("effects", trial.request.effects)
-      .set("expression", expression_json(trial.request))
+      .set("expression", text_or_null(trial.request.expression))
       .set("rms_before_dph", trial.rms_before_dph)
       .set("rms_after_dph", trial.rms_after_dph);
-}
-
-// The command to type next; null if there is none.
-Json next_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
-               const DiagnosedFiles& files) {
-  const std::string command = words_of(diagnosis, next, files).command;
-  return command.empty() ? Json() : Json(command);
 }
 
 Json refused_json(const diagnosis::NextStep& next) {
   return json_array(next.refused, [](const diagnosis::TriedAddition& trial) {
     return Json::object()
         .set("effects", trial.request.effects)
-        .set("expression", expression_json(trial.request))
+        .set("expression", text_or_null(trial.request.expression))
         .set("reason", trial.reason);
   });
 }
@@ -170,7 +157,7 @@ Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::Next
   set_verdict(result, diagnosis, next);
   result.set("description", description_json(next));
   result.set("forms", forms_json(next.forms));
-  result.set("next", next_json(diagnosis, next, files));
+  result.set("next", text_or_null(words_of(diagnosis, next, files).command));
   result.set("refused", refused_json(next));
   result.set("fast", fast_json(diagnosis));
   result.set("where", Json::object()
@@ -188,11 +175,12 @@ Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::Next
 }
 
 Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files) {
+  using Judged = model::HistoryEntry::Holdout;
   Json steps = json_array(ladder.steps, [&](const diagnosis::Ladder::Step& step) {
     const diagnosis::TriedAddition& tried = step.addition;
     return Json::object()
         .set("effects", tried.request.effects)
-        .set("expression", expression_json(tried.request))
+        .set("expression", text_or_null(tried.request.expression))
         .set("cuts", cuts_json(tried.request.cuts))
         .set("describes", step.describes)
         .set("alternatives", step.alternatives)
@@ -200,16 +188,14 @@ Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files) {
         .set("rms_after_dph", tried.fitted_after_dph)
         .set("out_of_sample_rms_before_dph", tried.rms_before_dph)
         .set("out_of_sample_rms_after_dph", tried.rms_after_dph)
-        .set("holdout_rms_before_dph",
-             tried.holdouts ? Json(tried.holdouts->rms_before_dph) : Json())
-        .set("holdout_rms_after_dph",
-             tried.holdouts ? Json(tried.holdouts->rms_after_dph) : Json());
+        .set("holdout_rms_before_dph", member_or_null(tried.holdouts, &Judged::rms_before_dph))
+        .set("holdout_rms_after_dph", member_or_null(tried.holdouts, &Judged::rms_after_dph));
   });
   Json result = diagnosis_json(ladder.first, ladder.next, files);
   result.set("added", ladder.added()).set("described", ladder.described());
   result.set("ladder", std::move(steps));
   result.set("commands", ladder_commands(ladder, files));
-  result.set("model", files.output.empty() ? Json() : Json(files.output));
+  result.set("model", text_or_null(files.output));
   diagnosis::NextStep nothing_holds;
   nothing_holds.refused = ladder.last_next.refused;
   result.set("last", diagnosis_json(ladder.last, nothing_holds, files));

@@ -81,6 +81,9 @@ Table error_ladder(const model::Model& model);
 /// deviations. Nothing without a prior.
 void add_prior(Document& document, const workflow::FitOutcome& fit);
 
+/// Result of the comparison of a network with the effects alone, one line; "" without one.
+std::string network_verdict(const fit::FitResult& fit);
+
 /// One sentence for each bias but the first, where power-ons and parts of cut runs have their own.
 std::vector<Text> own_bias_words(const fit::Identification& identified);
 

@@ -4,7 +4,6 @@
 
 #include "findings/compare_words.hpp"
 #include "findings/figures.hpp"
-#include "findings/network_words.hpp"
 #include "findings/run_section.hpp"
 #include "fit/decision_rules.hpp"
 #include "noise/outlier_rows.hpp"
@@ -117,6 +116,14 @@ void add_ladder(Document& document, const FitOutcome& fit) {
 }
 
 }  // namespace
+
+std::string network_verdict(const fit::FitResult& fit) {
+  if (!fit.network_judged) return "";
+  const fit::OutOfSample& judged = *fit.network_judged;
+  const std::string figures = fit::out_of_sample_words(judged);
+  return fit::helps(judged) ? "network: helps out of sample: " + figures
+                            : "network: nothing left that it can learn: " + figures + ": none kept";
+}
 
 std::vector<Text> own_bias_words(const fit::Identification& identified) {
   std::vector<Text> sentences;

@@ -1,15 +1,10 @@
+#include "findings/findings.hpp"
 #include "findings/json.hpp"
-#include "findings/network_words.hpp"
 
 namespace fogcomp::findings {
 namespace {
 
 using workflow::FitOutcome;
-
-template <class Figures>
-Json each(const Figures& figures, double Figures::value_type::*figure) {
-  return json_array(figures, [&](const auto& one) { return Json(one.*figure); });
-}
 
 // The gyro's own values, and those with which the board makes up for its delay.
 Json terms_json(const model::Model& model) {
@@ -20,12 +15,12 @@ Json terms_json(const model::Model& model) {
     const auto& coefficients_dph = term.gyro ? term.gyro->coefficients_dph : term.coefficients_dph;
     return Json::object()
         .set("effect", term.name)
-        .set("parameters", each(shape, &model::Estimate::value))
-        .set("parameter_sigma", each(shape, &model::Estimate::sigma))
-        .set("coefficients_dph", each(coefficients_dph, &model::Estimate::value))
-        .set("sigma_dph", each(coefficients_dph, &model::Estimate::sigma))
-        .set("board_parameters", each(term.parameters, &model::Parameter::value))
-        .set("board_coefficients_dph", each(term.coefficients_dph, &model::Estimate::value));
+        .set("parameters", members(shape, &model::Estimate::value))
+        .set("parameter_sigma", members(shape, &model::Estimate::sigma))
+        .set("coefficients_dph", members(coefficients_dph, &model::Estimate::value))
+        .set("sigma_dph", members(coefficients_dph, &model::Estimate::sigma))
+        .set("board_parameters", members(term.parameters, &model::Parameter::value))
+        .set("board_coefficients_dph", members(term.coefficients_dph, &model::Estimate::value));
   });
 }
 
@@ -48,16 +43,14 @@ Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
   result.set("delay_rms_dph", fit.delay_rms_dph);
   const auto& better = fit.better_derivative;
   result.set(
-      "better_derivative",
-      better
-          ? Json::object().set("tau_s", better->tau_s).set("delay_rms_dph", better->delay_rms_dph)
-          : Json());
+      "better_derivative", member_or_null(better, [](const fit::DerivativeChoice& choice) {
+        return Json::object().set("tau_s", choice.tau_s).set("delay_rms_dph", choice.delay_rms_dph);
+      }));
   result.set("masked_rows", identified.masked);
   result.set("effects", terms_json(fit.model));
   result.set("prior", prior_json(fit));
   result.set("network_hidden", static_cast<int>(fit.model.network.hidden.biases.size()));
-  const std::optional<double> determined = fit.determined_weights();
-  result.set("network_effective_parameters", determined ? Json(*determined) : Json());
+  result.set("network_effective_parameters", fit.determined_weights());
   const std::optional<fit::OutOfSample>& judged = fit.result.network_judged;
   result.set("network_gain", judged ? Json(judged->score.gain) : Json());
   return result;

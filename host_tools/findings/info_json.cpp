@@ -5,14 +5,6 @@
 namespace fogcomp::findings {
 namespace {
 
-Json value_or_null(const std::optional<noise::NoiseCoefficient>& coefficient) {
-  return coefficient ? Json(coefficient->value) : Json();
-}
-
-Json half_width_or_null(const std::optional<noise::NoiseCoefficient>& coefficient) {
-  return coefficient ? Json(coefficient->half_width_95) : Json();
-}
-
 const char* kind_name(recording::SegmentKind kind) {
   if (kind == recording::SegmentKind::soak) return "soak";
   return kind == recording::SegmentKind::ramp_up ? "ramp_up" : "ramp_down";
@@ -36,27 +28,23 @@ Json segments_json(const std::vector<compare::SegmentSummary>& segments) {
 }
 
 Json allan_json(const std::vector<noise::AllanPoint>& points) {
-  std::vector<double> tau_s;
-  std::vector<double> sigma_dph;
-  std::vector<double> one_sigma_dph;
-  for (const noise::AllanPoint& point : points) {
-    tau_s.push_back(point.tau_s);
-    sigma_dph.push_back(point.sigma);
-    one_sigma_dph.push_back(point.one_sigma);
-  }
+  using Point = noise::AllanPoint;
   return Json::object()
-      .set("tau_s", tau_s)
-      .set("sigma_dph", sigma_dph)
-      .set("one_sigma_dph", one_sigma_dph);
+      .set("tau_s", members(points, &Point::tau_s))
+      .set("sigma_dph", members(points, &Point::sigma))
+      .set("one_sigma_dph", members(points, &Point::one_sigma));
 }
 
 void set_coefficients(Json& object, const noise::NoiseCoefficients& noise,
-                      Json (*as_json)(const std::optional<noise::NoiseCoefficient>&)) {
-  object.set("angle_random_walk_dprh", as_json(noise.angle_random_walk_dprh))
-      .set("bias_instability_dph", as_json(noise.bias_instability_dph))
-      .set("rate_random_walk_dphrh", as_json(noise.rate_random_walk_dphrh))
-      .set("rate_ramp_dphh", as_json(noise.rate_ramp_dphh))
-      .set("quantization_deg", as_json(noise.quantization_deg));
+                      double noise::NoiseCoefficient::*figure) {
+  const auto set = [&](const char* name, const std::optional<noise::NoiseCoefficient>& one) {
+    object.set(name, member_or_null(one, figure));
+  };
+  set("angle_random_walk_dprh", noise.angle_random_walk_dprh);
+  set("bias_instability_dph", noise.bias_instability_dph);
+  set("rate_random_walk_dphrh", noise.rate_random_walk_dphrh);
+  set("rate_ramp_dphh", noise.rate_ramp_dphh);
+  set("quantization_deg", noise.quantization_deg);
 }
 
 Json capture_json(const recording::CaptureCounts& counts) {
@@ -91,9 +79,9 @@ Json info_json(const recording::Recording& recording, const compare::RunSummary&
       .set("noise_floor_dph", summary.noise_floor_dph)
       .set("segments", segments_json(summary.segments))
       .set("allan", allan_json(summary.allan));
-  set_coefficients(object, summary.noise, value_or_null);
+  set_coefficients(object, summary.noise, &noise::NoiseCoefficient::value);
   Json half_widths = Json::object();
-  set_coefficients(half_widths, summary.noise, half_width_or_null);
+  set_coefficients(half_widths, summary.noise, &noise::NoiseCoefficient::half_width_95);
   if (recording.capture) object.set("capture", capture_json(*recording.capture));
   const compare::TemperatureSensitivity& sensitivity = summary.sensitivity;
   object.set("half_width_95", std::move(half_widths))

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,27 @@
 
 /// Output of `--json`: every value of a finding, by stable names.
 namespace fogcomp::findings {
+
+/// Array of a member of each element, or of what a function of each returns.
+template <class Elements, class Member>
+Json members(const Elements& elements, Member member) {
+  return json_array(elements,
+                    [&](const auto& element) { return Json(std::invoke(member, element)); });
+}
+
+/// What is known of something, else null.
+template <class Value, class Member>
+Json member_or_null(const Value* value, Member member) {
+  return value == nullptr ? Json() : Json(std::invoke(member, *value));
+}
+template <class Value, class Member>
+Json member_or_null(const std::optional<Value>& value, Member member) {
+  return member_or_null(value ? &*value : nullptr, member);
+}
+/// A text, null if it is empty.
+inline Json text_or_null(const std::string& text) {
+  return text.empty() ? Json() : Json(text);
+}
 
 Json info_json(const recording::Recording& recording, const compare::RunSummary& summary,
                const std::vector<planning::VisibleSize>& visible = {});

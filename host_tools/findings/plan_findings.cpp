@@ -70,13 +70,8 @@ Table steps_table(const planning::Plan& plan) {
 }
 
 Plot programme_plot(const planning::Plan& plan) {
-  Plot plot;
-  plot.title = "Programme";
-  plot.x_label = "time, h";
-  plot.y_label = "set point, degC";
-  Curve curve;
-  curve.label = "chamber";
-  curve.colour = "model";
+  Plot plot{"Programme", "time, h", "set point, degC", {}};
+  Curve curve{"chamber", "model", {}};
   double now_degc = plan.start_degc;
   double minutes = 0;
   const auto add = [&] {

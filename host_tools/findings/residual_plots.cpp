@@ -1,10 +1,9 @@
-#include "findings/residual_plots.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "findings/allan_plot.hpp"
 #include "findings/figures.hpp"
+#include "findings/run_section.hpp"
 #include "noise/autocorrelation.hpp"
 #include "noise/noise_coefficients.hpp"
 #include "noise/spectral_density.hpp"
@@ -15,25 +14,22 @@ namespace fogcomp::findings {
 namespace {
 
 Plot band_plot(const compare::ModelOnRun& judged) {
-  Plot plot;
   const std::optional<compare::PredictiveBand>& band = judged.band;
-  if (!band) return plot;
-  Curve residual{"residual", "residual", band->residual_dph};
-  residual.look = Look::points;
-  Curve above{"2 sigma", "model", {}};
-  above.look = Look::dashed;
-  Curve below = above;
-  plot.title =
+  if (!band) return {};
+  Plot plot{
       words(format("Means of the residual over %.3g min, and the band that the model promises.",
-                   band->row_s / kSecondsPerMinute));
-  plot.x_label = "time, h";
-  plot.y_label = "residual, deg/h";
+                   band->row_s / kSecondsPerMinute)),
+      "time, h",
+      "residual, deg/h",
+      {}};
+  Curve above{"2 sigma", "model", {}, {}, {}, Look::dashed};
+  Curve below = above;
   for (std::size_t i = 0; i < band->time_s.size(); ++i) {
     plot.x.push_back(band->time_s[i] / kSecondsPerHour);
     above.y.push_back(2 * band->sigma_dph[i]);
     below.y.push_back(-2 * band->sigma_dph[i]);
   }
-  plot.curves = {above, below, residual};
+  plot.curves = {above, below, {"residual", "residual", band->residual_dph, {}, {}, Look::points}};
   plot.caption = words(format("Within 1 sigma: %.0f %%, within 2: %.0f %%.",
                               100 * band->share_within(1), 100 * band->share_within(2)));
   return plot;
@@ -50,65 +46,62 @@ Plot soaks_plot(const Models& models, std::size_t run) {
   return allan_plot(curves, noise::fit_noise_coefficients(best.residual_allan));
 }
 
-// A curve of what is measured, then one of each residual, the best on top. `curve_of` gives x, y
-// and sigma of the values of each row.
+// `curve_of` of each model's residual on the run, the best on top; `alone`: the label of a single
+// model. None at all if one has fewer than two points.
 template <class CurveOf>
-void before_and_after(Plot& plot, const Models& models, std::size_t run, const CurveOf& curve_of) {
-  const std::vector<Text> names = labels(models, "after");
-  const auto add = [&](const Text& name, const std::string& colour, Look look,
-                       const compare::Comparison& comparison, const std::vector<double>& values) {
-    Curve curve = curve_of(comparison, comparison.bridged(values));
-    curve.label = name;
-    curve.colour = colour;
-    curve.look = look;
-    if (curve.x.size() > 1) plot.curves.push_back(std::move(curve));
-  };
-  const compare::Comparison& best = on_run(*models[0], run);
-  add("before", "measured", Look::line, best, best.measured_dph());
+std::vector<Curve> curves_of(const Models& models, std::size_t run, const Text& alone,
+                             const CurveOf& curve_of) {
+  const std::vector<Text> names = labels(models, alone);
+  std::vector<Curve> curves;
   for (std::size_t i = models.size(); i-- > 0;) {
     const compare::Comparison& comparison = on_run(*models[i], run);
-    add(names[i], residual_colour(i), look_of(i), comparison, comparison.residuals_dph());
+    Curve curve = curve_of(comparison, comparison.residuals_dph());
+    if (curve.x.size() < 2) return {};
+    curve.label = names[i];
+    curve.colour = residual_colour(i);
+    curve.look = look_of(i);
+    curves.push_back(std::move(curve));
   }
+  return curves;
+}
+
+// Of the whole run, first what is measured, then the residuals, on logarithmic axes: members of the
+// points that `points_of` gives.
+template <class Point>
+Plot before_and_after(const Models& models, std::size_t run, Plot plot,
+                      std::vector<Point> (*points_of)(const std::vector<double>& values,
+                                                      const std::vector<recording::RowRange>& rows,
+                                                      double row_s),
+                      double Point::*x, double Point::*y) {
+  const auto curve_of = [&](const compare::Comparison& of, const std::vector<double>& values) {
+    Curve curve{"before", "measured", {}};
+    for (const Point& point : points_of(of.bridged(values), of.rows.stretches(), of.rows.row_s)) {
+      curve.x.push_back(point.*x);
+      curve.y.push_back(point.*y);
+      curve.sigma.push_back(point.one_sigma);
+    }
+    return curve;
+  };
+  plot.kind = Plot::Kind::log_log;
+  plot.curves = curves_of(models, run, "after", curve_of);
+  if (plot.curves.empty()) return plot;
+  const compare::Comparison& best = on_run(*models[0], run);
+  plot.curves.insert(plot.curves.begin(), curve_of(best, best.measured_dph()));
+  return plot;
 }
 
 Plot whole_run_plot(const Models& models, std::size_t run) {
-  Plot plot;
-  plot.kind = Plot::Kind::log_log;
-  plot.title = "Allan deviation of the whole run.";
-  plot.x_label = "averaging time, s";
-  plot.y_label = "Allan deviation, deg/h";
+  Plot plot{"Allan deviation of the whole run.", "averaging time, s", "Allan deviation, deg/h", {}};
   plot.caption = "Ramps included: before, long times have the drift. Bars: one standard deviation.";
-  before_and_after(plot, models, run, [](const compare::Comparison& of, const auto& values) {
-    Curve curve;
-    for (const noise::AllanPoint& point :
-         noise::allan_deviation(values, of.rows.stretches(), of.rows.row_s)) {
-      curve.x.push_back(point.tau_s);
-      curve.y.push_back(point.sigma);
-      curve.sigma.push_back(point.one_sigma);
-    }
-    return curve;
-  });
-  return plot;
+  return before_and_after(models, run, std::move(plot), noise::allan_deviation,
+                          &noise::AllanPoint::tau_s, &noise::AllanPoint::sigma);
 }
 
 Plot spectrum_plot(const Models& models, std::size_t run) {
-  Plot plot;
-  plot.kind = Plot::Kind::log_log;
-  plot.title = "Spectrum of the whole run.";
-  plot.x_label = "frequency, Hz";
-  plot.y_label = "amplitude density, deg/h/sqrt(Hz)";
+  Plot plot{"Spectrum of the whole run.", "frequency, Hz", "amplitude density, deg/h/sqrt(Hz)", {}};
   plot.caption = "White noise is level, and a line is a peak. Bars: one standard deviation.";
-  before_and_after(plot, models, run, [](const compare::Comparison& of, const auto& values) {
-    Curve curve;
-    for (const noise::SpectralPoint& point :
-         noise::spectral_density(values, of.rows.stretches(), of.rows.row_s)) {
-      curve.x.push_back(point.frequency_hz);
-      curve.y.push_back(point.density);
-      curve.sigma.push_back(point.one_sigma);
-    }
-    return curve;
-  });
-  return plot;
+  return before_and_after(models, run, std::move(plot), noise::spectral_density,
+                          &noise::SpectralPoint::frequency_hz, &noise::SpectralPoint::density);
 }
 
 // The residual in the order of its size, over what a normal distribution has there: evenly along
@@ -130,23 +123,17 @@ Curve quantiles_of(const std::vector<double>& sorted) {
 
 Plot quantile_plot(const Models& models, std::size_t run) {
   constexpr std::size_t kMinRows = 30;
-  Plot plot;
-  plot.title = "Residual against a normal distribution.";
-  plot.x_label = "quantile of the normal distribution, standard deviations";
-  plot.y_label = "residual, deg/h";
+  Plot plot{"Residual against a normal distribution.",
+            "quantile of the normal distribution, standard deviations", "residual, deg/h",
+            curves_of(models, run, "residual",
+                      [](const compare::Comparison& of, const std::vector<double>& residual) {
+                        std::vector<double> values = of.counted(residual);
+                        std::sort(values.begin(), values.end());
+                        return values.size() < kMinRows ? Curve() : quantiles_of(values);
+                      })};
+  if (plot.curves.empty()) return plot;
+  for (Curve& curve : plot.curves) curve.look = Look::points;
   plot.caption = "Noise lies on the dashed line. Ends that bend off it: more large values.";
-  const std::vector<Text> names = labels(models, "residual");
-  for (std::size_t i = models.size(); i-- > 0;) {
-    const compare::Comparison& comparison = on_run(*models[i], run);
-    std::vector<double> values = comparison.counted(comparison.residuals_dph());
-    if (values.size() < kMinRows) return {};
-    std::sort(values.begin(), values.end());
-    Curve curve = quantiles_of(values);
-    curve.label = names[i];
-    curve.colour = residual_colour(i);
-    curve.look = Look::points;
-    plot.curves.push_back(std::move(curve));
-  }
   const compare::Comparison::SegmentError& whole = on_run(*models[0], run).whole;
   Curve line{"normal", "mark", {}, {}, {}, Look::dashed};
   for (const double end : {plot.curves.back().x.front(), plot.curves.back().x.back()}) {
@@ -192,54 +179,44 @@ Curve normal_curve(std::size_t rows, double mean, double sigma) {
 }
 
 Plot histogram_plot(const Models& models, std::size_t run) {
-  Plot plot;
-  plot.title = "Distribution of the residual.";
-  plot.x_label = "residual, deg/h";
-  plot.y_label = "rows";
   const compare::Comparison::SegmentError& whole = on_run(*models[0], run).whole;
   if (!(whole.std_dph > 0)) return {};
-  const std::vector<Text> names = labels(models, "residual");
   std::size_t rows = 0;
-  for (std::size_t i = models.size(); i-- > 0;) {
-    const compare::Comparison& comparison = on_run(*models[i], run);
-    const std::vector<double> values = comparison.counted(comparison.residuals_dph());
-    rows = values.size();
-    if (rows < kBins) return {};
-    Curve curve = histogram_of(values, whole.mean_dph, whole.std_dph);
-    curve.label = names[i];
-    curve.colour = residual_colour(i);
-    curve.look = look_of(i);
-    plot.curves.push_back(std::move(curve));
-  }
+  Plot plot{"Distribution of the residual.", "residual, deg/h", "rows",
+            curves_of(models, run, "residual",
+                      [&](const compare::Comparison& of, const std::vector<double>& residual) {
+                        const std::vector<double> values = of.counted(residual);
+                        rows = values.size();
+                        return rows < kBins ? Curve()
+                                            : histogram_of(values, whole.mean_dph, whole.std_dph);
+                      })};
+  if (plot.curves.empty()) return plot;
   plot.curves.push_back(normal_curve(rows, whole.mean_dph, whole.std_dph));
   plot.caption = "Dashed: a normal distribution of the same mean and standard deviation.";
   return plot;
 }
 
-Plot correlation_plot(const Models& models, std::size_t run) {
+Curve correlations_of(const compare::Comparison& comparison,
+                      const std::vector<double>& residual_dph) {
   constexpr std::size_t kLags = 100;
-  const std::vector<Text> names = labels(models, "residual");
-  Plot plot;
-  plot.title = "Autocorrelation of the residual.";
-  plot.x_label = "lag, s";
-  plot.y_label = "correlation";
-  for (std::size_t i = models.size(); i-- > 0;) {
-    const compare::Comparison& comparison = on_run(*models[i], run);
-    const std::vector<double> residual = comparison.bridged(comparison.residuals_dph());
-    Curve curve{names[i], residual_colour(i), {}, {}, {}, look_of(i)};
-    for (std::size_t lag = 1; lag <= std::min(kLags, residual.size() / 4); ++lag) {
-      curve.x.push_back(static_cast<double>(lag) * comparison.rows.row_s);
-      curve.y.push_back(noise::autocorrelation(residual, comparison.rows.stretches(), lag));
-    }
-    if (curve.x.size() < 2) return {};
-    plot.curves.push_back(std::move(curve));
+  const std::vector<double> residual = comparison.bridged(residual_dph);
+  Curve curve;
+  for (std::size_t lag = 1; lag <= std::min(kLags, residual.size() / 4); ++lag) {
+    curve.x.push_back(static_cast<double>(lag) * comparison.rows.row_s);
+    curve.y.push_back(noise::autocorrelation(residual, comparison.rows.stretches(), lag));
   }
+  return curve;
+}
+
+Plot correlation_plot(const Models& models, std::size_t run) {
+  Plot plot{"Autocorrelation of the residual.", "lag, s", "correlation",
+            curves_of(models, run, "residual", correlations_of)};
+  if (plot.curves.empty()) return plot;
   const double band = models[0]->runs[run].analysis.white_band;
-  const Curve& best = plot.curves.back();
   plot.caption =
       words(format("%.2f from one row to the next; white noise stays between the dashed "
                    "lines, +-%.2f, 95 times in 100.",
-                   best.y[0], band));
+                   plot.curves.back().y[0], band));
   plot.levels = {{"white noise", band}, {"", -band}};
   return plot;
 }
@@ -249,10 +226,7 @@ Plot correlation_plot(const Models& models, std::size_t run) {
 Plot scale_factor_plot(const compare::ModelOnRun& judged) {
   constexpr double kStands = 0.05;  // of the largest rate
   constexpr double kPpm = 1e6;
-  Plot plot;
-  plot.title = "Scale-factor error left.";
-  plot.x_label = "input rate, deg/h";
-  plot.y_label = "residual per input rate, ppm";
+  Plot plot{"Scale-factor error left.", "input rate, deg/h", "residual per input rate, ppm", {}};
   plot.caption = "A point for each rate of the table. Bars: one standard deviation.";
   const auto& inputs = judged.comparison.inputs;
   for (std::size_t i = 0; i < inputs.size(); ++i) {

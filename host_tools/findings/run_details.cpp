@@ -1,9 +1,8 @@
-#include "findings/run_details.hpp"
-
 #include <cmath>
 
 #include "findings/figures.hpp"
 #include "findings/labels.hpp"
+#include "findings/run_section.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::findings {

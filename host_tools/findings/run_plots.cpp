@@ -31,10 +31,7 @@ const char* shade_of(recording::SegmentKind kind) {
 
 Plot plot_over_time(const Text& title, const Text& y_label, const TimeAxis& axis,
                     const std::vector<double>& time_s) {
-  Plot plot;
-  plot.title = title;
-  plot.x_label = "time since power-on, h";
-  plot.y_label = y_label;
+  Plot plot{title, "time since power-on, h", y_label, {}};
   plot.group = axis.group;
   for (const double time : time_s) plot.x.push_back(time / kSecondsPerHour);
   plot.bands = bands_of(axis.segments);
@@ -121,10 +118,7 @@ Plot branch_plot(const Text& title, const Text& x_label, const Text& y_label,
                  const std::vector<double>& x, const std::vector<double>& y,
                  const std::vector<compare::Branch>& branch) {
   const std::size_t per_point = rows_per_point(x.size());
-  Plot plot;
-  plot.title = title;
-  plot.x_label = x_label;
-  plot.y_label = y_label;
+  Plot plot{title, x_label, y_label, {}};
   const auto add = [&](const Text& label, const char* colour, compare::Branch wanted) {
     Cloud cloud = thinned(x, y, branch, wanted, per_point);
     if (cloud.x.empty()) return;

@@ -7,8 +7,6 @@
 #include "findings/compared_models.hpp"
 #include "findings/figures.hpp"
 #include "findings/labels.hpp"
-#include "findings/residual_plots.hpp"
-#include "findings/run_details.hpp"
 #include "findings/run_plots.hpp"
 #include "support/text.hpp"
 

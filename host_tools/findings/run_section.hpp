@@ -13,6 +13,15 @@ namespace fogcomp::findings {
 /// plots of different runs are not linked. `shown`: place of its sentences and main table.
 void add_run(Document& document, const Models& models, std::size_t run, Shown shown);
 
+/// What is left of a run, before and after the models: against the band that the best model
+/// promises, its Allan deviation in soaks and over the whole run, spectrum, distribution,
+/// correlation, and scale-factor error. Those for which the run suffices.
+std::vector<Plot> residual_plots(const Models& models, std::size_t run);
+
+/// The plots of a run as values for a terminal: dependences, loop, Allan deviation,
+/// autocorrelation.
+void add_details(Document& document, const compare::ModelOnRun& judged);
+
 /// The runs' files for a command line, each preceded by a space.
 std::vector<std::string> run_files(const compare::ModelOnRuns& model);
 

@@ -13,7 +13,7 @@
 #include "findings/diagnosis_words.hpp"
 #include "findings/findings.hpp"
 #include "findings/json.hpp"
-#include "findings/residual_plots.hpp"
+#include "findings/run_section.hpp"
 #include "findings/text.hpp"
 #include "model/model_file.hpp"
 #include "recording/column_map.hpp"
@@ -24,7 +24,6 @@
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
-#include "workbench/model_json.hpp"
 #include "workflow/info.hpp"
 
 namespace fogcomp::workbench {

@@ -11,7 +11,7 @@
 #include "diagnosis/next_step.hpp"
 #include "fit/known_regressors.hpp"
 #include "support/json.hpp"
-#include "workbench/run_view.hpp"
+#include "workbench/views.hpp"
 #include "workflow/reading.hpp"
 
 namespace fogcomp::workbench {

@@ -5,10 +5,18 @@
 #include <vector>
 
 #include "compare/model_on_runs.hpp"
+#include "model/model.hpp"
 #include "support/json.hpp"
 
-/// What the page shows of a recording under a model.
+/// What the page shows: a model, and a recording under it.
 namespace fogcomp::workbench {
+
+/// The terms of a model: coefficients and shape parameters with standard deviations in their
+/// natural units, and the bounds of each shape parameter.
+Json terms_json(const model::Model& model);
+
+/// A model: its file ("text"), terms, history and options of its rows.
+Json model_json(const model::Model& model);
 
 /// The sentences of `compare`, the segments to be shaded, and the columns that the residual can be
 /// drawn over, with the labels of their axes.
