@@ -7,19 +7,19 @@
 #include "series/signal_series.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
+#include "workflow/fit.hpp"
 
 namespace fogcomp::workflow {
 namespace {
 
 constexpr double kUsualAverageSeconds = 10;
-constexpr double kUsualDerivative_s = 30;  // as in FitRequest
-constexpr Eigen::Index kMinRows = 60;      // fewer show no noise beside the effects
+constexpr Eigen::Index kMinRows = 60;  // fewer show no noise beside the effects
 
 std::vector<planning::VisibleSize> visible_sizes(const compare::RunSummary& summary,
                                                  double length_s) {
   model::Model settings;
   settings.average_s = runs::sufficient_row_s(length_s);
-  settings.derivative_tau_s = kUsualDerivative_s;
+  settings.derivative_tau_s = kDerivativeTau_s;
   const series::BlockSeries blocks = series::make_blocks(summary.blocks);
   series::SignalSeries series(settings, series::Phase::zero);
   series.add(blocks);
