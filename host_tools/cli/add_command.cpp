@@ -5,13 +5,11 @@
 
 #include "cli/add_command.hpp"
 #include "cli/page_bench.hpp"
-#include "cli/training_options.hpp"
 #include "cli/watch.hpp"
 #include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "findings/text.hpp"
 #include "model/model_file.hpp"
-#include "report/terminal.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
@@ -74,15 +72,11 @@ int AddCommand::run() const {
   const std::string name = written ? output.value() : "";
   findings::Document document = findings::add_findings(addition, arguments[0], name);
   document.read_with(recording.given_words());
-  page.keep(document);
-  if (page.wanted()) page.fill(document, bench(asked, addition, written));
+  page.fill(document, [&] { return bench(asked, addition, written); });
   if (written) model_file.commit();
   page.commit();
-  if (json.given()) {
-    std::puts(findings::add_json(addition, name).text().c_str());
-    return written ? 0 : 1;
-  }
-  std::fputs(report::terminal(document).c_str(), stdout);
+  print_found(json, findings::add_json(addition, name), document);
+  if (json.given()) return written ? 0 : 1;
   if (written) {
     std::printf("written%s: %s\n", addition.accepted ? "" : " by --force", name.c_str());
   } else {

@@ -9,7 +9,6 @@
 #include "board/status_names.hpp"
 #include "cli/board_options.hpp"
 #include "cli/command.hpp"
-#include "cli/recording_options.hpp"
 #include "cli/watch.hpp"
 #include "recording/fixed_decimal.hpp"
 #include "support/json.hpp"
@@ -64,16 +63,14 @@ struct ApplyCommand : Command {
   Text output{this, {"o", "OUT", "CSV to write: measured, every effect's part, compensated"}};
   Flag on_board{this, "board", "by the board's own code and integers; MODEL may be a header"};
   Flag json{this, "json", "one JSON object on stdout"};
-  BoardOptions board{this};
-  RecordingOptions recording{this};
-  AllowErrorFlag allow_error{this, "with --board: even if the integers are too far off", kRare};
+  BoardRunOptions run_options{this, "with --board: even if the integers are too far off"};
 
   ApplyCommand()
       : Command("apply", {"MODEL RUN", 2, 2},
                 "the compensated rate and every effect's part, sample by sample",
                 "fogcomp apply gyro.model run.csv -o compensated.csv") {
     needs = {{&output}};
-    board.make_rare();
+    run_options.board.make_rare();
   }
   int run() const override;
 
@@ -106,15 +103,8 @@ void ApplyCommand::print(const ApplyOutcome& found) const {
 
 int ApplyCommand::run() const {
   SeriesFile file(output.required());
-  workflow::ApplyRequest request;
-  request.weights = arguments[0];
-  request.run = arguments[1];
-  request.reading = recording.value();
-  request.board = board.value();
-  request.rate_of_recording = !board.sample_rate.given();
-  request.allow_error = allow_error.given();
-  request.on_board = on_board.given();
-  const ApplyOutcome found = workflow::apply(request, file.sink(), Watch().observer());
+  const ApplyOutcome found = workflow::apply({run_options.value(arguments), on_board.given()},
+                                             file.sink(), Watch().observer());
   file.commit();
   print(found);
   return 0;

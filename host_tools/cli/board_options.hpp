@@ -4,7 +4,9 @@
 #include "board/line_text.hpp"
 #include "board/status_names.hpp"
 #include "cli/option.hpp"
+#include "cli/recording_options.hpp"
 #include "support/text.hpp"
+#include "workflow/replay.hpp"
 
 namespace fogcomp::cli {
 
@@ -72,6 +74,23 @@ struct BoardLineOption : Text {
 struct AllowErrorFlag : Flag {
   AllowErrorFlag(OptionGroup* group, const std::string& flag_help, bool is_rare = false)
       : Flag(group, "allow-error", flag_help, is_rare) {}
+};
+
+/// The options with which the board's code runs over a recording.
+struct BoardRunOptions : OptionGroup {
+  BoardRunOptions(OptionGroup* parent, const std::string& allow_error_help)
+      : OptionGroup(parent), allow_error(this, allow_error_help, kRare) {}
+  /// `arguments`: the weights, then the recording.
+  workflow::ReplayRequest value(const std::vector<std::string>& arguments) const {
+    return {{arguments[0], arguments[1], recording.value()},
+            board.value(),
+            !board.sample_rate.given(),
+            allow_error.given()};
+  }
+
+  BoardOptions board{this};
+  RecordingOptions recording{this};
+  AllowErrorFlag allow_error;
 };
 
 }  // namespace fogcomp::cli

@@ -1,13 +1,10 @@
 // fogcomp compare: one or several models against measurements.
 
-#include <cstdio>
-
 #include "cli/compare_command.hpp"
 #include "cli/page_bench.hpp"
 #include "cli/watch.hpp"
 #include "findings/findings.hpp"
 #include "findings/json.hpp"
-#include "report/terminal.hpp"
 
 namespace fogcomp::cli {
 
@@ -27,19 +24,13 @@ int CompareCommand::run() const {
   const std::vector<compare::ModelOnRuns> judged = workflow::compare(request(), Watch().observer());
   findings::Document document = findings::compare_findings(judged);
   document.read_with(recording.given_words());
-  page.keep(document);
-  if (page.wanted()) {
-    BenchInput bench{{arguments.begin() + 1, arguments.end()}};
-    for (const compare::ModelOnRuns& model : judged) {
-      bench.states.push_back({model.file, model.file, {}, "", true});
-    }
-    page.write(document, report_bench(bench, recording));
+  BenchInput bench{{arguments.begin() + 1, arguments.end()}};
+  for (const compare::ModelOnRuns& model : judged) {
+    bench.states.push_back({model.file, model.file, {}, "", true});
   }
-  if (json.given()) {
-    std::puts(findings::compare_json(judged).text().c_str());
-  } else {
-    std::fputs(report::terminal(document, details.given()).c_str(), stdout);
-  }
+  page.fill(document, [&] { return report_bench(bench, recording); });
+  page.commit();
+  print_found(json, findings::compare_json(judged), document, details.given());
   return 0;
 }
 

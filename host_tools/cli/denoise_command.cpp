@@ -6,10 +6,10 @@
 
 #include "cli/command.hpp"
 #include "cli/denoise_options.hpp"
-#include "cli/gyro_limit_options.hpp"
 #include "cli/recording_file.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/watch.hpp"
+#include "support/input_error.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
 #include "workflow/denoise.hpp"
@@ -55,6 +55,55 @@ void print_text(const std::string& output, const DenoiseOutcome& found) {
   std::printf("\n%s: %s, %s replaced\n", output.c_str(),
               counted(found.recording.rows(), "sample").c_str(),
               counted(found.report.outliers, "outlier").c_str());
+}
+
+// The options of a denoising method.
+struct DenoiseOptions : OptionGroup {
+  using OptionGroup::OptionGroup;
+  // Throws InputError for an option without effect on the method.
+  denoise::DenoiseMethod value() const;
+
+  Choice<denoise::DenoiseBy> method{
+      this,
+      {"method", "NAME",
+       "wavelet; lifting: wavelet (2,2) in lifting form; kalman: smoother, ARMA noise", "wavelet"},
+      {{"wavelet", denoise::DenoiseBy::wavelet},
+       {"lifting", denoise::DenoiseBy::lifting},
+       {"kalman", denoise::DenoiseBy::kalman}}};
+  Choice<std::string> wavelet{
+      this,
+      {"wavelet", "NAME", "haar, db2 to db10, sym2 to sym10 or coif1 to coif5", "sym8"},
+      as_named(denoise::wavelet_names())};
+  Integer<int> levels{this, {"levels", "N", "of the decomposition, 1 to 20", "5"}, 1, 20};
+  Choice<denoise::ThresholdRule> threshold{
+      this,
+      {"threshold", "RULE", "heursure, sqtwolog, rigrsure or minimaxi", "heursure"},
+      in_order<denoise::ThresholdRule>(denoise::threshold_rule_names())};
+  HardOrSoft mode{this, !kRare};
+
+ private:
+  void refuse(const Option& option, bool meaningless) const;
+};
+
+// Refuses an option that would have no effect.
+void DenoiseOptions::refuse(const Option& option, bool meaningless) const {
+  if (!meaningless || !option.given()) return;
+  throw InputError("--" + option.name,
+                   "means nothing to --method " + method.text() + "; leave it out");
+}
+
+denoise::DenoiseMethod DenoiseOptions::value() const {
+  denoise::DenoiseMethod chosen;
+  chosen.by = method.value();
+  refuse(wavelet, chosen.by != denoise::DenoiseBy::wavelet);
+  for (const Option* option : std::initializer_list<const Option*>{&levels, &threshold, &mode}) {
+    refuse(*option, chosen.by == denoise::DenoiseBy::kalman);
+  }
+  chosen.wavelet = wavelet.value();
+  chosen.levels = levels.value();
+  chosen.rule = threshold.value();
+  chosen.hard = mode.value();
+  return chosen;
 }
 
 struct DenoiseCommand : Command {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "cli/option.hpp"
-#include "denoise/denoise.hpp"
 #include "denoise/filters.hpp"
+#include "model/model.hpp"
 
 namespace fogcomp::cli {
 
@@ -13,32 +13,36 @@ struct HardOrSoft : Choice<bool> {
                {{"soft", false}, {"hard", true}}) {}
 };
 
-/// The options of a denoising method.
-struct DenoiseOptions : OptionGroup {
+/// The board's denoiser: of a model that is fitted, or changed in one that is exported.
+struct BoardDenoiserOptions : OptionGroup {
   using OptionGroup::OptionGroup;
-  /// Throws InputError for an option without effect on the method.
-  denoise::DenoiseMethod value() const;
+  /// `model` with what was given.
+  model::DenoiseSettings over(model::DenoiseSettings model) const {
+    if (wavelet.given()) model.wavelet = wavelet.value();
+    if (levels.given()) model.levels = levels.value();
+    if (threshold.given()) model.rule = threshold.value();
+    if (mode.given()) model.hard = mode.value();
+    return model;
+  }
+  /// For a command that has a model: its settings are the defaults.
+  void default_to_model() {
+    for (Option* option : std::initializer_list<Option*>{&wavelet, &levels, &threshold, &mode}) {
+      option->default_value.clear();
+      option->help += " (default: the model's)";
+    }
+  }
 
-  Choice<denoise::DenoiseBy> method{
+  Choice<std::string> wavelet{this,
+                              {"wavelet", "NAME", "of the board's denoiser", "sym8", kRare},
+                              as_named(denoise::wavelet_names())};
+  Integer<int> levels{
+      this, {"levels", "N", "of the board's denoiser, 0 for none", "5", kRare}, 0, 10};
+  Choice<fog::ThresholdRule> threshold{
       this,
-      {"method", "NAME",
-       "wavelet; lifting: wavelet (2,2) in lifting form; kalman: smoother, ARMA noise", "wavelet"},
-      {{"wavelet", denoise::DenoiseBy::wavelet},
-       {"lifting", denoise::DenoiseBy::lifting},
-       {"kalman", denoise::DenoiseBy::kalman}}};
-  Choice<std::string> wavelet{
-      this,
-      {"wavelet", "NAME", "haar, db2 to db10, sym2 to sym10 or coif1 to coif5", "sym8"},
-      as_named(denoise::wavelet_names())};
-  Integer<int> levels{this, {"levels", "N", "of the decomposition, 1 to 20", "5"}, 1, 20};
-  Choice<denoise::ThresholdRule> threshold{
-      this,
-      {"threshold", "RULE", "heursure, sqtwolog, rigrsure or minimaxi", "heursure"},
-      in_order<denoise::ThresholdRule>(denoise::threshold_rule_names())};
-  HardOrSoft mode{this, !kRare};
-
- private:
-  void refuse(const Option& option, bool meaningless) const;
+      {"threshold", "RULE", "of the board: heursure and sqtwolog follow the noise; or fixed",
+       "heursure", kRare},
+      in_order<fog::ThresholdRule>(model::kBoardRules)};
+  HardOrSoft mode{this, kRare};
 };
 
 }  // namespace fogcomp::cli

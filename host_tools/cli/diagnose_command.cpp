@@ -9,7 +9,6 @@
 #include "findings/json.hpp"
 #include "findings/next_step_words.hpp"
 #include "model/model_file.hpp"
-#include "report/terminal.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
@@ -64,7 +63,6 @@ int DiagnoseCommand::run() const {
   findings::Document document =
       findings::diagnose_findings(found.ladder, loop_wanted, found.data, files);
   document.read_with(reading_after(found.ladder));
-  page.keep(document);
   BenchInput bench{found.runs, holdouts.value(), {{arguments[0], arguments[0], {}, "", true}}};
   if (written) {
     const std::string text = model::model_text(found.ladder.model);
@@ -72,18 +70,16 @@ int DiagnoseCommand::run() const {
     bench.states.push_back({output.value(), "+ " + join(found.ladder.added(), ", "), {}, "", true});
     bench.made.push_back({output.value(), text});
   }
-  if (page.wanted()) page.fill(document, report_bench(bench, recording));
+  page.fill(document, [&] { return report_bench(bench, recording); });
   if (written) model_file->commit();
   page.commit();
-  if (json.given()) {
-    const Json object =
-        loop_wanted ? findings::ladder_json(found.ladder, files)
-                    : findings::diagnosis_json(found.ladder.first, found.ladder.next, files);
-    std::puts(object.text().c_str());
-  } else {
-    std::fputs(report::terminal(document, details.given()).c_str(), stdout);
-    if (written) std::printf("written: %s\n", output.value().c_str());
-    if (model_file && !written) std::puts("nothing written: the loop added nothing");
+  print_found(json,
+              loop_wanted ? findings::ladder_json(found.ladder, files)
+                          : findings::diagnosis_json(found.ladder.first, found.ladder.next, files),
+              document, details.given());
+  if (!json.given() && written) std::printf("written: %s\n", output.value().c_str());
+  if (!json.given() && model_file && !written) {
+    std::puts("nothing written: the loop added nothing");
   }
   return model_file && !written ? 1 : 0;
 }

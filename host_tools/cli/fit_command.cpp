@@ -6,12 +6,10 @@
 #include "board/identity.hpp"
 #include "cli/fit_command.hpp"
 #include "cli/page_bench.hpp"
-#include "cli/training_options.hpp"
 #include "cli/watch.hpp"
 #include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "model/model_file.hpp"
-#include "report/terminal.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
 #include "workflow/fit.hpp"
@@ -40,19 +38,15 @@ int FitCommand::run() const {
   model_file.write(text);
   findings::Document document = findings::fit_findings(found, found.on_its_runs(output.value()));
   document.read_with(recording.given_words());
-  page.keep(document);
-  if (page.wanted()) {
-    const report::WorkbenchSetup::State state{output.value(), found.model.history.back().action,
-                                              given_command(*this), "", true};
-    page.fill(document, report_bench({arguments, {}, {state}, {{state.model, text}}}, recording));
-  }
+  const report::WorkbenchSetup::State state{output.value(), found.model.history.back().action,
+                                            given_command(*this), "", true};
+  page.fill(document, [&] {
+    return report_bench({arguments, {}, {state}, {{state.model, text}}}, recording);
+  });
   model_file.commit();
   page.commit();
-  if (json.given()) {
-    std::puts(findings::fit_json(found, output.value()).text().c_str());
-  } else {
-    std::printf("%s\nwritten: %s\n", report::terminal(document).c_str(), output.value().c_str());
-  }
+  print_found(json, findings::fit_json(found, output.value()), document);
+  if (!json.given()) std::printf("\nwritten: %s\n", output.value().c_str());
   return 0;
 }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cli/denoise_options.hpp"
-#include "cli/gyro_limit_options.hpp"
-#include "cli/training_options.hpp"
+#include "cli/recording_options.hpp"
+#include "fit/fit_model.hpp"
 #include "model/catalogue.hpp"
 #include "network/network_inputs.hpp"
 #include "support/text.hpp"
@@ -14,36 +14,49 @@
 
 namespace fogcomp::cli {
 
-/// The board's denoiser: of a model that is fitted, or changed in one that is exported.
-struct BoardDenoiserOptions : OptionGroup {
+/// --network, --trainer and their options.
+struct TrainingOptions : OptionGroup {
   using OptionGroup::OptionGroup;
-  /// `model` with what was given.
-  model::DenoiseSettings over(model::DenoiseSettings model) const {
-    if (wavelet.given()) model.wavelet = wavelet.value();
-    if (levels.given()) model.levels = levels.value();
-    if (threshold.given()) model.rule = threshold.value();
-    if (mode.given()) model.hard = mode.value();
-    return model;
-  }
-  /// For a command that has a model: its settings are the defaults.
-  void default_to_model() {
-    for (Option* option : std::initializer_list<Option*>{&wavelet, &levels, &threshold, &mode}) {
-      option->default_value.clear();
-      option->help += " (default: the model's)";
-    }
-  }
+  network::TrainerSettings value() const;
 
-  Choice<std::string> wavelet{this,
-                              {"wavelet", "NAME", "of the board's denoiser", "sym8", kRare},
-                              as_named(denoise::wavelet_names())};
-  Integer<int> levels{
-      this, {"levels", "N", "of the board's denoiser, 0 for none", "5", kRare}, 0, 10};
-  Choice<fog::ThresholdRule> threshold{
+  Integer<int> network{this,
+                       {"network", "N", "hidden neurons, 0 for none, at most 32", "0"},
+                       0,
+                       network::kMaxTrainedHidden};
+  Choice<std::string> trainer{this,
+                              {"trainer", "NAME", trainer_summaries(), "lm", kRare},
+                              as_named(network::trainer_names())};
+  Integer<std::uint64_t> seed{
+      this, {"seed", "N", "of all that training draws", "1", kRare}, 0, 1LL << 53};
+  Choice<fog::Activation> activation{
       this,
-      {"threshold", "RULE", "of the board: heursure and sqtwolog follow the noise; or fixed",
-       "heursure", kRare},
-      in_order<fog::ThresholdRule>(model::kBoardRules)};
-  HardOrSoft mode{this, kRare};
+      {"activation", "NAME", "of the hidden neurons: logsig or tansig", "logsig", kRare},
+      {{"logsig", fog::Activation::logsig}, {"tansig", fog::Activation::tansig}}};
+  Integer<int> epochs{
+      this,
+      {"epochs", "N", "of traingdx, pso-bp and ga-bp; steps of lm, at most 200", "5000", kRare},
+      1,
+      1'000'000};
+  Number goal{this,
+              {"goal", "MSE", "training ends at this mean square of the normalised target (not lm)",
+               "0", kRare},
+              {0, 1}};
+  Number learning_rate{
+      this,
+      {"learning-rate", "R", "of the gradient trainers at their start", "0.05", kRare},
+      {1e-6, 10}};
+  Integer<int> particles{
+      this, {"particles", "N", "of pso-bp; population of ga-bp", "20", kRare}, 3, 1000};
+  Integer<int> iterations{
+      this,
+      {"iterations", "N", "of the swarm or the population, before backpropagation", "300", kRare},
+      0,
+      100'000};
+  Flag force_network{this, "force-network",
+                     "keep the network even if it does not help out of sample", kRare};
+
+ private:
+  static std::string trainer_summaries();
 };
 
 /// All options that influence the result of a fit: effects, network, rows, denoisers.

@@ -121,7 +121,8 @@ struct HistoryCommand : Command {
     ReportFile page(report);
     const model::Model model = model::load_model(file);
     if (model.history.empty()) throw InputError(file, "has no history; fit it again");
-    if (page.wanted()) page.write(findings::history_findings(model, file));
+    page.fill(findings::history_findings(model, file));
+    page.commit();
     if (json.given()) {
       print_json(model, file);
     } else {

@@ -1,16 +1,13 @@
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/command.hpp"
-#include "cli/gyro_limit_options.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
 #include "cli/watch.hpp"
 #include "findings/findings.hpp"
 #include "findings/json.hpp"
-#include "report/terminal.hpp"
 #include "workflow/info.hpp"
 
 namespace fogcomp::cli {
@@ -39,13 +36,9 @@ int InfoCommand::run() const {
   const auto [run, summary, visible] = workflow::info(request, Watch().observer());
   findings::Document document = findings::info_findings(run, summary, visible);
   document.read_with(recording.given_words());
-  page.keep(document);
-  if (page.wanted()) page.write(document);
-  if (json.given()) {
-    std::puts(findings::info_json(run, summary, visible).text().c_str());
-  } else {
-    std::fputs(report::terminal(document, true).c_str(), stdout);
-  }
+  page.fill(document);
+  page.commit();
+  print_found(json, findings::info_json(run, summary, visible), document, true);
   return 0;
 }
 

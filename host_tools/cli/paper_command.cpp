@@ -1,13 +1,10 @@
 // fogcomp paper: the reference paper's pipeline on simulated gyros, its tables beside ours.
 
-#include <cstdio>
-
 #include "cli/arguments.hpp"
 #include "cli/report_option.hpp"
 #include "cli/watch.hpp"
 #include "findings/findings.hpp"
 #include "findings/json.hpp"
-#include "report/terminal.hpp"
 #include "research/figures.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
@@ -58,12 +55,9 @@ int PaperCommand::run() const {
   const std::vector<research::Study> studies = workflow::paper(request, Watch().observer());
   if (figures.given()) research::write_figures(studies.front(), figures.value());
   const findings::Document document = findings::paper_findings(studies);
-  if (page.wanted()) page.write(document);
-  if (json.given()) {
-    std::puts(findings::paper_json(studies).text().c_str());
-  } else {
-    std::fputs(report::terminal(document).c_str(), stdout);
-  }
+  page.fill(document);
+  page.commit();
+  print_found(json, findings::paper_json(studies), document);
   return 0;
 }
 

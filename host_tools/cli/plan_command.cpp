@@ -1,14 +1,11 @@
 // fogcomp plan: effects, noise, chamber -> the programme that determines most.
 
-#include <cstdio>
-
 #include "cli/command.hpp"
 #include "cli/report_option.hpp"
 #include "cli/watch.hpp"
 #include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "model/effect_list.hpp"
-#include "report/terminal.hpp"
 #include "simulation/embedded_files.hpp"
 #include "support/output_file.hpp"
 #include "workflow/plan.hpp"
@@ -48,7 +45,6 @@ struct PlanCommand : Command {
  private:
   workflow::PlanRequest request() const;
   int run_comparison() const;
-  int print(const findings::Document& document, const Json& object) const;
 };
 
 workflow::PlanRequest PlanCommand::request() const {
@@ -63,20 +59,16 @@ workflow::PlanRequest PlanCommand::request() const {
   return request;
 }
 
-int PlanCommand::print(const findings::Document& document, const Json& object) const {
-  const std::string text = json.given() ? object.text() + "\n" : report::terminal(document, true);
-  std::fputs(text.c_str(), stdout);
-  return 0;
-}
-
 int PlanCommand::run_comparison() const {
   if (arguments.empty()) fail("--compare needs programmes: files, or names of simulate --list");
   if (output.given()) fail("--compare writes no programme; leave out -o");
   ReportFile page(report);
   const workflow::PlanComparison found = workflow::compare_programmes(request(), arguments);
   const findings::Document document = findings::comparison_findings(found);
-  if (page.wanted()) page.write(document);
-  return print(document, findings::comparison_json(found));
+  page.fill(document);
+  page.commit();
+  print_found(json, findings::comparison_json(found), document, true);
+  return 0;
 }
 
 int PlanCommand::run() const {
@@ -91,10 +83,11 @@ int PlanCommand::run() const {
   const findings::Document document = findings::plan_findings(found, output.value());
   profile.write("# " + document.found().plain() + "\n# box of use " +
                 planning::box_text(found.question.use) + "\n" + planning::profile_text(found.plan));
-  if (page.wanted()) page.fill(document);
+  page.fill(document);
   profile.commit();
   page.commit();
-  return print(document, findings::plan_json(found, output.value()));
+  print_found(json, findings::plan_json(found, output.value()), document, true);
+  return 0;
 }
 
 }  // namespace

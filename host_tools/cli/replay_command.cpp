@@ -21,9 +21,7 @@ board::ByteSink to(OutputFile& file) {
 struct ReplayCommand : Command {
   Text output{this, {"o", "OUT", "output stream to write"}};
   Flag json{this, "json", "one JSON object on stdout"};
-  BoardOptions board{this};
-  RecordingOptions recording{this};
-  AllowErrorFlag allow_error{this, "replay a model even if its integers are too far off", kRare};
+  BoardRunOptions run_options{this, "replay a model even if its integers are too far off"};
 
   ReplayCommand()
       : Command("replay", {"MODEL|HEADER RUN", 2, 2},
@@ -56,14 +54,8 @@ void ReplayCommand::print(const board::ReplaySummary& summary) const {
 
 int ReplayCommand::run() const {
   OutputFile file(output.required());
-  workflow::ReplayRequest request;
-  request.weights = arguments[0];
-  request.run = arguments[1];
-  request.reading = recording.value();
-  request.board = board.value();
-  request.rate_of_recording = !board.sample_rate.given();
-  request.allow_error = allow_error.given();
-  const board::ReplaySummary seen = workflow::replay(request, to(file), Watch().observer());
+  const board::ReplaySummary seen =
+      workflow::replay(run_options.value(arguments), to(file), Watch().observer());
   file.commit();
   print(seen);
   return 0;

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "report/page.hpp"
+#include "report/terminal.hpp"
 
 namespace fogcomp::cli {
 
@@ -10,13 +11,11 @@ ReportFile::ReportFile(const ReportOption& option) : axes_(option.axes) {
   if (option.given() && !option.is_shared) file_.emplace(option.value());
 }
 
-void ReportFile::keep(const findings::Document& document) const {
+void ReportFile::fill(const findings::Document& document, const Bench& bench) {
   if (axes_ != nullptr) axes_->push_back(document);
-}
-
-void ReportFile::fill(const findings::Document& document,
-                      const std::optional<report::WorkbenchSetup>& bench) {
-  file_->write(report::page(document, bench ? &*bench : nullptr));
+  if (!file_) return;
+  const std::optional<report::WorkbenchSetup> setup = bench ? bench() : std::nullopt;
+  file_->write(report::page(document, setup ? &*setup : nullptr));
   file_->flush();
 }
 
@@ -26,10 +25,11 @@ void ReportFile::commit() {
   std::fprintf(stderr, "report: %s\n", file_->path().c_str());
 }
 
-void ReportFile::write(const findings::Document& document,
-                       const std::optional<report::WorkbenchSetup>& bench) {
-  fill(document, bench);
-  commit();
+void print_found(const Flag& json, const Json& object, const findings::Document& document,
+                 bool details) {
+  const std::string text =
+      json.given() ? object.text() + "\n" : report::terminal(document, details);
+  std::fputs(text.c_str(), stdout);
 }
 
 }  // namespace fogcomp::cli

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "cli/option.hpp"
 #include "findings/document.hpp"
 #include "report/workbench_page.hpp"
+#include "support/json.hpp"
 #include "support/output_file.hpp"
 
 namespace fogcomp::cli {
@@ -24,21 +26,21 @@ struct ReportOption : Text {
 /// once. Without the option it does nothing.
 class ReportFile {
  public:
+  using Bench = std::function<std::optional<report::WorkbenchSetup>()>;
+
   explicit ReportFile(const ReportOption& option);
-  bool wanted() const { return file_.has_value(); }
-  /// The page, on which `bench` calculates; it gets its name with the command's other output, or by
-  /// write() alone.
-  void fill(const findings::Document& document,
-            const std::optional<report::WorkbenchSetup>& bench = std::nullopt);
+  /// The page, on which what `bench` gives calculates; it gets its name by commit(), with the
+  /// command's other output. Also keeps the findings for the table and the page of several axes.
+  void fill(const findings::Document& document, const Bench& bench = {});
   void commit();
-  /// Keeps the findings for the table and the page of several axes.
-  void keep(const findings::Document& document) const;
-  void write(const findings::Document& document,
-             const std::optional<report::WorkbenchSetup>& bench = std::nullopt);
 
  private:
   std::optional<OutputFile> file_;
   std::vector<findings::Document>* axes_;
 };
+
+/// Prints what a command has found: `object` with --json, else `document` as text.
+void print_found(const Flag& json, const Json& object, const findings::Document& document,
+                 bool details = false);
 
 }  // namespace fogcomp::cli
