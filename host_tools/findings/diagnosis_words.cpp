@@ -10,7 +10,6 @@
 #include "diagnosis/descriptions.hpp"
 #include "findings/figures.hpp"
 #include "findings/labels.hpp"
-#include "findings/residual_words.hpp"
 #include "model/catalogue.hpp"
 #include "model/shape_limits.hpp"
 #include "noise/outlier_rows.hpp"

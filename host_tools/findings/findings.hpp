@@ -77,6 +77,10 @@ Document axes_findings(const std::string& subject, const std::vector<AxisFinding
 /// What each step of a model left on the data of its last fit. The model has a history.
 Table error_ladder(const model::Model& model);
 
+/// The size from which on each effect is visible, beside its typical size. `measured`: the rows
+/// over which sizes are an rms.
+Table visible_table(const std::vector<planning::VisibleSize>& sizes, const std::string& measured);
+
 /// What a fit made of its prior: which coefficients the recordings moved, by how many standard
 /// deviations. Nothing without a prior.
 void add_prior(Document& document, const workflow::FitOutcome& fit);

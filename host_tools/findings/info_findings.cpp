@@ -9,7 +9,6 @@
 #include "findings/figures.hpp"
 #include "findings/labels.hpp"
 #include "findings/run_plots.hpp"
-#include "findings/visible_table.hpp"
 #include "model/effect_list.hpp"
 #include "noise/input_rate.hpp"
 #include "noise/outlier_rows.hpp"

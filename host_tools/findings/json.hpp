@@ -57,9 +57,10 @@ Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::Next
                     const DiagnosedFiles& files);
 /// The diagnosis of the given model, the steps of the selection, and the diagnosis at its end,
 /// whose model has no file.
+Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files);
+
 /// Cuts as --cut takes them.
 Json cuts_json(const std::vector<recording::Cut>& cuts);
-Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files);
 
 /// `written`: the new model file, "" for none.
 Json add_json(const fit::Addition& addition, const std::string& written);

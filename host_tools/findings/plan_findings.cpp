@@ -3,13 +3,17 @@
 #include <cmath>
 
 #include "findings/figures.hpp"
-#include "findings/visible_table.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::findings {
 namespace {
 
 constexpr double kMinutesPerHour = 60;
+
+// deg/h; "never" if it is not finite.
+Text visible_text(double visible_dph) {
+  return std::isfinite(visible_dph) ? significant(visible_dph) : Text("never");
+}
 
 Text hours_of(double hours) {
   return words(format("%.3g h", hours));
@@ -113,6 +117,20 @@ std::vector<std::string> comparison_command(const workflow::PlanRequest& request
 }
 
 }  // namespace
+
+Table visible_table(const std::vector<planning::VisibleSize>& sizes, const std::string& measured) {
+  Table table;
+  table.columns = {"effect", "typical", "visible from"};
+  table.notes = words("deg/h rms over " + measured +
+                      "; typical: in the size of the catalogue's example; visible from: the size "
+                      "that differs by three standard deviations from all that the other effects "
+                      "do");
+  for (const planning::VisibleSize& size : sizes) {
+    table.rows.push_back(
+        {verbatim(size.effect), significant(size.typical_dph), visible_text(size.visible_dph)});
+  }
+  return table;
+}
 
 Document plan_findings(const workflow::PlanOutcome& outcome, const std::string& profile) {
   const planning::Plan& plan = outcome.plan;

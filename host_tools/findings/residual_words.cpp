@@ -1,10 +1,9 @@
-#include "findings/residual_words.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "compare/comparison.hpp"
+#include "findings/diagnosis_words.hpp"
 #include "findings/figures.hpp"
 #include "findings/labels.hpp"
 #include "support/text.hpp"

@@ -3,10 +3,23 @@
 #include <string>
 #include <vector>
 
-#include "findings/compared_models.hpp"
+#include "compare/model_on_runs.hpp"
 #include "findings/document.hpp"
 
+/// What is said and drawn of a run under one or several models.
 namespace fogcomp::findings {
+
+/// The best first; never empty.
+using Models = std::vector<const compare::ModelOnRuns*>;
+
+const compare::Comparison& on_run(const compare::ModelOnRuns& model, std::size_t run);
+
+/// A single model is named `alone`, by its kind; several are named by their files.
+std::vector<Text> labels(const Models& models, const Text& alone);
+
+/// Colour of a model's residual: the best one has that of a single model.
+std::string residual_colour(std::size_t model);
+Look look_of(std::size_t model);
 
 /// Adds everything about one run: a heading, sentences, segments, and plots. `models`: the best
 /// first; segments, dependences and contributions are those of the best. `run`: index of the run;
