@@ -11,7 +11,6 @@
 #include "model/serial_number.hpp"
 #include "report/page.hpp"
 #include "support/output_file.hpp"
-#include "workflow/diagnose.hpp"
 
 namespace fogcomp::cli {
 
@@ -38,14 +37,25 @@ std::string CalibrationOptions::fingerprint_of(const batch::GyroFolder& gyro) co
   return fingerprint.text();
 }
 
-batch::GyroResult calibrate(const batch::GyroFolder& gyro, workflow::CalibrationRequest request,
-                            const std::string& folder, bool page) {
-  batch::GyroResult result{gyro.name, "", "", {}};
-  const std::string model_name = gyro.name + ".model";
+namespace {
+
+workflow::CalibrationRequest request_for(const batch::GyroFolder& gyro,
+                                         workflow::CalibrationRequest request,
+                                         const std::string& folder) {
   request.fit.runs = gyro.recordings;
   if (model::is_serial_number(gyro.name)) request.fit.serial = gyro.name;
   request.hold_outs = gyro.holdouts;
-  request.model_file = folder + "/" + model_name;
+  request.model_file = folder + "/" + gyro.name + ".model";
+  return request;
+}
+
+}  // namespace
+
+batch::GyroResult calibrate(const batch::GyroFolder& gyro,
+                            const workflow::CalibrationRequest& settings, const std::string& folder,
+                            bool page) {
+  const workflow::CalibrationRequest request = request_for(gyro, settings, folder);
+  batch::GyroResult result{gyro.name, "", "", {}};
   workflow::CalibrationEvents events;
   events.fitted = [&](const model::Model& model) { model::save_model(model, request.model_file); };
   events.judged = [&](const compare::ModelOnRuns& hold_outs) {
@@ -58,46 +68,32 @@ batch::GyroResult calibrate(const batch::GyroFolder& gyro, workflow::Calibration
   for (const findings::Text& sentence : findings::turn_on_sentences(outcome.turn_on))
     result.notes.push_back(sentence.plain());
   write_file(folder + "/fog_model.h", outcome.board.header);
-  add_output(result, folder, model_name);
+  add_output(result, folder, gyro.name + ".model");
   add_output(result, folder, "fog_model.h");
   return result;
 }
 
-namespace {
-
-batch::GyroDiagnosis answer_to(const workflow::DiagnoseRequest& question,
-                               const findings::DiagnosedFiles& files) {
-  const diagnosis::Ladder ladder = workflow::diagnose(question, on_stderr()).ladder;
-  const findings::BriefDiagnosis brief = findings::in_brief(ladder.first, ladder.next);
-  return {"",
-          name_of(ladder.first.verdict),
-          brief.effects,
-          brief.size_dph,
-          brief.probability,
-          brief.sentence,
-          words_of(ladder.first, ladder.next, files).command};
-}
-
-}  // namespace
-
 batch::GyroDiagnosis diagnose(const batch::GyroFolder& gyro,
-                              const workflow::CalibrationRequest& request,
+                              const workflow::CalibrationRequest& settings,
                               const std::string& folder, const std::vector<std::string>& reading) {
-  workflow::DiagnoseRequest question;
-  question.model = folder + "/" + gyro.name + ".model";
-  question.runs = gyro.recordings;
-  question.reading = request.fit.reading;
-  question.hold_outs = gyro.holdouts;
-  const batch::GyroDiagnosis found =
-      answer_to(question, {question.model, gyro.recordings, gyro.holdouts, reading});
-  if (found.verdict != name_of(diagnosis::Verdict::none) || gyro.holdouts.empty()) return found;
-  question.runs = gyro.holdouts;
-  question.hold_outs.clear();
-  batch::GyroDiagnosis on_hold_outs = answer_to(question, {});
-  if (on_hold_outs.verdict == found.verdict) return found;
-  on_hold_outs.sentence = "on the holdouts " + on_hold_outs.sentence;
-  on_hold_outs.next.clear();
-  return on_hold_outs;
+  const workflow::CalibrationRequest request = request_for(gyro, settings, folder);
+  const auto [ladder, on_holdouts] = workflow::diagnose(request, on_stderr());
+  const findings::BriefDiagnosis brief = findings::in_brief(ladder.first, ladder.next);
+  batch::GyroDiagnosis found{"",
+                             name_of(ladder.first.verdict),
+                             brief.effects,
+                             brief.size_dph,
+                             brief.probability,
+                             brief.sentence,
+                             ""};
+  if (on_holdouts) {
+    found.sentence = "on the holdouts " + found.sentence;
+  } else {
+    found.next = findings::words_of(ladder.first, ladder.next,
+                                    {request.model_file, gyro.recordings, gyro.holdouts, reading})
+                     .command;
+  }
+  return found;
 }
 
 }  // namespace fogcomp::cli

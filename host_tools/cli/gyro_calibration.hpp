@@ -27,16 +27,16 @@ struct CalibrationOptions : OptionGroup {
   RecordingOptions recording{this};
 };
 
-/// Calibrates a gyro by `request`: writes model, header and, with `page`, report.html to `folder`.
+/// Calibrates a gyro by `settings`: writes model, header and, with `page`, report.html to `folder`.
 /// Returns the values. Throws InputError like workflow::calibrate().
-batch::GyroResult calibrate(const batch::GyroFolder& gyro, workflow::CalibrationRequest request,
-                            const std::string& folder, bool page);
+batch::GyroResult calibrate(const batch::GyroFolder& gyro,
+                            const workflow::CalibrationRequest& settings, const std::string& folder,
+                            bool page);
 
-/// Diagnoses the model in `folder` on its fitted recordings or, if these show nothing, on the
-/// hold-outs. The proposed command never fits a hold-out. `reading`: the given reading options.
-/// Throws InputError like workflow::diagnose().
+/// Diagnoses the model in `folder`. The proposed command never fits a hold-out. `reading`: the
+/// given reading options. Throws InputError like workflow::diagnose().
 batch::GyroDiagnosis diagnose(const batch::GyroFolder& gyro,
-                              const workflow::CalibrationRequest& request,
+                              const workflow::CalibrationRequest& settings,
                               const std::string& folder, const std::vector<std::string>& reading);
 
 }  // namespace fogcomp::cli

@@ -7,6 +7,7 @@
 #include "model/catalogue.hpp"
 #include "runs/runs.hpp"
 #include "support/units.hpp"
+#include "workflow/diagnose.hpp"
 #include "workflow/fit_presets.hpp"
 #include "workflow/reading.hpp"
 
@@ -130,6 +131,24 @@ CalibrationOutcome calibrate(const CalibrationRequest& request, const Calibratio
   add_board_figures(outcome.figures, outcome.board);
   add_coefficients(outcome.figures, model);
   return outcome;
+}
+
+CalibrationDiagnosis diagnose(const CalibrationRequest& request, const Observer& observer) {
+  DiagnoseRequest question;
+  question.model = request.model_file;
+  question.runs = request.fit.runs;
+  question.reading = request.fit.reading;
+  question.hold_outs = request.hold_outs;
+  CalibrationDiagnosis found{diagnose(question, observer).ladder};
+  const auto shows_nothing = [](const diagnosis::Ladder& ladder) {
+    return ladder.first.verdict == diagnosis::Verdict::none;
+  };
+  if (!shows_nothing(found.ladder) || request.hold_outs.empty()) return found;
+  question.runs = request.hold_outs;
+  question.hold_outs.clear();
+  diagnosis::Ladder on_holdouts = diagnose(question, observer).ladder;
+  if (shows_nothing(on_holdouts)) return found;
+  return {std::move(on_holdouts), true};
 }
 
 std::vector<std::string> figure_names(const FitRequest& fit) {

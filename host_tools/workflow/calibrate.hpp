@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "diagnosis/ladder.hpp"
 #include "workflow/export_header.hpp"
 #include "workflow/fit.hpp"
 
@@ -37,6 +38,15 @@ struct CalibrationOutcome {
 /// Throws InputError like fit(), runs::read_holdouts() and export_header().
 CalibrationOutcome calibrate(const CalibrationRequest& request,
                              const CalibrationEvents& events = {}, const Observer& observer = {});
+
+/// What is missing in the model of a calibrated gyro.
+struct CalibrationDiagnosis {
+  diagnosis::Ladder ladder;
+  bool on_holdouts = false;  ///< else on the fitted recordings
+};
+/// Diagnoses the model that calibrate() has made on its fitted recordings or, if these show nothing
+/// and the hold-outs do, on the hold-outs. Throws InputError like diagnose().
+CalibrationDiagnosis diagnose(const CalibrationRequest& request, const Observer& observer = {});
 
 /// All values that a gyro can have with such a fit, for limits. Throws InputError like check() for
 /// its effects.
