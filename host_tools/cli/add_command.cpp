@@ -38,9 +38,7 @@ workflow::AddRequest AddCommand::request() const {
   request.hold_outs = holdouts.value();
   request.run_offsets = run_offsets.given();
   request.seed = seed.value();
-  std::vector<std::string> all = request.runs;
-  all.insert(all.end(), request.hold_outs.begin(), request.hold_outs.end());
-  request.reading = recording.value(all);
+  request.reading = recording.value(request.runs, request.hold_outs);
   return request;
 }
 

@@ -49,6 +49,16 @@ AxesWord find_axes(const std::vector<std::string>& words) {
   return {words.size()};
 }
 
+// Of the commands that have one.
+std::vector<ReportOption*> report_options(const std::vector<CommandPointer>& commands) {
+  std::vector<ReportOption*> options;
+  for (const CommandPointer& command : commands) {
+    auto* const option = dynamic_cast<ReportOption*>(command->find_option(kReport));
+    if (option != nullptr) options.push_back(option);
+  }
+  return options;
+}
+
 }  // namespace
 
 std::vector<AxisCall> axis_calls(const std::vector<std::string>& words) {
@@ -87,20 +97,6 @@ void require_own_outputs(const std::vector<CommandPointer>& commands) {
     }
   }
 }
-
-namespace {
-
-// Of the commands that have one.
-std::vector<ReportOption*> report_options(const std::vector<CommandPointer>& commands) {
-  std::vector<ReportOption*> options;
-  for (const CommandPointer& command : commands) {
-    auto* const option = dynamic_cast<ReportOption*>(command->find_option(kReport));
-    if (option != nullptr) options.push_back(option);
-  }
-  return options;
-}
-
-}  // namespace
 
 AxesReport::AxesReport(const std::vector<AxisCall>& calls,
                        const std::vector<CommandPointer>& commands) {

@@ -24,9 +24,7 @@ workflow::DiagnoseRequest DiagnoseCommand::request() const {
   request.expressions = expressions.value();
   request.runs = {arguments.begin() + 1, arguments.end()};
   request.at_rest = at_rest.find();
-  std::vector<std::string> all = request.runs;
-  all.insert(all.end(), request.hold_outs.begin(), request.hold_outs.end());
-  request.reading = recording.value(all);
+  request.reading = recording.value(request.runs, request.hold_outs);
   return request;
 }
 

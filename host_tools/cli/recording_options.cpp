@@ -55,7 +55,9 @@ recording::ReadOptions RecordingOptions::value() const {
   return options;
 }
 
-recording::ReadOptions MaskedRecordingOptions::value(const std::vector<std::string>& runs) const {
+recording::ReadOptions MaskedRecordingOptions::value(
+    std::vector<std::string> runs, const std::vector<std::string>& holdouts) const {
+  runs.insert(runs.end(), holdouts.begin(), holdouts.end());
   recording::ReadOptions options = RecordingOptions::value();
   if (table.given() && (!masks.value().empty() || !cuts.value().empty())) {
     throw InputError("--table", "its lines have no times; leave --mask and --cut out");

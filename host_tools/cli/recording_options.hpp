@@ -71,8 +71,9 @@ struct GyroLimitOptions : OptionGroup {
 /// Additional options of the commands that fit and judge.
 struct MaskedRecordingOptions : RecordingOptions {
   using RecordingOptions::RecordingOptions;
-  /// Also throws InputError for a mask or a cut whose file is not among `runs`.
-  recording::ReadOptions value(const std::vector<std::string>& runs) const;
+  /// Also throws InputError for a mask or a cut whose file is not among `runs` and `holdouts`.
+  recording::ReadOptions value(std::vector<std::string> runs,
+                               const std::vector<std::string>& holdouts = {}) const;
 
   Texts masks{this,
               {"mask", "FROM..TO",
