@@ -6,8 +6,8 @@
 #include <numeric>
 #include <utility>
 
-#include "recording/balanced_sums.hpp"
 #include "recording/decision_rules.hpp"
+#include "recording/held_rate.hpp"
 #include "recording/row_range.hpp"
 #include "recording/stretches.hpp"
 #include "support/median.hpp"
@@ -19,13 +19,63 @@ constexpr int kRounds = 5;  // until the counts of lost samples stay
 
 using Ranges = std::vector<RowRange>;
 
-std::size_t gaps_in(const std::vector<double>& time_s, double period_s) {
-  std::size_t gaps = 0;
+// Spacings of no period: samples are missing, or there before they can have been taken.
+std::size_t uneven_in(const std::vector<double>& time_s, double period_s) {
+  std::size_t uneven = 0;
   for (std::size_t i = 1; i < time_s.size(); ++i) {
-    if (is_gap(time_s[i] - time_s[i - 1], period_s)) ++gaps;
+    const double spacing_s = time_s[i] - time_s[i - 1];
+    if (is_gap(spacing_s, period_s) || spacing_s <= period_s / 2) ++uneven;
   }
-  return gaps;
+  return uneven;
 }
+
+// Whether samples of one period are still those of the other one at the end of a window.
+bool is_period(double one_s, double other_s) {
+  return std::abs(one_s - other_s) * static_cast<double>(rules::kMinStampWindow) <= other_s / 2;
+}
+
+// Whether values make up for each other: sums of `window` neighbours scatter less than those of
+// independent values, whose variance grows with their number. Variance ratio test (Lo and MacKinlay
+// 1988); false where there are too few sums to tell.
+bool are_balanced(const std::vector<double>& values, std::size_t window) {
+  const auto windows = static_cast<double>(values.size() / window);
+  const double mean =
+      std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+  double square = 0;
+  double sum_square = 0;
+  double sum = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    square += (values[i] - mean) * (values[i] - mean);
+    sum += values[i] - mean;
+    if ((i + 1) % window != 0) continue;
+    sum_square += sum * sum;
+    sum = 0;
+  }
+  const double independent =
+      static_cast<double>(window) * square / static_cast<double>(values.size());
+  return sum_square / windows <= min_ratio_by_chance(2 / windows) * independent;
+}
+
+/// What spacings say of a clock that samples each `period_s`, above 0, and of which some are lost.
+struct Clock {
+  Clock(const std::vector<double>& time_s, double period_s) {
+    std::vector<double> samples;  // from each row to the next
+    for (std::size_t i = 1; i < time_s.size(); ++i) {
+      const double spacing_s = time_s[i] - time_s[i - 1];
+      if (spacing_s <= rules::kMaxDropoutS) samples.push_back(std::round(spacing_s / period_s));
+    }
+    const auto rows = static_cast<double>(samples.size());
+    const auto early = static_cast<double>(std::count(samples.begin(), samples.end(), 0.0));
+    const auto even = static_cast<double>(std::count(samples.begin(), samples.end(), 1.0));
+    is_early = early > rules::kShareWithoutLoss * rows;
+    const double window = std::ceil(rules::kWindowPauses * rows / (rows - even));
+    is_by_chance = even == rows || !(are_regular(samples) ||
+                                     are_balanced(samples, static_cast<std::size_t>(window)));
+  }
+  bool is_early = false;     // rows come before the next sample can have been taken
+  bool is_by_chance = true;  // pauses are of samples that are lost: they neither are all alike nor
+                             // make up for each other
+};
 
 /// Rows sampled each `period_s`, in ranges between which samples are lost.
 class EvenRows {
@@ -41,15 +91,10 @@ class EvenRows {
     period_s_ = spacings > 0 ? sum_s / static_cast<double>(spacings) : 0;
   }
 
-  /// Whether spacings make up for each other.
-  bool are_of_arrival() {
-    if (period_s_ <= 0) return false;
-    set_window();
-    return scatters_like_delays();
-  }
-
   /// False if the times do not tell the period, or are not of this one.
   bool fit(std::optional<double> period_s) {
+    if (period_s_ <= 0) return false;
+    set_window();
     if (!count_losses(period_s)) return false;
     join_caught_up();
     set_window();
@@ -60,7 +105,7 @@ class EvenRows {
     EvenTimes result;
     result.time_s = stamp_s_;
     for (const RowRange& range : ranges_) even_out(range, result.time_s);
-    result.gaps_after = gaps_in(result.time_s, period_s_);
+    result.gaps_after = uneven_in(result.time_s, period_s_);
     const auto [period_s, sigma_s] = fitted_period_s();
     result.rate_hz = 1 / period_s;
     result.rate_sigma_hz = sigma_s / (period_s * period_s);
@@ -112,16 +157,6 @@ class EvenRows {
         static_cast<std::size_t>(std::ceil(rules::kWindowPauses * longest_pause_s_ / period_s_)));
   }
 
-  bool scatters_like_delays() const {
-    std::vector<double> later_s;
-    for (const RowRange& range : ranges_) {
-      for (std::size_t row = range.first + 1; row < range.end; ++row) {
-        later_s.push_back(late_s(row, row - 1));
-      }
-    }
-    return are_balanced(later_s, window_);
-  }
-
   // The least delayed row of each window.
   std::vector<std::size_t> anchors_of(const RowRange& range) const {
     std::vector<std::size_t> anchors;
@@ -158,6 +193,9 @@ class EvenRows {
   bool count_losses(std::optional<double> given_s) {
     std::vector<double> periods = periods_between_anchors();
     if (periods.size() < rules::kMinWindows) return false;
+    const bool has_too_many_rows =
+        given_s && period_s_ < *given_s && !is_period(period_s_, *given_s);
+    if (has_too_many_rows) return false;
     const auto shortest =
         periods.begin() +
         static_cast<std::ptrdiff_t>(rules::kShareWithoutLoss * static_cast<double>(periods.size()));
@@ -166,16 +204,31 @@ class EvenRows {
     if (!(period_s_ > 0)) return false;
     is_counted_ = true;
     for (int round = 0; round < kRounds; ++round) period_s_ = median(periods_between_anchors());
+    if (given_s && !is_period(period_s_, *given_s)) period_s_ = *given_s;
+    return given_s || period_is_told();
+  }
+
+  // Windows without losses are many, next to none holds more samples than it had time for, and all
+  // are of whole periods.
+  bool period_is_told() const {
     std::vector<double> off_s;
     double lost = 0;
+    double whole = 0;
+    double overfull = 0;
     for_each_pair([&](std::size_t from, std::size_t to) {
       const double samples = samples_between(from, to);
       off_s.push_back(stamp_s_[to] - stamp_s_[from] - samples * period_s_);
-      lost += samples - static_cast<double>(to - from);
+      const auto rows = static_cast<double>(to - from);
+      lost += samples - rows;
+      if (samples > rows) return;
+      (off_s.back() < -period_s_ / 2 ? overfull : whole) += 1;
     });
-    const double most = -std::log(rules::kShareWithoutLoss) * static_cast<double>(off_s.size());
-    return given_s || (lost <= most &&
-                       sigma_by_median(std::move(off_s)) < rules::kMaxAnchorScatter * period_s_);
+    const auto windows = static_cast<double>(off_s.size());
+    return lost <= -std::log(rules::kShareWithoutLoss) * windows &&
+           whole >= static_cast<double>(rules::kMinWindows) &&
+           whole >= rules::kShareWithoutLoss * windows &&
+           overfull <= rules::kShareWithoutLoss * whole &&
+           sigma_by_median(std::move(off_s)) < rules::kMaxAnchorScatter * period_s_;
   }
 
   std::vector<double> periods_between_anchors() const {
@@ -311,19 +364,25 @@ class EvenRows {
 
 std::optional<EvenTimes> even_times(const std::vector<double>& time_s,
                                     const std::optional<double>& rate_hz) {
-  if (time_s.size() < 2) return std::nullopt;
-  const std::size_t gaps = gaps_in(time_s, median_spacing_s(time_s));
-  if (gaps == 0) return std::nullopt;
-  EvenRows rows(time_s);
-  if (!rows.are_of_arrival()) return std::nullopt;
+  if (time_s.size() < rules::kMinWindows * rules::kMinStampWindow) return std::nullopt;
+  const double spacing_s = median_spacing_s(time_s);
+  const std::size_t uneven = uneven_in(time_s, spacing_s);
+  if (uneven == 0) return std::nullopt;
+  bool may_be_clock = spacing_s > 0 && (!rate_hz || is_period(spacing_s, 1 / *rate_hz));
+  if (may_be_clock) {
+    const Clock clock(time_s, spacing_s);
+    may_be_clock = !clock.is_early;
+    if (may_be_clock && clock.is_by_chance) return std::nullopt;
+  }
   EvenTimes even;
+  EvenRows rows(time_s);
   if (rows.fit(rate_hz ? std::optional(1 / *rate_hz) : std::nullopt)) {
     even = rows.times();
-    even.is_known = rows.explains(even.time_s);
+    even.is_known = rate_hz || rows.explains(even.time_s);
     const std::size_t least = std::max(even.gaps_after, rules::kMinWindows);
-    if (even.is_known && even.gaps_after + least > gaps) return std::nullopt;
+    if (even.is_known && may_be_clock && even.gaps_after + least > uneven) return std::nullopt;
   }
-  even.gaps_before = gaps;
+  even.uneven_before = uneven;
   return even;
 }
 

@@ -13,8 +13,8 @@ struct EvenTimes {
   std::vector<double> time_s;  ///< of each row, when it was sampled
   double rate_hz = 0;
   double rate_sigma_hz = 0;
-  std::size_t gaps_before = 0;  ///< spacings that would count as gaps, as the rows arrived
-  std::size_t gaps_after = 0;   ///< where samples are lost
+  std::size_t uneven_before = 0;  ///< spacings that are no period, as the rows arrived
+  std::size_t gaps_after = 0;     ///< where samples are lost
 };
 
 /// Recognises times of arrival: packets, a queue behind a stalled reader, a clock that is read
@@ -23,8 +23,9 @@ struct EvenTimes {
 /// delayed sample of each window is a time that is known; between these the samples are even, and
 /// lost where whole periods are missing.
 ///
-/// `time_s`: not falling; rows may have the same time. Nothing if spacings scatter like losses, or
-/// most gaps are gaps, or all but a few (rules::kMinWindows).
+/// `time_s`: not falling; rows may have the same time. Nothing if the rows may be there when they
+/// were sampled: next to none comes early, and pauses do not make up for each other, or most are
+/// losses all the same.
 /// Pauses above rules::kMaxDropoutS are gaps unless the rows after them make up for them. Without
 /// `rate_hz` the sample rate is found where enough windows lose nothing (rules::kShareWithoutLoss).
 std::optional<EvenTimes> even_times(const std::vector<double>& time_s,

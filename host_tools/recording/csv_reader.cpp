@@ -232,15 +232,20 @@ class RowCollector {
       options_.watch.say(
           file_.path(),
           format("times are those at which samples arrived; taken as even, at %.8g +- %.2g Hz: "
-                 "%zu of %zu gaps are none",
-                 even->rate_hz, even->rate_sigma_hz, even->gaps_before - even->gaps_after,
-                 even->gaps_before));
+                 "%zu uneven spacings, %s",
+                 even->rate_hz, even->rate_sigma_hz, even->uneven_before,
+                 counted(even->gaps_after, "gap").c_str()));
       recording_.time_s = std::move(even->time_s);
       first_repeat_ = {};
-    } else if (even && !given_rate_hz()) {
-      throw InputError(file_.path(),
-                       "times are those at which samples arrived, and do not tell the sample rate: "
-                       "too many are lost or late; give --rate HZ");
+    } else if (even) {
+      throw InputError(
+          file_.path(),
+          given_rate_hz()
+              ? format("times do not go with %g samples a second: too many, or too late; "
+                       "give another --rate",
+                       *given_rate_hz())
+              : "times are those at which samples arrived, and do not tell the sample "
+                "rate: too many are lost or late; give --rate HZ");
     } else if (!first_repeat_.empty()) {
       throw InputError(first_repeat_.where,
                        first_repeat_.fault + "; correct the line or give --skip-bad-rows");

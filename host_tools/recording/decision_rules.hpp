@@ -82,9 +82,9 @@ constexpr std::size_t kMinStampWindow = 16;
 /// Fewer windows, or gaps that are none, do not tell late samples from lost ones.
 /// arrival_stamps_test.
 constexpr std::size_t kMinWindows = 8;
-/// Variance of a window's sum over that of independent values: lost samples have 1, give or take a
-/// half with kMinWindows; late ones nearly 0. arrival_stamps_test.
-constexpr double kMaxBalancedScatter = 0.25;
+/// Standard deviations by which spacings, or lengths of repeats, are more regular than independent
+/// ones can be: a ratio of variances that is 1 by chance. arrival_stamps_test, held_rate_test.
+constexpr double kBalancedSigmas = 3;
 /// Share of windows that lose nothing, at least; with fewer, lost samples cannot be counted. And
 /// scatter of the times between anchors about whole samples, in samples, below which they can:
 /// without any grid it is 0.29. arrival_stamps_test.

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
+#include <numeric>
 
-#include "recording/balanced_sums.hpp"
 #include "recording/decision_rules.hpp"
 #include "support/median.hpp"
 
@@ -45,16 +44,29 @@ std::vector<double> divided(const std::vector<double>& held) {
 
 }  // namespace
 
+double min_ratio_by_chance(double variance) {
+  const double root = 1 - variance / 9 - rules::kBalancedSigmas * std::sqrt(variance) / 3;
+  return root * root * root;
+}
+
+bool are_regular(const std::vector<double>& lengths) {
+  const auto count = static_cast<double>(lengths.size());
+  const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.0) / count;
+  double square = 0;
+  for (const double each : lengths) square += (each - mean) * (each - mean);
+  const double by_chance = mean * (mean - 1);
+  return square / count <= min_ratio_by_chance((8 + 1 / by_chance) / count) * by_chance;
+}
+
 std::vector<std::size_t> repeated_readings(const std::vector<double>& rate_dph) {
   const auto changes = static_cast<double>(changes_in(rate_dph));
   if (changes * rules::kMinRowsPerReading > static_cast<double>(rate_dph.size())) return {};
-  const std::vector<double> readings = divided(held_rows(rate_dph));
+  const std::vector<double> held = held_rows(rate_dph);
+  if (!are_regular(held)) return {};
+  const std::vector<double> readings = divided(held);
   const double rows_per_reading =
       static_cast<double>(rate_dph.size()) / static_cast<double>(readings.size() + 1);
-  if (rows_per_reading < rules::kMinRowsPerReading ||
-      !are_balanced(readings, rules::kMinHeldChanges)) {
-    return {};
-  }
+  if (rows_per_reading < rules::kMinRowsPerReading) return {};
   std::vector<std::size_t> repeats;
   double next = 0;  // row of the next reading
   std::size_t reading = 0;

@@ -5,6 +5,16 @@
 
 namespace fogcomp::recording {
 
+/// Smallest ratio of a measured variance to its expectation, 1, that is by chance: at
+/// rules::kBalancedSigmas, of a ratio with this variance (Wilson and Hilferty 1931). Negative
+/// where none is too small.
+double min_ratio_by_chance(double variance);
+
+/// Whether lengths, in rows, scatter less than those between events that come by chance: these have
+/// a geometric distribution, of variance m (m - 1) for a mean m, kurtosis 9 + 1 / (m (m - 1)).
+/// False where there are too few to tell.
+bool are_regular(const std::vector<double>& lengths);
+
 /// Rows that repeat a reading, of a rate that is logged faster than the gyro delivers: it changes
 /// in a rhythm that is slower than the rows. In such a series noise is averaged over time, not over
 /// rows. Empty if the rate changes from row to row, or repeats by chance because it is coarse.

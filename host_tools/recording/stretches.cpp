@@ -31,7 +31,20 @@ double median_spacing_s(const std::vector<double>& time_s) {
     const std::size_t row = i + i * kScatter % step;
     spacings.push_back(time_s[row] - time_s[row - 1]);
   }
-  return median(std::move(spacings));
+  // Of a clock that jitters while samples are lost, most spacings are long.
+  double period_s = median(spacings);
+  constexpr int kRounds = 5;  // until the counts of samples stay
+  for (int round = 0; round < kRounds && period_s > 0; ++round) {
+    double samples = 0;
+    double sum_s = 0;
+    for (const double each_s : spacings) {
+      if (each_s > rules::kMaxDropoutS) continue;
+      samples += std::round(each_s / period_s);
+      sum_s += each_s;
+    }
+    if (samples > 0) period_s = sum_s / samples;
+  }
+  return period_s;
 }
 
 void find_stretches(Recording& recording) {
