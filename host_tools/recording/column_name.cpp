@@ -157,6 +157,12 @@ void ColumnName::take_tail(const std::string& name) {
   }
 }
 
+bool ColumnName::has_minus() const {
+  const bool is_sign =
+      key.size() > 1 && key[0] == '-' && parse_number(key.substr(0, 2)) == std::nullopt;
+  return is_sign || has_word({"minus", "neg", "invert"});
+}
+
 bool ColumnName::has_word(const std::vector<std::string_view>& beginnings) const {
   return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
     return std::any_of(beginnings.begin(), beginnings.end(),

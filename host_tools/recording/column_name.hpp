@@ -35,6 +35,9 @@ struct ColumnName {
   /// column must have one.
   std::optional<ColumnMeaning> meaning() const;
 
+  /// Whether it says that its values have the other sign: "-rate_dph", "neg_gyro_z".
+  bool has_minus() const;
+
   /// Whether one of its words begins so.
   bool has_word(const std::vector<std::string_view>& beginnings) const;
 

@@ -305,6 +305,12 @@ class HeaderReader {
       fail(column.contradiction + "; correct one of them, or say which: --columns '" +
            map_key(slot) + "=" + std::to_string(field + 1) + unit_proposal(slot) + "'");
     }
+    if (!given && quantity_of(slot) == Quantity::rate && column.has_minus()) {
+      const std::string choice = map_key(slot) + "=" + std::to_string(field + 1) + "[";
+      const std::string unit = column.unit ? column.unit->words : "deg/s";
+      fail(place(field) + " may have the other sign; say whether: --columns '" + choice + "-" +
+           unit + "]' changes it, '" + choice + unit + "]' does not");
+    }
     if (given && column.unit && given->words != column.unit->words) {
       say(place(field) + " is taken in " + given->words + ", as chosen, not in " +
           column.unit->words);
@@ -315,7 +321,9 @@ class HeaderReader {
   void use_unit(std::size_t field, std::size_t slot, std::optional<Unit> unit) {
     const ColumnName& column = columns_[field];
     if (unit && unit->quantity == Quantity::counts && quantity_of(slot) == Quantity::rate) {
+      const double sign = unit->factor;
       unit = counts_unit(place(field));
+      unit->factor *= sign;
     }
     if (unit && unit->words == kSamples && slot == kTimeSlot) {
       if (!options_.stream_rate_hz) fail(place(field) + " counts samples; give --rate (Hz)");

@@ -118,10 +118,12 @@ class RowCollector {
     for (const auto& [slot, values] : columns_) values->reserve(rows);
   }
 
-  void add(std::string_view line) {
+  // `cut`: why the line may not be whole, or nothing.
+  void add(std::string_view line, const std::string& cut) {
     CsvRow row;
     const std::size_t number = rows_read_++;
     if (!reader_.read(line, row)) return refuse(reader_.fault_of(line));
+    if (!cut.empty()) return refuse(cut);
     if (period_s_ > 0) row.values[kTimeSlot] = static_cast<double>(number) * period_s_;
     for (const CsvHeader::Constant& each : constants_) row.values[each.slot] = each.value;
     if (row.lacks_values && lacks_needed(row)) return;
@@ -333,6 +335,50 @@ class RowCollector {
   std::string last_label_;
 };
 
+/// Whether a last line without its end may have been cut within a number.
+class CutLine {
+ public:
+  CutLine(const CsvLayout& layout, const FileHead& head) : dialect_(layout.dialect) {
+    is_read_ = layout.header.slots.back() <= CsvHeader::kTimePart;
+    const std::vector<std::string_view> lines = first_lines(head);
+    for (std::size_t i = next_row(lines, layout.lines_before_rows); i < lines.size();
+         i = next_row(lines, i + 1)) {
+      const std::string_view number = last_number(lines[i]);
+      has_mark_ = has_mark_ || number.find(dialect_.decimal_mark()) != std::string_view::npos;
+      whole_.emplace_back(number);
+    }
+  }
+
+  // What is wrong with `line`, or nothing: a number that is cut has fewer digits than others.
+  std::string fault_of(std::string_view line) const {
+    const std::string number(last_number(line));
+    const bool is_shorter = std::any_of(whole_.begin(), whole_.end(), [&](const auto& whole) {
+      return length_of(number) < length_of(whole);
+    });
+    if (!is_read_ || !is_shorter || line.back() == '"') return {};
+    return "the file ends within a line, and '" + printable(number) +
+           "' has fewer digits than others: it may be cut (if not, end the line)";
+  }
+
+ private:
+  std::string_view last_number(std::string_view line) const {
+    std::vector<std::string_view> fields;
+    split_fields(line, dialect_.separator, fields);
+    return fields.back();
+  }
+  // Behind the decimal mark, if numbers have one.
+  std::size_t length_of(const std::string& number) const {
+    const std::size_t mark = number.find(dialect_.decimal_mark());
+    if (has_mark_) return mark == std::string::npos ? 0 : number.size() - mark;
+    return number.size();
+  }
+
+  CsvDialect dialect_;
+  bool is_read_;
+  bool has_mark_ = false;
+  std::vector<std::string> whole_;
+};
+
 // Estimated from the length of the first lines; later ones, with longer times, are less than twice
 // as long.
 std::size_t min_rows_of(const InputFile& file, std::string_view head) {
@@ -349,8 +395,9 @@ Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lin
   const std::string_view head = file.peek();
   std::string_view line;
   if (head.find('\n') == std::string_view::npos && !file.at_end()) file.next_line(line);
-  const CsvLayout layout =
-      find_csv_layout({head, file.at_end(), file.is_utf16(), file.path()}, options);
+  const FileHead file_head{head, file.at_end(), file.is_utf16(), file.path()};
+  const CsvLayout layout = find_csv_layout(file_head, options);
+  const CutLine cut(layout, file_head);
   RowCollector collector(layout, file, options, lines, min_rows_of(file, head));
   for (std::size_t i = 0; i < layout.lines_before_rows; ++i) file.next_line(line);
   bool reserved = false;
@@ -360,7 +407,7 @@ Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lin
     if (!filter.takes_all() && !filter.takes(line)) continue;
     if (!reserved) collector.reserve(file.size(), line.size());
     reserved = true;
-    collector.add(line);
+    collector.add(line, file.lacks_line_end() ? cut.fault_of(line) : std::string());
   }
   if (filter.left_out() > 0) {
     options.watch.say(file.path(),

@@ -111,6 +111,7 @@ bool InputFile::next_line(std::string_view& line) {
   ++line_number_;
   if (found == nullptr) {
     if (!at_end_) throw InputError(where(), "line longer than 1 MiB; is this a recording?");
+    lacks_line_end_ = true;
     buffer_[end_] = '\n';
     found = buffer_.get() + end_;
     begin_ = end_;

@@ -39,6 +39,8 @@ class InputFile {
   /// Takes the next line, without its LF or CRLF; false at the end. The byte after the view is
   /// readable and is CR or LF. Throws for a line longer than 1 MiB.
   bool next_line(std::string_view& line);
+  /// Whether the line taken last is the file's last one and has no LF.
+  bool lacks_line_end() const { return lacks_line_end_; }
   /// Of the line taken last, from 1.
   std::size_t line_number() const { return line_number_; }
   /// `FILE:LINE` of the line taken last, for messages.
@@ -59,6 +61,7 @@ class InputFile {
   std::size_t end_ = 0;
   bool at_end_ = false;
   std::size_t line_number_ = 0;
+  bool lacks_line_end_ = false;
   std::size_t read_bytes_ = 0;
   bool begun_ = false;
   std::optional<Utf16Decoder> utf16_;

@@ -121,6 +121,7 @@ std::string folded(std::string_view text) {
                                     {"\xC2\xB7", ""},
                                     {"\xE2\x8B\x85", ""},
                                     {"\xE2\x81\xBB", "-"},
+                                    {"\xE2\x88\x92", "-"},
                                     {"\xC2\xB9", "1"},
                                     {"\xC2\xB2", "2"},
                                     {"\"", ""},
@@ -145,8 +146,16 @@ std::string Unit::conversion_words() const {
 std::optional<Unit> find_unit(std::string_view spelling) {
   constexpr std::size_t kLongestSpelling = 40;
   if (spelling.size() > kLongestSpelling) return std::nullopt;
-  const auto found = units_by_key().find(key_of(spelling));
-  return found == units_by_key().end() ? std::nullopt : std::optional(found->second);
+  const std::string key = key_of(spelling);
+  const bool is_negative = key.size() > 1 && key[0] == '-';
+  const auto found = units_by_key().find(is_negative ? key.substr(1) : key);
+  if (found == units_by_key().end()) return std::nullopt;
+  Unit unit = found->second;
+  if (!is_negative) return unit;
+  if (unit.quantity != Quantity::rate && unit.quantity != Quantity::counts) return std::nullopt;
+  unit.words = "-" + unit.words;
+  unit.factor = -unit.factor;
+  return unit;
 }
 
 std::vector<std::string> units_of(Quantity quantity) {

@@ -36,7 +36,7 @@ struct Unit {
 };
 
 /// The unit that `spelling` denotes, ignoring case: "deg/s", "°/s", "dps", "deg s^-1", "degrees per
-/// second". Nothing if unknown.
+/// second"; "-deg/s" for rates of the other sign. Nothing if unknown.
 std::optional<Unit> find_unit(std::string_view spelling);
 
 /// The units of that quantity, as messages have them.

@@ -654,6 +654,51 @@ TEST(ForeignFiles, UnitGivenByTheMap_OutranksTheHeader) {
       << said;
 }
 
+TEST(ForeignFiles, MinusBeforeARatesName_AskedForTheSign) {
+  for (const char* name :
+       {"-rate_dph", "- Gyro [deg/h]", "\xE2\x88\x92omega [deg/h]", "neg_gyro_dph"}) {
+    const std::string text = std::string("time_s,temp_degC,") + name + "\n0,20,1\n1,20,2\n";
+    EXPECT_NE(said_of(text).find("'rate=3[-deg/h]' changes it, 'rate=3[deg/h]' does not"),
+              std::string::npos)
+        << said_of(text);
+    for (const double sign : {-1, 1}) {
+      ReadOptions options;
+      options.columns = sign < 0 ? "rate=3[-deg/h]" : "rate=3[deg/h]";
+      EXPECT_EQ(read_recording(temporary_file("minus.csv", text), options).rate_dph,
+                (std::vector<double>{sign * 1, sign * 2}))
+          << name;
+    }
+  }
+  ReadOptions counts;
+  counts.columns = "rate=3[-counts]";
+  counts.scale_factor = 3600;
+  EXPECT_EQ(
+      read_recording(temporary_file("minus.csv", "time_s,temp_degC,raw\n0,20,1\n1,20,2\n"), counts)
+          .rate_dph,
+      (std::vector<double>{-1, -2}));
+}
+
+// A log that stopped while it was written: what is left of a number is a number.
+TEST(ForeignFiles, LastLineCutWithinANumber_RefusedUnlessWhole) {
+  const std::string text = "time_s,temperature_degc,rate_dph\n0,20,1.25\n1,20,12.75\n2,20,12.34";
+  const auto rows_of = [](const std::string& content) {
+    ReadOptions options;
+    options.skip_bad_rows = true;
+    return read_recording(temporary_file("cut.csv", content), options).rows();
+  };
+  EXPECT_EQ(said_of(text), "no error");
+  EXPECT_EQ(rows_of(text), 3U);
+  for (std::size_t cut = 1; cut < 5; ++cut) {
+    const std::string left = text.substr(0, text.size() - cut);
+    EXPECT_NE(said_of(left).find(":4: the file ends within a line"), std::string::npos) << left;
+    EXPECT_EQ(rows_of(left), 2U) << left;
+    EXPECT_EQ(said_of(left + "\n"), "no error") << left;
+    EXPECT_EQ(rows_of(left + "\n"), 3U) << left;
+  }
+  // Columns that nobody reads may be cut.
+  EXPECT_EQ(said_of("time_s,temperature_degc,rate_dph,note\n0,20,1,8.25\n1,20,2,8.2"), "no error");
+}
+
 TEST(ForeignFiles, SayInOneLineWhatWasUnderstood) {
   std::string said;
   read_recording(
