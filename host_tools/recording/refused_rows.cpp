@@ -8,9 +8,12 @@
 #include <vector>
 
 #include "recording/board_limits.hpp"
+#include "recording/columns.hpp"
+#include "recording/decision_rules.hpp"
 #include "recording/row_judge.hpp"
 #include "recording/row_removal.hpp"
 #include "support/input_error.hpp"
+#include "support/median.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::recording {
@@ -41,6 +44,18 @@ class Words {
                ", %.4g s in all, as no working sensor does; the board would reject it; "
                "the samples are kept",
                stood_s);
+  }
+
+  std::string stuck(const ColumnInfo& info, const std::vector<RowRange>& ranges) const {
+    std::size_t rows = 0;
+    for (const RowRange& range : ranges) rows += range.size();
+    const RowRange first = ranges.front();
+    return std::string(info.name) + format(" is %.6g", recording_[info.column][first.first]) +
+           place(first.first) + " and in all " + counted(rows, "row") +
+           (ranges.size() > 1 ? format(" of %zu ranges", ranges.size()) : "") +
+           ", where it changes from row to row otherwise: is it a reading? The samples are kept; " +
+           format("--mask %.6g..%.6g leaves the first out", recording_.time_s[first.first],
+                  recording_.time_s[first.end - 1]);
   }
 
  private:
@@ -105,6 +120,58 @@ class Words {
   const std::vector<RefusedRow>& refused_;
 };
 
+/// Rows in which a column that changes from row to row has one value for longer than by chance,
+/// after a jump and before one: no reading, but what stands for none.
+std::vector<RowRange> stuck_ranges(const std::vector<double>& values) {
+  std::vector<RowRange> held;
+  std::size_t repeats = 0;  // beside those of long ranges
+  std::size_t changes = 0;
+  for (std::size_t row = 1, first = 0; row <= values.size(); ++row) {
+    if (row < values.size() && values[row] == values[row - 1]) continue;
+    if (row < values.size()) ++changes;
+    if (row - first > rules::kMinHeldChanges) {
+      held.push_back({first, row});
+    } else {
+      repeats += row - first - 1;
+    }
+    first = row;
+  }
+  const double repeat_share =
+      (static_cast<double>(repeats) + 1) / (static_cast<double>(changes) + 1);
+  const bool changes_otherwise =
+      repeat_share <= 0.5 && changes >= rules::kMinHeldChanges + 2 * held.size();
+  if (held.empty() || !changes_otherwise) return {};
+  std::vector<double> steps;
+  for (std::size_t row = 1; row < values.size(); ++row) {
+    if (values[row] != values[row - 1]) steps.push_back(std::fabs(values[row] - values[row - 1]));
+  }
+  const double by_chance = std::log(static_cast<double>(changes)) / -std::log(repeat_share);
+  const double step = median(std::move(steps));
+  const auto jumps_at = [&](std::size_t row) {
+    return row == 0 || row == values.size() || std::fabs(values[row] - values[row - 1]) >= step;
+  };
+  held.erase(std::remove_if(held.begin(), held.end(),
+                            [&](const RowRange& range) {
+                              return static_cast<double>(range.size()) <=
+                                         static_cast<double>(rules::kMinHeldChanges) + by_chance ||
+                                     !jumps_at(range.first) || !jumps_at(range.end);
+                            }),
+             held.end());
+  return held;
+}
+
+void name_stuck_columns(const Recording& recording, const Words& words, const ReadWatch& watch) {
+  for (const ColumnInfo& info : kColumns) {
+    const std::vector<double>& values = recording[info.column];
+    const bool has_own_judge = info.column == Column::time_s || info.column == Column::uptime_s ||
+                               info.column == Column::temperature_degc ||
+                               info.column == Column::input_rate_dph;
+    if (has_own_judge || values.empty()) continue;
+    const std::vector<RowRange> ranges = stuck_ranges(values);
+    if (!ranges.empty()) watch.say(recording.file, words.stuck(info, ranges));
+  }
+}
+
 std::vector<std::size_t> rows_refused_for(const std::vector<RefusedRow>& refused, Refusal why) {
   std::vector<std::size_t> rows;
   for (const RefusedRow& each : refused) {
@@ -151,6 +218,7 @@ void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
       recording.temperature_given ? std::vector<RowRange>{} : frozen_temperatures(recording);
   const Words words(recording, lines, limits, refused);
   if (!frozen.empty()) watch.say(recording.file, words.frozen(frozen));
+  name_stuck_columns(recording, words, watch);
   if (refused.empty()) return;
   name_refused_rows(recording, words, refused, watch);
   std::vector<std::size_t> rows(refused.size());

@@ -12,6 +12,7 @@
 #include "core/acquisition/sample_monitor.hpp"
 #include "heard_in.hpp"
 #include "support/input_error.hpp"
+#include "support/text.hpp"
 #include "temporary_file.hpp"
 
 namespace fogcomp::recording {
@@ -279,6 +280,31 @@ TEST(RefusedRows, AreNamedWithTheirLinesCountedAndLeftOut) {
   const Recording whole = read_recording(path, options);
   EXPECT_EQ(whole.rows(), 20U) << "the board's own code judges by itself";
   EXPECT_EQ(whole.refused_rows, 0U);
+}
+
+// What stands for no reading has one value while others of its column move.
+TEST(RefusedRows, OneValueBetweenJumps_Said) {
+  const auto said_of = [](const std::function<double(int)>& rate_of) {
+    std::string text = header();
+    for (int i = 0; i < 600; ++i) text += format("%d,20,%.4f\n", i, rate_of(i));
+    std::string said;
+    read_recording(temporary_file("stuck.csv", text), heard_in(said));
+    return said;
+  };
+  std::mt19937 random(2);
+  std::normal_distribution<double> noise(1, 0.2);
+  for (const double value : {0.0, -999.0, 32767.0}) {
+    const std::string said =
+        said_of([&](int i) { return i >= 300 && i < 360 ? value : noise(random); });
+    EXPECT_NE(said.find(format("rate_dph is %g at line 302 and in all 60 rows", value)),
+              std::string::npos)
+        << said;
+    EXPECT_NE(said.find("--mask 300..359"), std::string::npos) << said;
+  }
+  EXPECT_EQ(said_of([&](int) { return noise(random); }), "");
+  EXPECT_EQ(said_of([&](int) { return std::round(noise(random)); }), "") << "coarse";
+  EXPECT_EQ(said_of([](int i) { return std::round(1e3 * std::sin(i / 60.0)); }), "") << "smooth";
+  EXPECT_EQ(said_of([](int i) { return i < 300 ? 0.0 : 1.0; }), "");
 }
 
 TEST(RefusedRows, LeaveLabelsWhereTheyWere) {
