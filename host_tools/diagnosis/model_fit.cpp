@@ -46,8 +46,8 @@ fit::NoiseWeightedFit fit_for_diagnosis(const model::Model& model, const Diagnos
   if (rows.size() < rules::kMinRows) {
     throw InputError("diagnose",
                      format("%s of %g s: too few; at least %td are needed: "
-                            "use a longer recording, a shorter --average, or fogcomp add, which "
-                            "judges one effect",
+                            "fogcomp add judges one effect of few rows; more rows come of a longer "
+                            "recording, a shorter --average, or a --table of more means",
                             counted(static_cast<std::size_t>(rows.size()), "row").c_str(),
                             rows.row_s, rules::kMinRows));
   }

@@ -73,6 +73,12 @@ status=0
 "$fogcomp" add curve.model bias_temperature:order=4 still.csv "${columns[@]}" -o wiggle.model >said.txt 2>&1 || status=$?
 [[ $status == 1 ]] || fail "a cubic and a quartic part: exit code $status, $(cat said.txt)"
 
+# Few means do not tell which of all effects is missing; the command that judges one is named.
+status=0
+"$fogcomp" diagnose line.model still.csv "${columns[@]}" >said.txt 2>&1 || status=$?
+[[ $status == 2 ]] || fail "diagnose of 24 means: exit code $status"
+says said.txt '24 rows .*too few; at least 60 are needed: fogcomp add judges one effect of few rows; .*a --table of more means'
+
 # A rate table's: bias and scale factor.
 table turned.csv 2 1
 "$fogcomp" fit turned.csv "${columns[@]}" -o turned.model --effects bias,bias_temperature:order=2,scale_factor --json \
