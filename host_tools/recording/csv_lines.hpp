@@ -33,4 +33,15 @@ bool is_all_numbers(const std::vector<std::string>& names);
 /// The first line from `line` on that is neither a comment nor blank; lines.size() if none is.
 std::size_t next_row(const std::vector<std::string_view>& lines, std::size_t line);
 
+/// Calls take(line, fields) for each row of a layout among a file's first lines.
+template <class Take>
+void for_each_row(const std::vector<std::string_view>& lines, const CsvLayout& layout, Take take) {
+  std::vector<std::string_view> fields;
+  for (std::size_t i = next_row(lines, layout.lines_before_rows); i < lines.size();
+       i = next_row(lines, i + 1)) {
+    split_fields(lines[i], layout.dialect.separator, fields);
+    take(i, fields);
+  }
+}
+
 }  // namespace fogcomp::recording

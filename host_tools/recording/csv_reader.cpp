@@ -340,18 +340,17 @@ class CutLine {
  public:
   CutLine(const CsvLayout& layout, const FileHead& head) : dialect_(layout.dialect) {
     is_read_ = layout.header.slots.back() <= CsvHeader::kTimePart;
-    const std::vector<std::string_view> lines = first_lines(head);
-    for (std::size_t i = next_row(lines, layout.lines_before_rows); i < lines.size();
-         i = next_row(lines, i + 1)) {
-      const std::string_view number = last_number(lines[i]);
-      has_mark_ = has_mark_ || number.find(dialect_.decimal_mark()) != std::string_view::npos;
-      whole_.emplace_back(number);
-    }
+    for_each_row(first_lines(head), layout, [&](std::size_t, const auto& fields) {
+      whole_.emplace_back(fields.back());
+      has_mark_ = has_mark_ || whole_.back().find(dialect_.decimal_mark()) != std::string::npos;
+    });
   }
 
   // What is wrong with `line`, or nothing: a number that is cut has fewer digits than others.
   std::string fault_of(std::string_view line) const {
-    const std::string number(last_number(line));
+    std::vector<std::string_view> fields;
+    split_fields(line, dialect_.separator, fields);
+    const std::string number(fields.back());
     const bool is_shorter = std::any_of(whole_.begin(), whole_.end(), [&](const auto& whole) {
       return length_of(number) < length_of(whole);
     });
@@ -361,11 +360,6 @@ class CutLine {
   }
 
  private:
-  std::string_view last_number(std::string_view line) const {
-    std::vector<std::string_view> fields;
-    split_fields(line, dialect_.separator, fields);
-    return fields.back();
-  }
   // Behind the decimal mark, if numbers have one.
   std::size_t length_of(const std::string& number) const {
     const std::size_t mark = number.find(dialect_.decimal_mark());

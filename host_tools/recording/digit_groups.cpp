@@ -15,14 +15,11 @@ class Marks {
  public:
   Marks(const std::vector<std::string_view>& lines, const CsvLayout& layout)
       : layout_(layout), columns_(layout.header.slots.size()) {
-    std::vector<std::string_view> fields;
-    for (std::size_t i = next_row(lines, layout.lines_before_rows); i < lines.size();
-         i = next_row(lines, i + 1)) {
-      split_fields(lines[i], layout.dialect.separator, fields);
+    for_each_row(lines, layout, [&](std::size_t, const std::vector<std::string_view>& fields) {
       for (std::size_t field = 0; field < std::min(fields.size(), columns_.size()); ++field) {
         see(fields[field], columns_[field]);
       }
-    }
+    });
   }
 
   // Of the columns that are read; nothing if the mark can be the decimal one only.

@@ -12,10 +12,10 @@
 #include "recording/line_numbers.hpp"
 #include "recording/output_stream_reader.hpp"
 #include "recording/refused_rows.hpp"
+#include "recording/sparse_input_rate.hpp"
 #include "recording/stream_reader.hpp"
 #include "recording/stretches.hpp"
 #include "recording/table_flanks.hpp"
-#include "recording/unknown_input_rate.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 

@@ -87,27 +87,24 @@ std::vector<Sensors> unknown_columns(const std::vector<std::string_view>& lines,
                                      const CsvLayout& layout) {
   const CsvHeader& header = layout.header;
   std::vector<Sensors> columns(std::min(header.slots.size(), rules::kMaxColumnsUnderstood));
-  std::vector<std::string_view> fields;
   const std::size_t rate_field = header.field_of(kRateSlot);
   const std::size_t temperature_field = header.field_of(kTemperatureSlot);
-  const auto number_in = [&](std::size_t field, double& value) {
+  const auto number_in = [&](const auto& fields, std::size_t field, double& value) {
     const bool is_number = field < std::min(fields.size(), header.slots.size()) &&
                            read_number(fields[field], layout.dialect, value) == FieldKind::number;
     return is_number ? &value : nullptr;
   };
-  for (std::size_t i = next_row(lines, layout.lines_before_rows); i < lines.size();
-       i = next_row(lines, i + 1)) {
-    split_fields(lines[i], layout.dialect.separator, fields);
+  for_each_row(lines, layout, [&](std::size_t, const std::vector<std::string_view>& fields) {
     double rate = 0;
     double temperature = 0;
-    const double* const its_rate = number_in(rate_field, rate);
-    const double* const its_temperature = number_in(temperature_field, temperature);
+    const double* const its_rate = number_in(fields, rate_field, rate);
+    const double* const its_temperature = number_in(fields, temperature_field, temperature);
     for (std::size_t field = 0; field < std::min(columns.size(), fields.size()); ++field) {
       const bool is_unknown = header.slots[field] == CsvHeader::kIgnored;
       if (!is_unknown || columns[field].sensors.size() > rules::kMaxSensors) continue;
       columns[field].add(std::string(fields[field]), its_rate, its_temperature);
     }
-  }
+  });
   return columns;
 }
 

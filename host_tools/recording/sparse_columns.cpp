@@ -10,7 +10,6 @@
 #include "recording/decision_rules.hpp"
 #include "recording/row_removal.hpp"
 #include "recording/sparse_input_rate.hpp"
-#include "recording/unknown_input_rate.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"

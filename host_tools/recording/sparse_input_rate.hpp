@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "recording/mask.hpp"
+#include "recording/recording.hpp"
 
 namespace fogcomp::recording {
 
@@ -25,5 +27,11 @@ bool blank_held_readings(const std::vector<double>& time_s, const std::vector<do
 std::vector<Mask> draw_input_rate(const std::vector<double>& time_s,
                                   const std::vector<double>& rate_dph,
                                   std::vector<double>& input_rate);
+
+/// Masks times in which the input rate is not known, and says so: "fits and comparisons leave out
+/// 12 s WHICH, the first at 3 s; REMEDY". Nothing without masks.
+void mask_unknown_input_rate(Recording& recording, const std::vector<Mask>& unknown,
+                             const std::string& which, const std::string& remedy,
+                             const ReadWatch& watch);
 
 }  // namespace fogcomp::recording
