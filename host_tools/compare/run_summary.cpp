@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "noise/noise_floor.hpp"
 #include "noise/outlier_rows.hpp"
@@ -106,11 +107,10 @@ Judged judge_samples(const recording::Recording& recording, const series::Comple
   return samples;
 }
 
-std::vector<double> bridged(const Judged& judged, const recording::Recording& recording) {
-  std::vector<double> values = judged.values;
+std::vector<double> bridged(Judged judged, const recording::Recording& recording) {
   noise::bridge_outliers(judged.outlier, recording::stretches_of(recording, {0, recording.rows()}),
-                         values);
-  return values;
+                         judged.values);
+  return std::move(judged.values);
 }
 
 // As a recording, for functions that need one.
@@ -130,7 +130,7 @@ RunSummary summary_of(const recording::Recording& recording, const recording::Re
   const std::vector<recording::Segment> in_rows =
       recording::segments_on(segments, rows.means.time_s, {0, rows.means.rows()});
   const Judged row_bias = judge_rows(rows.means);
-  const Judged bias = judge_samples(recording, rows, row_bias.outlier);
+  Judged bias = judge_samples(recording, rows, row_bias.outlier);
 
   RunSummary summary;
   summary.average_s = rows.means.period_s;
@@ -147,7 +147,8 @@ RunSummary summary_of(const recording::Recording& recording, const recording::Re
   for (const recording::RowRange& soak : soaks) {
     summary.soak_s += static_cast<double>(soak.size()) * recording.period_s;
   }
-  summary.allan = noise::allan_deviation(bridged(bias, recording), soaks, recording.period_s);
+  summary.allan =
+      noise::allan_deviation(bridged(std::move(bias), recording), soaks, recording.period_s);
   summary.noise = noise::fit_noise_coefficients(summary.allan);
   summary.sensitivity = temperature_sensitivity(without_outliers(rows.means, row_bias), in_rows);
   summary.blocks = std::move(rows.means);

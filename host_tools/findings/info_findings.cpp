@@ -256,7 +256,10 @@ void add_over_time(Document& document, const recording::Recording& recording,
   document.plot(temperature_plot(axis, blocks.temperature_degc));
   if (recording.rows() == blocks.rows()) return;
   const TimeAxis samples{recording.time_s, recording.stretch_starts, "run", axis.segments};
-  const std::vector<double> sample_bias = recording::bias_dph(recording);
+  const bool has_input = !recording.input_rate_dph.empty();
+  const std::vector<double> less_input =
+      has_input ? recording::bias_dph(recording) : std::vector<double>();
+  const std::vector<double>& sample_bias = has_input ? less_input : recording.rate_dph;
   Plot every = time_plot("Samples.", "bias, deg/h", samples, {{"sample", "second", sample_bias}});
   every.caption = "Std " + dph(summary.bias.sample_std_dph) + " deg/h.";
   document.plot(every);

@@ -117,8 +117,11 @@ std::optional<double> noise_floor_dph(const recording::Recording& recording, dou
     samples /= 2;
   if (count_differences(stretches, samples) == 0) return std::nullopt;
   const double white = std::sqrt(static_cast<double>(samples) / static_cast<double>(wanted));
+  // Without an input rate the rate is the bias: a copy of a long recording takes longer than this.
   std::vector<double> differences =
-      scaled_differences(recording::bias_dph(recording), stretches, samples);
+      recording.input_rate_dph.empty()
+          ? scaled_differences(recording.rate_dph, stretches, samples)
+          : scaled_differences(recording::bias_dph(recording), stretches, samples);
   const Eigen::MatrixXd columns =
       input_rate_columns(as_vector(recording.input_rate_dph), as_vector(recording.temperature_degc),
                          static_cast<Eigen::Index>(samples));
