@@ -4,10 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "board/replay.hpp"
+#include "support/board_image.hpp"
 #include "support/faulty_line.hpp"
 #include "support/sample_models.hpp"
 
@@ -21,62 +24,90 @@ struct DriftVerdict {
   double clean_since_s = 0;   ///< start of the present unbroken series of trusted rates
   double worst_dph = 0;       ///< of trusted ones: drift error beyond that of the temperatures
   double worst_at_s = 0;
+  std::uint64_t false_frames = 0;   ///< that do not say what the board has found
+  std::uint64_t trusted_wrong = 0;  ///< trusted, though the gyro stands or leaps
 };
 
-/// Three boards: one with the faults; one without faults or losses; and one without losses, but
-/// with the wrong temperatures that the first accepted. The difference between the third and the
-/// second is the effect of the temperature error.
+/// What a board is made for.
+struct TestedBoard {
+  bool has_clock = true;  ///< from a crystal
+  double sample_rate_hz = 1e6 / kPeriodUs;
+  FrameChoice frames = kFrameChoices[0];
+  ImageKind image = ImageKind::generic;
+  double turns_dps = 0;  ///< how it is moved
+};
+
+/// A board with the faults, and the drift model twice: without faults or losses; and without
+/// losses, but with the wrong temperatures that the board accepted. The difference between the
+/// third and the second is the effect of the temperature error. For models without effects of the
+/// input rate.
 class DriftUnderFaults {
  public:
-  enum class BoardClock : std::uint8_t { none, crystal };
   explicit DriftUnderFaults(const fogcomp::model::Model& model, double max_degc_per_min = 3,
-                            BoardClock board_clock = BoardClock::crystal)
+                            const TestedBoard& setting = {})
       : table_(fogcomp::board::make_board_table(
-            trained_for(without_denoiser(model), max_degc_per_min), {})),
+            trained_for(without_denoiser(model), max_degc_per_min), settings_of(setting))),
         parameters_(fogcomp::board::read_board_table(table_, "test")),
         max_degc_per_min_(max_degc_per_min),
-        board_clock_(board_clock) {}
+        setting_(setting),
+        period_us_(parameters_.acquisition.sample_period_us) {}
 
   DriftVerdict run(const std::vector<Fault>& faults, double duration_s, std::uint64_t seed) const {
-    FaultyLine line(faults, seed, max_degc_per_min_);
-    Witness truth(parameters_, seed, max_degc_per_min_);
-    Witness told(parameters_, seed, max_degc_per_min_);
-    Board board(parameters_);
+    FaultyLine line(faults, seed, max_degc_per_min_, {period_us_, setting_.turns_dps});
+    Witnesses witnesses(parameters_, seed, max_degc_per_min_);
+    FaultsInTime resets(faults);
+    Board board([this] { return make_image(table_, parameters_, setting_.image); });
     Clock clock(seed + 2);
-    Judge judge;
+    Judge judge(parameters_);
     while (static_cast<double>(line.time_us()) < duration_s * 1e6) {
-      board.be(reset_at(faults, static_cast<double>(line.time_us()) * 1e-6));
-      const auto arrivals = line.next();
+      if (board.be(worst_of(resets.at(static_cast<double>(line.time_us()) * 1e-6)))) {
+        judge.forget_gyro();
+      }
+      const std::vector<FaultyLine::Arrival>& arrivals = line.next();
       if (arrivals.empty()) board.wait();
       for (const FaultyLine::Arrival& arrival : arrivals) {
         const OutputSample out =
-            board.process(arrival.sample, clock.at(arrival.time_us, board_clock_));
+            board.process(arrival.sample, clock.at(arrival.time_us, setting_.has_clock));
         const bool believed = !has_any(out.status, Status::temperature_invalid);
-        truth.advance_to(arrival.time_us, 0);
-        told.advance_to(arrival.time_us,
-                        believed ? arrival.sample.temperature_q16 - raw(arrival.true_degc) : 0);
-        const double explained = std::abs(told.drift_dph() - truth.drift_dph());
+        witnesses.advance_to(
+            arrival.time_us,
+            believed ? arrival.sample.temperature_q16 - raw(arrival.true_degc) : 0);
         judge.take(out, static_cast<double>(arrival.time_us) * 1e-6,
-                   std::abs(dph(out.drift) - truth.drift_dph()) - explained);
+                   witnesses.unexplained_dph(out));
+        judge.take_gyro(out, arrival.sample.rate_counts);
       }
     }
+    judge.verdict.false_frames = board.false_frames();
     return judge.verdict;
   }
 
  private:
-  using HostBoard = std::unique_ptr<fogcomp::board::HostCompensator>;
+  static constexpr double kDphPerLsb = 1.0 / (1U << Rate::fractional_bits);
+
+  // The usual lines, or the fastest where they might not carry the frames.
+  static fogcomp::board::BoardSettings settings_of(const TestedBoard& setting) {
+    constexpr double kFastHz = 1000;
+    fogcomp::board::BoardSettings settings;
+    settings.sample_rate_hz = setting.sample_rate_hz;
+    settings.output = setting.frames.output;
+    settings.output_options = setting.frames.options;
+    if (setting.sample_rate_hz > kFastHz) {
+      settings.sensor_line = SerialLine(kMaxSensorBaud);
+      settings.output_line = SerialLine(kMaxOutputBaud);
+    }
+    return settings;
+  }
 
   // State kept over a reset.
   enum class Reset : std::uint8_t { none, keeps_state, keeps_state_of_unknown_age, forgets };
-  static Reset reset_at(const std::vector<Fault>& faults, double time_s) {
+  static Reset worst_of(const std::vector<Fault*>& faults) {
     Reset worst = Reset::none;
-    for (const Fault& fault : faults) {
-      if (time_s < fault.from_s || time_s >= fault.to_s) continue;
-      if (fault.kind == Fault::Kind::board_restart) worst = std::max(worst, Reset::keeps_state);
-      if (fault.kind == Fault::Kind::pin_reset) {
+    for (const Fault* fault : faults) {
+      if (fault->kind == Fault::Kind::board_restart) worst = std::max(worst, Reset::keeps_state);
+      if (fault->kind == Fault::Kind::pin_reset) {
         worst = std::max(worst, Reset::keeps_state_of_unknown_age);
       }
-      if (fault.kind == Fault::Kind::power_cycle) worst = std::max(worst, Reset::forgets);
+      if (fault->kind == Fault::Kind::power_cycle) worst = std::max(worst, Reset::forgets);
     }
     return worst;
   }
@@ -84,15 +115,18 @@ class DriftUnderFaults {
   // Pipeline and kept state, as in the product's main loop (firmware/app).
   class Board {
    public:
-    explicit Board(const ModelParameters& parameters)
-        : parameters_(parameters), pipeline_(make_board(parameters)) {}
+    explicit Board(std::function<std::unique_ptr<BoardImage>()> image)
+        : image_(std::move(image)), pipeline_(image_()) {}
 
-    void be(Reset reset) {
+    /// Whether it has just been restarted.
+    bool be(Reset reset) {
       if (reset != Reset::none) {
         off_ = std::max(off_, reset);
       } else if (off_ != Reset::none) {
         restart();
+        return true;
       }
+      return false;
     }
     OutputSample process(const SensorSample& sample, SampleTime time) {
       silent_ = 0;
@@ -101,6 +135,7 @@ class DriftUnderFaults {
       block_ended_ = pipeline_->ended_block();
       return out;
     }
+    std::uint64_t false_frames() const { return false_frames_ + pipeline_->false_frames(); }
     /// No sample has come in its time slot.
     void wait() {
       if (off_ == Reset::none && ++silent_ >= 2) size_ = 0;
@@ -108,7 +143,8 @@ class DriftUnderFaults {
 
    private:
     void restart() {
-      pipeline_ = make_board(parameters_);
+      false_frames_ += pipeline_->false_frames();
+      pipeline_ = image_();
       block_ended_ = false;
       silent_ = 0;
       if (off_ == Reset::forgets) size_ = 0;
@@ -116,9 +152,10 @@ class DriftUnderFaults {
       off_ = Reset::none;
     }
 
-    const ModelParameters& parameters_;
-    HostBoard pipeline_;
-    std::array<std::uint32_t, fogcomp::board::HostCompensator::kMaxStateWords> state_{};
+    std::function<std::unique_ptr<BoardImage>()> image_;
+    std::unique_ptr<BoardImage> pipeline_;
+    std::array<std::uint32_t, BoardImage::kMaxStateWords> state_{};
+    std::uint64_t false_frames_ = 0;
     std::size_t size_ = 0;
     bool block_ended_ = false;
     int silent_ = 0;
@@ -137,11 +174,7 @@ class DriftUnderFaults {
     }
     return model;
   }
-  static HostBoard make_board(const ModelParameters& parameters) {
-    return std::make_unique<fogcomp::board::HostCompensator>(parameters,
-                                                             IntegrityToken::not_needed());
-  }
-  static double dph(Rate rate) { return std::ldexp(rate.raw(), -Rate::fractional_bits); }
+  static double dph(Rate rate) { return rate.raw() * kDphPerLsb; }
   static std::int32_t raw(double degc) { return static_cast<std::int32_t>(degc * 65536); }
 
   // The board's clock: about to wrap; gives the time of reading a sample, not of its arrival.
@@ -149,10 +182,10 @@ class DriftUnderFaults {
    public:
     explicit Clock(std::uint64_t seed) : random_(seed) {}
 
-    SampleTime at(std::int64_t time_us, BoardClock kind) {
+    SampleTime at(std::int64_t time_us, bool has_clock) {
       const auto late_ms = static_cast<std::uint32_t>(random_() % 3U);
       since_ms_ = std::max(since_ms_, static_cast<std::uint32_t>(time_us / 1000) + late_ms);
-      return {kind == BoardClock::crystal, since_ms_ - 60'000U};
+      return {has_clock, since_ms_ - 60'000U};
     }
 
    private:
@@ -160,54 +193,144 @@ class DriftUnderFaults {
     std::uint32_t since_ms_ = 0;
   };
 
-  struct Judge {
+  class Judge {
+   public:
+    explicit Judge(const ModelParameters& parameters)
+        : stuck_samples_(2 * parameters.acquisition.stuck.samples),
+          largest_step_dph_(
+              std::ldexp(parameters.acquisition.rate.step.raw(), -RateStep::fractional_bits)),
+          dph_per_count_(3600 / paper_like_model().scale_factor) {}
+
+    /// A rate must not be trusted after counts that have been equal, but for a whisper, for as long
+    /// as the table says: twice that, because the whisper's first extreme begins the count anew.
+    /// Nor if it is a leap from a trusted one beyond the table's largest step.
+    void take_gyro(const OutputSample& out, std::int32_t counts) {
+      constexpr std::int64_t kWhisper = 60;  // of both signs: within the smallest stuck band
+      if (std::abs(std::int64_t{counts} - first_alike_) > kWhisper) alike_ = 0;
+      if (alike_++ == 0) first_alike_ = counts;
+      const double leap_dph =
+          static_cast<double>(std::abs(std::int64_t{counts} - last_counts_)) * dph_per_count_;
+      const bool leaps = trusted_last_ && leap_dph > largest_step_dph_ + kRoundingDph;
+      trusted_last_ = is_trusted(out);
+      last_counts_ = counts;
+      verdict.trusted_wrong += trusted_last_ && (leaps || alike_ > stuck_samples_);
+    }
+    /// The board has.
+    void forget_gyro() {
+      alike_ = 0;
+      trusted_last_ = false;
+    }
+
     void take(const OutputSample& out, double time_s, double error_dph) {
-      const bool trusted = out.compensated_valid() && out.status == Status::none;
+      const bool trusted = is_trusted(out);
       ++verdict.samples;
       verdict.valid += out.compensated_valid();
       verdict.trusted += trusted;
-      if (trusted && !trusted_before) verdict.clean_since_s = time_s;
-      trusted_before = trusted;
+      if (trusted && !trusted_before_) verdict.clean_since_s = time_s;
+      trusted_before_ = trusted;
       if (!trusted || error_dph <= verdict.worst_dph) return;
       verdict.worst_dph = error_dph;
       verdict.worst_at_s = time_s;
     }
     DriftVerdict verdict;
-    bool trusted_before = false;
+
+   private:
+    static constexpr double kRoundingDph = 0.01;
+
+    static bool is_trusted(const OutputSample& out) {
+      return out.compensated_valid() && out.status == Status::none;
+    }
+
+    bool trusted_before_ = false;
+    bool trusted_last_ = false;
+    std::int32_t last_counts_ = 0;
+    std::int32_t first_alike_ = 0;
+    std::uint32_t alike_ = 0;  // counts in a row
+    std::uint32_t stuck_samples_;
+    double largest_step_dph_;
+    double dph_per_count_;
   };
 
-  // A board on a line without faults.
+  // The drift model alone: it takes any temperatures, where a board might refuse some.
   class Witness {
    public:
-    Witness(const ModelParameters& parameters, std::uint64_t seed, double max_degc_per_min)
-        : board_(make_board(parameters)), coil_(seed, max_degc_per_min) {}
+    explicit Witness(const ModelParameters& parameters)
+        : model_(parameters.thermal, parameters.effects, parameters.expressions, parameters.network,
+                 parameters.policy),
+          collector_(parameters.needs()) {}
+
+    void take(Temperature temperature, Elapsed elapsed, bool ends_block) {
+      drift_ = model_.drift();
+      if (!model_.started()) model_.start({temperature, Rate{}, elapsed});
+      collector_.add_temperature(temperature);
+      if (!ends_block) return;
+      model_.step(collector_.means(elapsed));
+      collector_.clear();
+    }
+    /// Of the temperature taken last.
+    Rate drift() const { return drift_; }
+
+   private:
+    using Model = DriftModel<kAnyModel.effects, kAnyModel.expressions, kAnyModel.network_inputs>;
+
+    Model model_;
+    BlockCollector<Model::inputs> collector_;
+    Rate drift_{};
+  };
+
+  // Two of them on a line without faults, of which one is told wrong temperatures.
+  class Witnesses {
+   public:
+    Witnesses(const ModelParameters& parameters, std::uint64_t seed, double max_degc_per_min)
+        : truth_(parameters),
+          told_(parameters),
+          blocks_(parameters.samples_per_block),
+          coil_(seed, max_degc_per_min),
+          period_us_(parameters.acquisition.sample_period_us),
+          settle_blocks_(std::max(1, static_cast<int>(parameters.policy.settle_blocks))) {}
 
     /// Runs up to a time. Block temperatures completed in this call may be wrong by this much,
     /// because they are means of few, late samples.
     void advance_to(std::int64_t time_us, std::int32_t error_q16) {
-      while (sample_ * kPeriodUs <= time_us) {
-        const bool last = sample_ * kPeriodUs > time_us - kSecondUs;
-        const double degc = coil_.at(static_cast<double>(sample_ * kPeriodUs) * 1e-6);
-        SensorSample sample{static_cast<std::uint16_t>(sample_),
-                            static_cast<std::int32_t>(sample_ * 37 % 101), raw(degc), true, true};
-        if (last) sample.temperature_q16 += error_q16;
-        drift_dph_ = dph(board_->process(sample).drift);
+      while (sample_ * period_us_ <= time_us) {
+        const bool last = sample_ * period_us_ > time_us - kSecondUs;
+        const std::int32_t right = raw(coil_.at(static_cast<double>(sample_ * period_us_) * 1e-6));
+        const bool ends_block = blocks_.advance(1) > 0;
+        truth_.take(Temperature::from_raw(right), blocks_.elapsed(), ends_block);
+        told_.take(Temperature::from_raw(last ? right + error_q16 : right), blocks_.elapsed(),
+                   ends_block);
         ++sample_;
+        if (ends_block && blocks_.elapsed().raw() % settle_blocks_ == 0) {
+          explained_before_dph_ = std::exchange(explained_dph_, 0);
+        }
       }
     }
-    double drift_dph() const { return drift_dph_; }
+    /// Error of a drift beyond what wrong temperatures explain, or have explained while a model
+    /// settles: a board that refused some, or started anew, forgets them earlier or later than the
+    /// witness that took all.
+    double unexplained_dph(const OutputSample& out) {
+      const double truth_dph = dph(truth_.drift());
+      explained_dph_ = std::max(explained_dph_, std::abs(dph(told_.drift()) - truth_dph));
+      return std::abs(dph(out.drift) - truth_dph) - std::max(explained_dph_, explained_before_dph_);
+    }
 
    private:
-    HostBoard board_;
+    Witness truth_;
+    Witness told_;
+    BlockClock blocks_;
     CoilTemperature coil_;
+    std::int64_t period_us_;
     std::int64_t sample_ = 0;
-    double drift_dph_ = 0;
+    int settle_blocks_;
+    double explained_dph_ = 0;         // most, since the model has settled last
+    double explained_before_dph_ = 0;  // ... in the time that it took before
   };
 
   fogcomp::board::BoardTable table_;
   ModelParameters parameters_;
   double max_degc_per_min_;
-  BoardClock board_clock_;
+  TestedBoard setting_;
+  std::int64_t period_us_;
 };
 
 }  // namespace fog::test

@@ -5,10 +5,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "support/drift_under_faults.hpp"
 #include "support/faulty_line.hpp"
+#include "support/text.hpp"
 
 // Random schedules of faults: which there are, how long they last and what they draw is data.
 namespace fog::test {
@@ -26,7 +28,8 @@ struct FaultDraw {
 
 constexpr double kShortestS = 0.005;
 constexpr double kLongestS = 800;
-constexpr double kApartS = 1600;  // at most, of what is drawn one after the other
+constexpr double kApartS = 800;  // at most, of what is drawn one after the other
+constexpr double kMaxTurnDps = 500;
 
 /// Every kind; a fault of one that is missing here is never drawn.
 inline constexpr FaultDraw kFaultDraws[] = {
@@ -37,13 +40,17 @@ inline constexpr FaultDraw kFaultDraws[] = {
     {Fault::Kind::wrong_temperature, "temperature of", kShortestS, kLongestS, -80, 140},
     {Fault::Kind::temperature_offset, "temperature off by", kShortestS, kLongestS, -30, 30},
     {Fault::Kind::frozen_temperature, "temperature frozen", kShortestS, kLongestS},
-    {Fault::Kind::sample_period, "sample period", kShortestS, kLongestS, 1840, 13590},
+    {Fault::Kind::sample_period, "sample period, us:", kShortestS, kLongestS, 0.368, 2.718},
     {Fault::Kind::repeated, "samples repeated", kShortestS, kLongestS},
     {Fault::Kind::swapped, "samples swapped", kShortestS, kLongestS},
     {Fault::Kind::sparse, "one sample of", kShortestS, kLongestS, 2, 1000},
     {Fault::Kind::leaps, "numbers leap by", 1, kLongestS, 1, 1000},
     {Fault::Kind::repeats_one, "one sample again and again", kShortestS, kLongestS},
     {Fault::Kind::gyro_invalid, "gyro invalid", kShortestS, kLongestS},
+    {Fault::Kind::gyro_stands, "gyro stands, noise of", kShortestS, kLongestS, 0, 30},
+    {Fault::Kind::gyro_level, "gyro at, deg/s:", kShortestS, kLongestS, -580, 580},
+    {Fault::Kind::gyro_spikes, "spikes, deg/s:", kShortestS, kLongestS, 1, 580},
+    {Fault::Kind::gyro_sign, "gyro's sign flips", kShortestS, kLongestS},
     {Fault::Kind::power_cycle, "power lost", 0.1, kLongestS},
     // The watchdog expires after 0.1 s; a start takes another 0.1 s.
     {Fault::Kind::board_restart, "board restarts", 0.05, 1},
@@ -58,8 +65,13 @@ inline const char* name_of(Fault::Kind kind) {
   return "?";
 }
 
+/// A board, what happens to it, and for how long: kSamples, or kShortestRunS if that is longer.
 struct FaultSchedule {
-  bool has_clock;  ///< the board's, from a crystal
+  static constexpr double kSamples = 1e6;
+  static constexpr double kShortestRunS = 1000;  // five times what a model takes to settle
+
+  TestedBoard board;
+  double duration_s = 0;
   std::vector<Fault> faults;
 };
 
@@ -69,11 +81,15 @@ class FaultScheduler {
  public:
   explicit FaultScheduler(std::uint64_t seed) : random_(seed) {}
 
-  FaultSchedule draw(double duration_s) {
-    FaultSchedule schedule{chance(0.5), {}};
-    has_clock_ = schedule.has_clock;
+  FaultSchedule draw() {
+    board_ = board();
+    FaultSchedule schedule{
+        board_,
+        std::max(FaultSchedule::kSamples / board_.sample_rate_hz, FaultSchedule::kShortestRunS),
+        {}};
     if (chance(0.3)) schedule.faults.push_back(fault(0));
-    for (double time_s = uniform(0, kApartS); time_s < duration_s; time_s += uniform(0, kApartS)) {
+    for (double time_s = uniform(0, kApartS); time_s < schedule.duration_s;
+         time_s += uniform(0, kApartS)) {
       do {
         schedule.faults.push_back(fault(time_s + uniform(0, 100)));
       } while (chance(0.4));  // with what else
@@ -86,44 +102,58 @@ class FaultScheduler {
   bool chance(double probability) { return uniform(0, 1) < probability; }
   double logarithmic(double a, double b) { return std::exp(uniform(std::log(a), std::log(b))); }
 
+  TestedBoard board() {
+    TestedBoard setting;
+    setting.has_clock = chance(0.5);
+    setting.sample_rate_hz = logarithmic(10, 5000);
+    setting.frames = kFrameChoices[random_() % kFrameChoices.size()];
+    setting.image = chance(0.5) ? ImageKind::generic : ImageKind::specialised;
+    setting.turns_dps = chance(0.5) ? uniform(0, kMaxTurnDps) : 0;
+    return setting;
+  }
+
   Fault fault(double from_s) {
     const FaultDraw& draw = kFaultDraws[random_() % kFaultKinds];
     // Without a clock nobody can find it: not promised (firmware/DESIGN.md).
-    if (draw.kind == Fault::Kind::sample_period && !has_clock_) return fault(from_s);
+    if (draw.kind == Fault::Kind::sample_period && !board_.has_clock) return fault(from_s);
     const double lasts_s = logarithmic(draw.shortest_s, draw.longest_s);
     double value = draw.lowest > 0 ? logarithmic(draw.lowest, draw.highest)
                                    : uniform(draw.lowest, draw.highest);
     if (draw.kind == Fault::Kind::sparse) value = std::floor(value);
+    if (draw.kind == Fault::Kind::sample_period) value *= 1e6 / board_.sample_rate_hz;
     return {draw.kind, from_s, from_s + lasts_s, value};
   }
 
   std::mt19937_64 random_;
-  bool has_clock_ = true;
+  TestedBoard board_;
 };
 
-/// A board with a crystal and one without a clock, each for the schedules that are drawn for it.
-class ScheduledBoards {
- public:
-  explicit ScheduledBoards(const fogcomp::model::Model& model)
-      : with_clock_(model, kMaxDegcPerMin, DriftUnderFaults::BoardClock::crystal),
-        without_clock_(model, kMaxDegcPerMin, DriftUnderFaults::BoardClock::none) {}
+/// As DriftUnderFaults::run(), for the board of the schedule.
+inline DriftVerdict run(const FaultSchedule& schedule, std::uint64_t seed) {
+  constexpr double kMaxDegcPerMin = 3;
+  return DriftUnderFaults(paper_like_model(), kMaxDegcPerMin, schedule.board)
+      .run(schedule.faults, schedule.duration_s, seed);
+}
 
-  /// As DriftUnderFaults::run().
-  DriftVerdict run(const FaultSchedule& schedule, double duration_s, std::uint64_t seed) const {
-    const DriftUnderFaults& board = schedule.has_clock ? with_clock_ : without_clock_;
-    return board.run(schedule.faults, duration_s, seed);
+/// Why a user was misled, in words; "" if he was not.
+inline std::string complaint(const DriftVerdict& verdict) {
+  constexpr double kBoundDph = 0.05;
+  std::string text;
+  if (verdict.worst_dph > kBoundDph) {
+    text += fogcomp::format("off by %.3f deg/h at %.2f s; ", verdict.worst_dph, verdict.worst_at_s);
   }
-
- private:
-  static constexpr double kMaxDegcPerMin = 3;
-
-  DriftUnderFaults with_clock_;
-  DriftUnderFaults without_clock_;
-};
+  if (verdict.trusted_wrong > 0) text += "a gyro that stands or leaps was trusted; ";
+  if (verdict.false_frames > 0) text += "frames say something else than the board has found; ";
+  return text;
+}
 
 /// What is needed to run it again by itself.
 inline void print(const FaultSchedule& schedule) {
-  std::printf("  %s\n", schedule.has_clock ? "with a crystal" : "without a clock");
+  const TestedBoard& board = schedule.board;
+  std::printf("  %s, %.6g Hz for %.0f s, frames %d options %d, %s, turns by %.0f deg/s\n",
+              board.has_clock ? "with a crystal" : "without a clock", board.sample_rate_hz,
+              schedule.duration_s, static_cast<int>(board.frames.output), board.frames.options,
+              board.image == ImageKind::generic ? "generic" : "specialised", board.turns_dps);
   for (const Fault& fault : schedule.faults) {
     std::printf("  %.3f to %.3f s: %s %g\n", fault.from_s, fault.to_s, name_of(fault.kind),
                 fault.value);

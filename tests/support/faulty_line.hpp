@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <random>
@@ -34,7 +35,11 @@ struct Fault {
     leaps,               ///< the number leaps ahead by `value`, once a second
     repeats_one,  ///< a FIFO that stands: the sample at the start of the fault, again and again
     gyro_invalid,
-    power_cycle,    ///< the board loses its memory at the end
+    gyro_stands,  ///< the loop: the reading at the start of the fault, and `value` counts of noise
+    gyro_level,   ///< a converter that stands: `value` deg/s
+    gyro_spikes,  ///< one sample of 50 is `value` deg/s, of either sign
+    gyro_sign,    ///< the sign has flipped
+    power_cycle,  ///< the board loses its memory at the end
     board_restart,  ///< the board restarts by itself and keeps its memory
     pin_reset,      ///< the same by the reset pin, held for any time
   };
@@ -46,6 +51,34 @@ struct Fault {
 
 constexpr std::size_t kFaultKinds = static_cast<std::size_t>(Fault::Kind::pin_reset) + 1;
 
+/// The faults of a time. They may be changed there, for as long as they last.
+class FaultsInTime {
+ public:
+  explicit FaultsInTime(std::vector<Fault> faults) : faults_(std::move(faults)) {}
+
+  /// For non-decreasing times; valid until the next call.
+  const std::vector<Fault*>& at(double time_s) {
+    if (time_s >= next_change_s_) find(time_s);
+    return present_;
+  }
+
+ private:
+  void find(double time_s) {
+    present_.clear();
+    next_change_s_ = std::numeric_limits<double>::infinity();
+    for (Fault& fault : faults_) {
+      if (time_s >= fault.from_s && time_s < fault.to_s) present_.push_back(&fault);
+      for (const double change_s : {fault.from_s, fault.to_s}) {
+        if (change_s > time_s) next_change_s_ = std::min(next_change_s_, change_s);
+      }
+    }
+  }
+
+  std::vector<Fault> faults_;
+  std::vector<Fault*> present_;
+  double next_change_s_ = 0;
+};
+
 /// Readings of a 1/16 degC sensor on a coil in a chamber with random ramps and soaks. The coil has
 /// the lag of a bare one; the sensor's noise is one step.
 class CoilTemperature {
@@ -56,7 +89,8 @@ class CoilTemperature {
   /// For non-decreasing times.
   double at(double time_s) {
     while (time_s >= end_s_) begin_part();
-    const double noise_degc = kResolutionDegc * std::sin(7919 * time_s);
+    const double turns = 7919 * time_s / (2 * M_PI);
+    const double noise_degc = kResolutionDegc * (2 * (turns - std::floor(turns)) - 1);
     return kResolutionDegc * std::floor((coil_degc(time_s) + noise_degc) / kResolutionDegc);
   }
 
@@ -94,6 +128,12 @@ class CoilTemperature {
   double unsettled_degc_ = 0;
 };
 
+/// How often a demodulator samples, and how the gyro turns: as a sine of 100 s.
+struct LineSetting {
+  std::int64_t period_us = kPeriodUs;
+  double turns_dps = 0;  ///< amplitude
+};
+
 /// Time-stamped samples of a demodulator with these faults.
 class FaultyLine {
  public:
@@ -103,51 +143,64 @@ class FaultyLine {
     double true_degc;
   };
 
-  FaultyLine(std::vector<Fault> faults, std::uint64_t seed, double max_degc_per_min)
-      : faults_(std::move(faults)), coil_(seed, max_degc_per_min), random_(seed + 1) {
+  FaultyLine(std::vector<Fault> faults, std::uint64_t seed, double max_degc_per_min,
+             const LineSetting& setting = {})
+      : faults_(std::move(faults)),
+        coil_(seed, max_degc_per_min),
+        random_(seed + 1),
+        setting_(setting) {
     sequence_ = static_cast<std::uint16_t>(random_());
   }
 
-  /// The samples of the next time step, in their order of arrival: none, one or two.
-  std::vector<Arrival> next() {
+  /// The samples of the next time step, in their order of arrival: none, one or two. Valid until
+  /// the next call.
+  const std::vector<Arrival>& next() {
     const double time_s = static_cast<double>(time_us_) * 1e-6;
     Arrival now{time_us_, {}, coil_.at(time_s)};
     now.sample.sequence = sequence_;
     now.sample.rate_counts = static_cast<std::int32_t>(random_() % 4001U) - 2000;
+    if (setting_.turns_dps != 0) {
+      now.sample.rate_counts += counts(setting_.turns_dps * std::sin(2 * M_PI * time_s / kTurnS));
+    }
     now.sample.temperature_q16 = raw(now.true_degc);
     now.sample.gyro_valid = now.sample.temperature_valid = true;
     const bool arrives = spoil(now, time_s);
     time_us_ += period_us_;
     ++sequence_;
-    std::vector<Arrival> arrivals;
+    arrivals_.clear();
     if (arrives && swap_) {
       kept_ = now;
-      return arrivals;
+      return arrivals_;
     }
-    if (arrives) arrivals.push_back(now);
-    if (arrives && repeat_) arrivals.push_back(now);
+    if (arrives) arrivals_.push_back(now);
+    if (arrives && repeat_) arrivals_.push_back(now);
     if (arrives && kept_) {
       kept_->time_us = now.time_us;
-      arrivals.push_back(*kept_);
+      arrivals_.push_back(*kept_);
       kept_.reset();
     }
-    return arrivals;
+    return arrivals_;
   }
 
   /// Of the next time step.
   std::int64_t time_us() const { return time_us_; }
 
  private:
+  static constexpr double kTurnS = 100;
+
   static std::int32_t raw(double degc) { return static_cast<std::int32_t>(degc * 65536); }
+  std::int32_t counts(double dps) const { return static_cast<std::int32_t>(dps * counts_per_dps_); }
 
   bool spoil(Arrival& now, double time_s) {
     using Kind = Fault::Kind;
     bool arrives = true;
     repeat_ = swap_ = false;
-    if (!any_of(Kind::repeats_one, time_s)) standing_.reset();
-    period_us_ = kPeriodUs;
-    for (Fault& fault : faults_) {
-      if (time_s < fault.from_s || time_s >= fault.to_s) continue;
+    const std::vector<Fault*>& present = faults_.at(time_s);
+    if (!has(present, Kind::repeats_one)) standing_.reset();
+    if (!has(present, Kind::gyro_stands)) stood_.reset();
+    period_us_ = setting_.period_us;
+    for (Fault* const present_one : present) {
+      Fault& fault = *present_one;
       switch (fault.kind) {
         case Kind::no_temperature:
           now.sample.temperature_valid = false;
@@ -186,7 +239,7 @@ class FaultyLine {
           arrives = arrives && sequence_ % static_cast<unsigned>(fault.value) == 0;
           break;
         case Kind::leaps:
-          if (time_us_ % kSecondUs < kPeriodUs) sequence_ = ahead(sequence_, fault.value);
+          if (time_us_ % kSecondUs < setting_.period_us) sequence_ = ahead(sequence_, fault.value);
           now.sample.sequence = sequence_;
           break;
         case Kind::repeats_one:
@@ -196,6 +249,21 @@ class FaultyLine {
         case Kind::gyro_invalid:
           now.sample.gyro_valid = false;
           break;
+        case Kind::gyro_stands:
+          if (!stood_) stood_ = now.sample.rate_counts;
+          now.sample.rate_counts = *stood_ + whisper(fault.value);
+          break;
+        case Kind::gyro_level:
+          now.sample.rate_counts = counts(fault.value);
+          break;
+        case Kind::gyro_spikes:
+          if (random_() % 50U == 0) {
+            now.sample.rate_counts = counts(random_() % 2U == 0 ? fault.value : -fault.value);
+          }
+          break;
+        case Kind::gyro_sign:
+          now.sample.rate_counts = -now.sample.rate_counts;
+          break;
         case Kind::power_cycle:
         case Kind::board_restart:
         case Kind::pin_reset:
@@ -203,22 +271,29 @@ class FaultyLine {
           break;
       }
     }
-    restarted_ = any_of(Kind::restart_ahead, time_s);
+    restarted_ = has(present, Kind::restart_ahead);
     return arrives;
   }
 
-  bool any_of(Fault::Kind kind, double time_s) const {
-    return std::any_of(faults_.begin(), faults_.end(), [&](const Fault& fault) {
-      return fault.kind == kind && time_s >= fault.from_s && time_s < fault.to_s;
-    });
+  std::int32_t whisper(double largest) {
+    const auto either = static_cast<std::int32_t>(largest);
+    return static_cast<std::int32_t>(random_() % (2U * static_cast<unsigned>(either) + 1U)) -
+           either;
+  }
+
+  static bool has(const std::vector<Fault*>& faults, Fault::Kind kind) {
+    return std::any_of(faults.begin(), faults.end(),
+                       [kind](const Fault* fault) { return fault->kind == kind; });
   }
   static std::uint16_t ahead(std::uint16_t sequence, double by) {
     return static_cast<std::uint16_t>(sequence + static_cast<unsigned>(by));
   }
 
-  std::vector<Fault> faults_;
+  FaultsInTime faults_;
   CoilTemperature coil_;
   std::mt19937_64 random_;
+  LineSetting setting_;
+  double counts_per_dps_ = paper_like_model().scale_factor;
   std::int64_t time_us_ = 0;
   std::int64_t period_us_ = kPeriodUs;
   std::uint16_t sequence_ = 0;
@@ -226,7 +301,9 @@ class FaultyLine {
   bool swap_ = false;
   bool restarted_ = false;
   std::optional<SensorSample> standing_;
+  std::optional<std::int32_t> stood_;
   std::optional<Arrival> kept_;
+  std::vector<Arrival> arrivals_;
 };
 
 }  // namespace fog::test

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "board/board_table.hpp"
+#include "board/replay.hpp"
+#include "core/frames/sensor_frame.hpp"
+
+// The code of a flash image, fed with bytes and read by its frames, for whole boards in tests.
+namespace fog::test {
+
+/// Frames that a board can send.
+struct FrameChoice {
+  OutputSelection output;
+  OutputOptions options;
+};
+inline constexpr std::array kFrameChoices{
+    FrameChoice{OutputSelection::kvh, 0},
+    FrameChoice{OutputSelection::kvh, kRotationIsAngle | kRotationIsUndelayed},
+    FrameChoice{OutputSelection::compact, 0},
+    FrameChoice{OutputSelection::both, kRotationIsUndelayed}};
+
+/// One for any model, or one made for a header.
+enum class ImageKind : std::uint8_t { generic, specialised };
+
+/// The pipeline of an image.
+class BoardImage {
+ public:
+  static constexpr std::size_t kMaxStateWords = fogcomp::board::HostCompensator::kMaxStateWords;
+
+  virtual ~BoardImage() = default;
+  virtual std::size_t keep(std::uint32_t* words) = 0;
+  virtual void resume(std::uint32_t* words, bool was_short) = 0;
+  virtual bool ended_block() const = 0;
+
+  /// What the board makes of the sample. One of kFramesEvery comes as bytes and is answered in
+  /// frames: these are made of nothing but what the board has found, and take two thirds of the
+  /// time.
+  OutputSample process(const SensorSample& sample, SampleTime now) {
+    if (++samples_ % kFramesEvery != 0) return judge(sample, now);
+    std::size_t size = 0;
+    for (const std::uint8_t byte : encode_sensor_frame(sample)) {
+      size = feed(byte, frames_.data(), now);
+    }
+    if (!frames_say(last(), size)) ++false_frames_;
+    return last();
+  }
+
+  /// Frames that did not say what the board had found.
+  std::uint64_t false_frames() const { return false_frames_; }
+
+ protected:
+  explicit BoardImage(const ModelParameters& parameters) : parameters_(parameters) {}
+  virtual std::size_t feed(std::uint8_t byte, std::uint8_t* out, SampleTime now) = 0;
+  virtual OutputSample judge(const SensorSample& sample, SampleTime now) = 0;
+  virtual const OutputSample& last() const = 0;
+
+ private:
+  bool frames_say(const OutputSample& out, std::size_t size) const {
+    if (size != output_bytes(parameters_.output)) return false;
+    const std::uint8_t* at = frames_.data();
+    if (parameters_.output != OutputSelection::compact) {
+      if (!kvh_says(out, at)) return false;
+      at += kKvhFrameBytes;
+    }
+    if (parameters_.output == OutputSelection::kvh) return true;
+    OutputSample said;
+    std::uint16_t delay = 0;
+    return decode_compact_frame(at, said, delay) && said.status == out.status &&
+           said.compensated.raw() == out.compensated.raw() && said.drift.raw() == out.drift.raw();
+  }
+  bool kvh_says(const OutputSample& out, const std::uint8_t* frame) const {
+    constexpr std::size_t kStatus = 28;  // SPEC.md, "KVH format A"
+    constexpr std::uint8_t kZValid = 4;
+    const bool undelayed = (parameters_.output_options & kRotationIsUndelayed) != 0U;
+    const bool valid = undelayed ? out.compensated_valid() : out.denoised_valid();
+    return frame[kStatus] == (valid ? kZValid : 0);
+  }
+
+  static constexpr std::uint32_t kFramesEvery = 17;  // prime: lines repeat and swap every fourth
+
+  const ModelParameters& parameters_;
+  std::array<std::uint8_t, kMaxOutputBytes> frames_{};
+  std::uint32_t samples_ = 0;
+  std::uint64_t false_frames_ = 0;
+};
+
+template <class Pipeline>
+class BoardImageOf final : public BoardImage {
+ public:
+  explicit BoardImageOf(const ModelParameters& parameters)
+      : BoardImage(parameters), pipeline_(parameters, IntegrityToken::not_needed()) {
+    static_assert(Pipeline::kMaxStateWords <= kMaxStateWords);
+  }
+  std::size_t keep(std::uint32_t* words) override { return pipeline_.keep(words); }
+  void resume(std::uint32_t* words, bool was_short) override { pipeline_.resume(words, was_short); }
+  bool ended_block() const override { return pipeline_.ended_block(); }
+
+ private:
+  std::size_t feed(std::uint8_t byte, std::uint8_t* out, SampleTime now) override {
+    const auto as_it_is = [](const SensorSample& sample) -> const SensorSample& { return sample; };
+    return pipeline_.feed(byte, out, as_it_is, [now] { return now; });
+  }
+  OutputSample judge(const SensorSample& sample, SampleTime now) override {
+    return pipeline_.process(sample, now);
+  }
+  const OutputSample& last() const override { return pipeline_.last(); }
+
+  Pipeline pipeline_;
+};
+
+/// The image that is built with a header of paper_like_model() without a denoiser, and these
+/// frames.
+constexpr EffectMask kPaperEffects = bit_of(effects::Bias<BoardNumbers>::description) |
+                                     bit_of(effects::BiasTemperature<BoardNumbers>::description) |
+                                     bit_of(effects::TemperatureRate<BoardNumbers>::description);
+constexpr NetworkInputMask kPaperInputs =
+    bit_of(NetworkInput::temperature) | bit_of(NetworkInput::temperature_rate);
+template <std::size_t kFrames>
+using PaperImage = Compensator<kPaperEffects, 0, kPaperInputs, 0, 0, kFrameChoices[kFrames].output,
+                               kFrameChoices[kFrames].options>;
+
+/// The board of a table. Throws if a specialised image has no room for it.
+template <std::size_t kFrames = 0>
+std::unique_ptr<BoardImage> make_image(const fogcomp::board::BoardTable& table,
+                                       const ModelParameters& parameters, ImageKind kind) {
+  if (kind == ImageKind::generic) {
+    return std::make_unique<BoardImageOf<fogcomp::board::HostCompensator>>(parameters);
+  }
+  ModelParameters read;
+  if (read_model(table.span(), PaperImage<kFrames>::capacity, read) == ModelError::none) {
+    return std::make_unique<BoardImageOf<PaperImage<kFrames>>>(parameters);
+  }
+  if constexpr (kFrames + 1 < kFrameChoices.size()) {
+    return make_image<kFrames + 1>(table, parameters, kind);
+  }
+  throw std::invalid_argument("no specialised image has room for the table");
+}
+
+}  // namespace fog::test
