@@ -772,4 +772,27 @@ TEST_F(TemperatureMonitorTest, ACoarseSensorMayStandForHours) {
   EXPECT_EQ(send(20, 6 * 3600 * kSecond), Status::none);
 }
 
+// An input from the model table: only thermal mass makes these readings impossible.
+class InputMonitorTest : public testing::TestWithParam<bool> {
+ protected:
+  fog::InputMonitor monitor_{kPeriodUs, 0, {degc(-100), degc(200), degc(2), GetParam()}};
+};
+
+TEST_P(InputMonitorTest, Reads85_RefusedIfThermalMass) {
+  ASSERT_EQ(monitor_.judge(degc(20), true, 1), Status::none);
+  monitor_.judge(degc(85), true, 1000 * kSecond);
+  EXPECT_EQ(monitor_.judge(degc(85), true, 1), GetParam() ? kJump : Status::none);
+}
+
+TEST_P(InputMonitorTest, StopsAfterMoving_FrozenIfThermalMass) {
+  double reading = 20;
+  for (int i = 0; i < 300; ++i) {
+    ASSERT_EQ(monitor_.judge(degc(reading += 1.0 / 16), true, kSecond), Status::none);
+  }
+  EXPECT_EQ(monitor_.judge(degc(reading), true, 121 * kSecond),
+            GetParam() ? kFrozen : Status::none);
+}
+
+INSTANTIATE_TEST_SUITE_P(ThermalMass, InputMonitorTest, testing::Bool());
+
 }  // namespace
