@@ -28,14 +28,24 @@ std::complex<double> chirp(std::size_t k, std::size_t size) {
   return std::polar(1.0, -kPi * static_cast<double>(square) / static_cast<double>(size));
 }
 
-// The transform as a convolution with a chirp, whose length can be a power of two, because
+// Two, three and five have transforms of their own.
+std::size_t fast_length_from(std::size_t count) {
+  for (;; ++count) {
+    std::size_t rest = count;
+    for (const std::size_t factor : {2U, 3U, 5U}) {
+      while (rest % factor == 0) rest /= factor;
+    }
+    if (rest == 1) return count;
+  }
+}
+
+// The transform as a convolution with a chirp, whose length is free, because
 // 2 n k = n^2 + k^2 - (k - n)^2 (Bluestein, "A linear filtering approach to the computation of
 // discrete Fourier transform", IEEE Trans. Audio Electroacoust. 18, 1970).
 class ChirpTransform {
  public:
   explicit ChirpTransform(std::size_t size) : ones_(size) {
-    std::size_t length = 1;
-    while (length < 2 * size - 1) length *= 2;
+    const std::size_t length = fast_length_from(2 * size - 1);
     Spectrum filter(length);
     for (std::size_t k = 0; k < size; ++k) {
       ones_[k] = chirp(k, size);
