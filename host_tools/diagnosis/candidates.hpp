@@ -16,6 +16,7 @@ struct Candidate {
     Eigen::MatrixXf basis;      ///< rows x 1 or more, orthonormal: what that adds, whitened
     std::size_t row = 0;        ///< of a bias step: from which on it is there
     Eigen::MatrixXf columns{};  ///< rows x 1 or more: what that adds
+    std::vector<Eigen::Index> visible{0};  ///< which of the term's columns these are
 
     /// Decrease of chi^2 when this shape alone is fitted to the whitened residual.
     double chi2_drop(const Eigen::VectorXd& residual) const {

@@ -118,7 +118,7 @@ void decide(Diagnosis& diagnosis) {
 }
 
 // Compares the explanations and sets the verdict.
-void judge(const EvidenceSpace& evidence, const series::SignalSeries& series,
+void judge(EvidenceSpace& evidence, const series::SignalSeries& series,
            const fit::NoiseWeightedFit& fit, Diagnosis& diagnosis) {
   const judge::Explanations found = explain(evidence, series, fit, diagnosis.has_static);
   diagnosis.nothing = found.nothing;
@@ -158,15 +158,14 @@ std::string blind_spot_of(const Diagnosis& diagnosis) {
   return format("slow changes of %.3g deg/h rms are left; ", above) + diagnosis.walk_words();
 }
 
-// Where the residual is, and what may be missing. The columns of all explanations, most of a
-// diagnosis' memory, live as long as this.
+// Where the residual is, and what may be missing.
 void look_for_causes(const model::Model& model, const DiagnosisData& data,
                      const fit::NoiseWeightedFit& fit, const DiagnosisSettings& settings,
                      Diagnosis& diagnosis) {
   const series::SignalSeries& series = data.series();
   // Candidates take most of the time, their comparison the rest.
   constexpr double kCandidates = 0.75;
-  const EvidenceSpace evidence = make_evidence_space(data, fit, [&](double done) {
+  EvidenceSpace evidence = make_evidence_space(data, fit, [&](double done) {
     if (settings.progress) settings.progress(kCandidates * done);
   });
   diagnosis.untestable = evidence.untestable;
@@ -174,14 +173,14 @@ void look_for_causes(const model::Model& model, const DiagnosisData& data,
   diagnosis.variable = std::move(place.variable);
   diagnosis.variables = std::move(place.variables);
   diagnosis.segments = std::move(place.segments);
-  judge(evidence, series, fit, diagnosis);
-  for (CandidateFinding& finding : diagnosis.candidates) {
-    if (model::is_event(finding.term())) finding.cut = data.cut_at(finding.term());
-  }
   if (model.network.present()) {
     diagnosis.network =
         ask_network(model.network, series, evidence.candidates,
                     [&](const Eigen::MatrixXd& columns) { return evidence.residualizer(columns); });
+  }
+  judge(evidence, series, fit, diagnosis);
+  for (CandidateFinding& finding : diagnosis.candidates) {
+    if (model::is_event(finding.term())) finding.cut = data.cut_at(finding.term());
   }
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <tuple>
 
+#include "diagnosis/shape_grid.hpp"
 #include "diagnosis/step_candidates.hpp"
 #include "model/catalogue.hpp"
 #include "support/least_squares.hpp"
@@ -88,13 +89,14 @@ EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWei
 }
 
 Eigen::VectorXd without(const EvidenceSpace& evidence, const std::vector<judge::Part>& parts,
-                        Eigen::Index rows) {
+                        const series::SignalSeries& series) {
   std::vector<Eigen::MatrixXd> explained{evidence.smooth.all.cast<double>()};
   for (const judge::Part& part : parts) {
-    explained.push_back(evidence.candidates[part.effect].shapes[part.shape].basis.cast<double>());
+    const Candidate::Shape& shape = evidence.candidates[part.effect].shapes[part.shape];
+    explained.push_back(basis_of(shape, series, evidence.residualizer).cast<double>());
   }
   const Eigen::MatrixXd basis = orthonormal(side_by_side(explained, evidence.residual().size()));
-  return projected_out(basis, evidence.residual()).col(0).head(rows);
+  return projected_out(basis, evidence.residual());
 }
 
 }  // namespace fogcomp::diagnosis

@@ -12,7 +12,8 @@
 namespace fogcomp::diagnosis {
 
 /// Second stage of a diagnosis: columns of all possible explanations of the residual, as they are,
-/// and whitened with the model projected out.
+/// and whitened with the model projected out. explain() takes most of them, which are most of a
+/// diagnosis' memory, so that they do not lie beside the judge's.
 struct EvidenceSpace {
   Residualizer residualizer;
   std::vector<Candidate> candidates;
@@ -31,9 +32,9 @@ struct EvidenceSpace {
 EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
                                   const std::function<void(double)>& progress);
 
-/// Whitened residual less the parts explained by a set of effects and by smooth functions; one
-/// value per row.
+/// Whitened residual less the parts explained by a set of effects and by smooth functions.
+/// `series`: that of the evidence.
 Eigen::VectorXd without(const EvidenceSpace& evidence, const std::vector<judge::Part>& parts,
-                        Eigen::Index rows);
+                        const series::SignalSeries& series);
 
 }  // namespace fogcomp::diagnosis

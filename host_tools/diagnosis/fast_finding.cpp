@@ -93,7 +93,8 @@ FastFinding find_fast(const EvidenceSpace& evidence, const judge::Explanation& b
                       const series::SignalSeries& series, const fit::NoiseWeightedFit& fit) {
   const series::Rows& rows = series.rows();
   FastFinding finding;
-  finding.left = without_input_rate(evidence, rows, without(evidence, best.parts, rows.size()));
+  finding.left =
+      without_input_rate(evidence, rows, without(evidence, best.parts, series).head(rows.size()));
   finding.spectrum = find_fast_structure(rows, finding.left);
   const std::vector<model::EffectTerm> terms = completed_by(evidence, best, fit.terms);
   if (!best.parts.empty() && finding.spectrum.band_log_p < rules::kFastLogP &&

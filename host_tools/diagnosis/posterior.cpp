@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fit/predict.hpp"
 #include "model/catalogue.hpp"
@@ -26,30 +27,33 @@ judge::Rows rows_with_nuisances(const EvidenceSpace& evidence, const series::Row
 }
 
 // What the model and effects of one shape can do.
-Eigen::MatrixXd of_one_shape(const EvidenceSpace& evidence, const judge::Rows& rows) {
+Eigen::MatrixXd of_one_shape(const EvidenceSpace& evidence,
+                             const std::vector<judge::PossibleEffect>& effects,
+                             const judge::Rows& rows) {
   std::vector<Eigen::MatrixXd> columns{Eigen::MatrixXd::Ones(rows.size(), 1)};
   for (Eigen::Index i = 0; i < rows.columns.cols(); ++i) {
     if (!(rows.prior_sigma[i] > 0)) columns.push_back(rows.columns.col(i));
   }
-  for (const Candidate& candidate : evidence.candidates) {
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    const Candidate& candidate = evidence.candidates[i];
     if (candidate.has_free_shape() || candidate.is_event() || candidate.is_expression()) continue;
-    columns.push_back(candidate.shapes[0].columns.cast<double>());
+    columns.push_back(effects[i].shapes[0].cast<double>());
   }
   return side_by_side(columns, rows.size());
 }
 
 // Groups of smooth functions of one variable each, equally large. What changes in time alone is
 // taken for noise, and what an effect of one shape does is that effect.
-Eigen::MatrixXd something_else(const EvidenceSpace& evidence, const judge::Rows& rows) {
+Eigen::MatrixXd something_else(const std::vector<StructureGroup>& groups,
+                               const Eigen::MatrixXd& of_one_shape, const judge::Rows& rows) {
   std::vector<Eigen::MatrixXd> smooth;
-  for (const StructureGroup& group : evidence.smooth.raw) {
+  for (const StructureGroup& group : groups) {
     if (group.variable == "time_s" || group.columns.cols() == 0) continue;
     const Eigen::MatrixXd centred = group.columns.rowwise() - group.columns.colwise().mean();
     const double power = centred.squaredNorm() / static_cast<double>(rows.size());
     if (power > 0) smooth.push_back(centred / std::sqrt(power));
   }
-  return projected_out(orthonormal(of_one_shape(evidence, rows)),
-                       side_by_side(smooth, rows.size()));
+  return projected_out(orthonormal(of_one_shape), side_by_side(smooth, rows.size()));
 }
 
 // Whether the effect has an optional second part of the same form.
@@ -61,19 +65,21 @@ bool may_repeat(const Candidate& candidate) {
 
 }  // namespace
 
-judge::Explanations explain(const EvidenceSpace& evidence, const series::SignalSeries& series,
+judge::Explanations explain(EvidenceSpace& evidence, const series::SignalSeries& series,
                             const fit::NoiseWeightedFit& fit, bool is_noise_known) {
-  const series::Rows& rows = series.rows();
-  std::vector<judge::PossibleEffect> effects;
-  for (const Candidate& candidate : evidence.candidates) {
-    judge::PossibleEffect effect;
-    for (const Candidate::Shape& shape : candidate.shapes) effect.shapes.push_back(&shape.columns);
-    effect.may_repeat = may_repeat(candidate);
-    effects.push_back(std::move(effect));
-  }
-  judge::Rows judged = rows_with_nuisances(evidence, rows, fit);
+  judge::Rows judged = rows_with_nuisances(evidence, series.rows(), fit);
   if (is_noise_known) judged.noise = fit.noise;
-  return judge::explain(judged, something_else(evidence, judged), effects);
+  std::vector<judge::PossibleEffect> effects;
+  for (Candidate& candidate : evidence.candidates) {
+    effects.push_back({{}, may_repeat(candidate)});
+    for (Candidate::Shape& shape : candidate.shapes) {
+      shape.basis.resize(0, 0);
+      effects.back().shapes.push_back(std::move(shape.columns));
+    }
+  }
+  Eigen::MatrixXd smooth = something_else(std::exchange(evidence.smooth.raw, {}),
+                                          of_one_shape(evidence, effects, judged), judged);
+  return judge::explain(judged, std::move(smooth), std::move(effects));
 }
 
 }  // namespace fogcomp::diagnosis

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "diagnosis/decision_rules.hpp"
+#include "fit/predict.hpp"
+#include "model/catalogue.hpp"
 #include "model/shape_parameter.hpp"
 #include "support/least_squares.hpp"
 #include "support/parallel.hpp"
@@ -48,15 +50,24 @@ std::optional<Candidate::Shape> ShapeMaker::operator()(const model::EffectTerm& 
   if (!part.visible.allFinite()) return std::nullopt;
   if (part.visible.maxCoeff() < rules::kMinVisible) return std::nullopt;
   // One of two columns may be invisible (the static part of an effect next to a polynomial).
-  Eigen::Index kept = 0;
-  Eigen::MatrixXf columns(all.rows(), added);
+  std::vector<Eigen::Index> visible;
   for (Eigen::Index i = 0; i < added; ++i) {
     if (part.visible[i] < rules::kMinVisible) continue;
-    columns.col(kept) = all.col(owned_ + i).cast<float>();
-    part.columns.col(kept++) = part.columns.col(i);
+    part.columns.col(static_cast<Eigen::Index>(visible.size())) = part.columns.col(i);
+    visible.push_back(owned_ + i);
   }
+  const auto kept = static_cast<Eigen::Index>(visible.size());
   return Candidate::Shape{term, orthonormal(part.columns.leftCols(kept), kRank).cast<float>(), 0,
-                          columns.leftCols(kept)};
+                          all(Eigen::all, visible).cast<float>(), visible};
+}
+
+Eigen::MatrixXf basis_of(const Candidate::Shape& shape, const series::SignalSeries& series,
+                         const ProjectOutModel& project_out_model) {
+  const Eigen::MatrixXd all = model::is_event(shape.term)
+                                  ? Eigen::MatrixXd(fit::step_column(series.rows(), shape.row))
+                                  : series.regressors(shape.term);
+  const VisiblePart part = project_out_model(all(Eigen::all, shape.visible));
+  return orthonormal(part.columns, kRank).cast<float>();
 }
 
 double overlap(const Candidate::Shape& a, const Candidate::Shape& b) {

@@ -27,6 +27,10 @@ class ShapeMaker {
   Eigen::Index owned_;
 };
 
+/// Candidate::Shape::basis of a shape, made again.
+Eigen::MatrixXf basis_of(const Candidate::Shape& shape, const series::SignalSeries& series,
+                         const ProjectOutModel& project_out_model);
+
 /// Mean fraction of a's directions that b explains, 0..1; 1 for the same subspace.
 double overlap(const Candidate::Shape& a, const Candidate::Shape& b);
 

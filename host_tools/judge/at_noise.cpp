@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "support/decompositions.hpp"
-#include "support/parallel.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp::judge {
@@ -52,6 +52,15 @@ std::vector<NoiseRatios> known_noises(const noise::NoiseModel& noise,
   return noises;
 }
 
+// Takes what directions explain out of the products of each shape's columns among themselves.
+void take_out(const Eigen::MatrixXd& in_effects, const std::vector<Place>& shapes,
+              Eigen::MatrixXd& own) {
+  for (const Place& place : shapes) {
+    const auto columns = in_effects.middleCols(place.first, place.count);
+    place.within(own) -= columns.transpose().lazyProduct(columns);
+  }
+}
+
 }  // namespace
 
 std::vector<NoiseRatios> possible_noises(const Rivals& rivals) {
@@ -77,8 +86,8 @@ AtNoise::AtNoise(const Rivals& rivals, const NoiseRatios& noise) : ratios(noise)
   const Eigen::ArrayXd spectrum = rivals.noise_density(ratios.flicker, ratios.walk);
   weights = spectrum.inverse().matrix();
   const Eigen::Index model = rivals.model();
-  const Eigen::MatrixXd all = rivals.products_of_rest(weights);
-  Eigen::MatrixXd own_products = all.topLeftCorner(model, model);
+  Rivals::Products products = rivals.products(weights);
+  Eigen::MatrixXd own_products = products.rest.topLeftCorner(model, model);
   double log_determinant = (rivals.bands().count() * spectrum.log()).sum();
   for (Eigen::Index i = 0; i < model; ++i) {
     const double variance = rivals.prior_variance(i, ratios.turn_on);
@@ -87,61 +96,26 @@ AtNoise::AtNoise(const Rivals& rivals, const NoiseRatios& noise) : ratios(noise)
     own_products(i, i) += 1 / variance;
     log_determinant += std::log(variance);
   }
-  root_ = cholesky_factor(own_products);
-  log_determinant += 2 * root_.diagonal().array().log().sum();
+  const Eigen::MatrixXd root = cholesky_factor(own_products);
+  log_determinant += 2 * root.diagonal().array().log().sum();
   log_density = ratios.log_prior - log_determinant / 2;
   const Eigen::Index further = rivals.smooth() + 1;
   const Eigen::MatrixXd in_model =
-      root_.triangularView<Eigen::Lower>().solve(all.topRightCorner(model, further));
+      root.triangularView<Eigen::Lower>().solve(products.rest.topRightCorner(model, further));
   const Eigen::MatrixXd rest =
-      all.bottomRightCorner(further, further) - in_model.transpose() * in_model;
+      products.rest.bottomRightCorner(further, further) - in_model.transpose() * in_model;
   left = rest(0, 0);
-  model_in_drift_ = in_model.col(0);
-  model_in_smooth_ = in_model.rightCols(further - 1);
   const SymmetricEigen eigen = symmetric_eigen(rest.bottomRightCorner(further - 1, further - 1));
   smooth = eigen.values.cwiseMax(0);
-  smooth_vectors_ = eigen.vectors;
-  with_smooth = smooth_vectors_.transpose() * rest.col(0).tail(further - 1);
-}
-
-void AtNoise::add_effects(const Rivals& rivals, const Eigen::MatrixXd& products) {
-  model_in_effects = root_.triangularView<Eigen::Lower>().solve(products.topRows(rivals.model()));
-  with_drift =
-      products.row(rivals.model()).transpose() - model_in_effects.transpose() * model_in_drift_;
-  smooth_in_effects =
-      smooth_vectors_.transpose() *
-      (products.bottomRows(rivals.smooth()) - model_in_smooth_.transpose() * model_in_effects);
-  for (const Place& place : rivals.shapes()) {
-    const auto in_model = model_in_effects.middleCols(place.first, place.count);
-    own.push_back(rivals.products_of_shape(own.size(), weights) - in_model.transpose() * in_model);
-  }
-}
-
-// A few noises at a time: one product of matrices serves them all.
-std::vector<AtNoise> at_noises(const Rivals& rivals, const std::vector<NoiseRatios>& noises) {
-  constexpr std::size_t kTogether = 16;
-  std::vector<std::vector<AtNoise>> parts((noises.size() + kTogether - 1) / kTogether);
-  for_each_index(parts.size(), [&](std::size_t part) {
-    const std::size_t first = part * kTogether;
-    const std::size_t end = std::min(noises.size(), first + kTogether);
-    Eigen::MatrixXd weights(rivals.bands().size(), static_cast<Eigen::Index>(end - first));
-    for (std::size_t i = first; i < end; ++i) {
-      parts[part].emplace_back(rivals, noises[i]);
-      weights.col(static_cast<Eigen::Index>(i - first)) = parts[part].back().weights;
-    }
-    const Eigen::MatrixXd sums = rivals.products_with_effects(weights);
-    for (std::size_t i = 0; i < parts[part].size(); ++i) {
-      parts[part][i].add_effects(
-          rivals, Eigen::Map<const Eigen::MatrixXd>(sums.col(static_cast<Eigen::Index>(i)).data(),
-                                                    rivals.model() + 1 + rivals.smooth(),
-                                                    rivals.columns()));
-    }
-  });
-  std::vector<AtNoise> all;
-  for (std::vector<AtNoise>& part : parts) {
-    for (AtNoise& one : part) all.push_back(std::move(one));
-  }
-  return all;
+  with_smooth = eigen.vectors.transpose() * rest.col(0).tail(further - 1);
+  model_in_effects =
+      root.triangularView<Eigen::Lower>().solve(products.with_effects.topRows(model));
+  const Eigen::MatrixXd rest_in_effects =
+      products.with_effects.bottomRows(further) - in_model.transpose() * model_in_effects;
+  with_drift = rest_in_effects.row(0).transpose();
+  smooth_in_effects = eigen.vectors.transpose() * rest_in_effects.bottomRows(further - 1);
+  own = std::move(products.of_shapes);
+  take_out(model_in_effects, rivals.shapes(), own);
 }
 
 Setting::Setting(const Rivals& rivals, const AtNoise& at, std::size_t number, double smooth_size)
@@ -151,6 +125,7 @@ Setting::Setting(const Rivals& rivals, const AtNoise& at, std::size_t number, do
       left(at.left),
       shrink(Eigen::VectorXd::Zero(at.smooth.size())),
       with_drift(at.with_drift),
+      own(at.own),
       square(rivals.columns()) {
   if (number > 0) {
     const double variance = smooth_size * smooth_size;
@@ -158,17 +133,11 @@ Setting::Setting(const Rivals& rivals, const AtNoise& at, std::size_t number, do
     left -= (shrink.array() * at.with_smooth.array().square()).sum();
     log_density -= (variance * at.smooth.array()).log1p().sum() / 2;
     with_drift -= at.smooth_in_effects.transpose() * shrink.cwiseProduct(at.with_smooth);
+    take_out(shrink.cwiseSqrt().asDiagonal() * at.smooth_in_effects, rivals.shapes(), own);
   }
-  for (std::size_t i = 0; i < rivals.shapes().size(); ++i) {
-    const Place& place = rivals.shapes()[i];
-    square.segment(place.first, place.count) = own(i, place).diagonal();
+  for (const Place& place : rivals.shapes()) {
+    square.segment(place.first, place.count) = place.within(own).diagonal();
   }
-}
-
-Eigen::MatrixXd Setting::own(std::size_t number, const Place& place) const {
-  if (smooth_number == 0) return noise->own[number];
-  const auto columns = noise->smooth_in_effects.middleCols(place.first, place.count);
-  return noise->own[number] - columns.transpose() * shrink.asDiagonal() * columns;
 }
 
 }  // namespace fogcomp::judge

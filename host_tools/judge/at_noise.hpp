@@ -21,10 +21,8 @@ std::vector<NoiseRatios> possible_noises(const Rivals& rivals);
 
 /// What one noise makes of the rivals: inner products weighted by it, without the model.
 struct AtNoise {
+  AtNoise() = default;
   AtNoise(const Rivals& rivals, const NoiseRatios& ratios);
-
-  /// `products`: of the rest with all columns of effects, so weighted.
-  void add_effects(const Rivals& rivals, const Eigen::MatrixXd& products);
 
   NoiseRatios ratios;
   Eigen::VectorXd weights;            ///< of each band
@@ -35,17 +33,8 @@ struct AtNoise {
   Eigen::MatrixXd smooth_in_effects;  ///< and with the effects' columns
   Eigen::MatrixXd model_in_effects;   ///< of the model's directions, orthonormal, with these
   Eigen::VectorXd with_drift;         ///< of the effects' columns
-  std::vector<Eigen::MatrixXd> own;   ///< of each shape's columns among themselves
-
- private:
-  Eigen::MatrixXd root_;            // lower triangular, of the model's products
-  Eigen::MatrixXd smooth_vectors_;  // directions of something else
-  Eigen::MatrixXd model_in_smooth_;
-  Eigen::VectorXd model_in_drift_;
+  Eigen::MatrixXd own;                ///< of each shape's columns among themselves: Place::within()
 };
-
-/// The noises with everything, in their order.
-std::vector<AtNoise> at_noises(const Rivals& rivals, const std::vector<NoiseRatios>& noises);
 
 /// One noise, and smooth functions of one size or none.
 struct Setting {
@@ -58,10 +47,8 @@ struct Setting {
   double left = 0;                ///< of the drift
   Eigen::VectorXd shrink;         ///< of something else's directions
   Eigen::VectorXd with_drift;     ///< products of the effects' columns with what is left
+  Eigen::MatrixXd own;            ///< of each shape's columns among themselves: Place::within()
   Eigen::VectorXd square;         ///< of each of these columns
-
-  /// Of a shape's columns among themselves.
-  Eigen::MatrixXd own(std::size_t number, const Place& place) const;
 };
 
 }  // namespace fogcomp::judge

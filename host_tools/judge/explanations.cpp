@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "judge/visibility.hpp"
@@ -16,9 +17,9 @@ constexpr double kCounts = 1e-6;  // probability of an explanation whose shares 
 // A set's columns, and their inner products in each band.
 struct Columns {
   Columns(const Rivals& rivals, const std::vector<Part>& parts)
-      : places(rivals.places_of(parts)), products(rivals.band_products(places)) {}
+      : numbers(rivals.columns_of(parts)), products(rivals.band_products(parts)) {}
 
-  std::vector<Place> places;
+  std::vector<Eigen::Index> numbers;
   Eigen::MatrixXd products;
 };
 
@@ -55,15 +56,15 @@ class Shares {
     if (with_something_else) shrink = (noise_.smooth.array() + least).inverse();
     const Explained by_smooth{(shrink.array() * noise_.with_smooth.array().square()).sum(),
                               shrink.dot(noise_.smooth)};
-    if (set.places.empty()) return by_smooth;
-    const Eigen::MatrixXd in_model = gathered(noise_.model_in_effects, set.places);
-    const Eigen::MatrixXd in_smooth = gathered(noise_.smooth_in_effects, set.places);
+    if (set.numbers.empty()) return by_smooth;
+    const Eigen::MatrixXd in_model = noise_.model_in_effects(Eigen::all, set.numbers);
+    const Eigen::MatrixXd in_smooth = noise_.smooth_in_effects(Eigen::all, set.numbers);
     Eigen::MatrixXd own = weighted(set.products, noise_.weights, in_model.cols()) -
                           in_model.transpose() * in_model -
                           in_smooth.transpose() * shrink.asDiagonal() * in_smooth;
     own.diagonal().array() += least;
     const Eigen::VectorXd with_drift =
-        gathered(noise_.with_drift.transpose(), set.places).transpose() -
+        noise_.with_drift(set.numbers) -
         in_smooth.transpose() * shrink.cwiseProduct(noise_.with_smooth);
     return {by_smooth.square + with_drift.dot(solve_definite(own, with_drift)),
             by_smooth.columns + static_cast<double>(own.cols())};
@@ -75,24 +76,24 @@ class Shares {
 };
 
 // Those in the noise in which a set is most probable.
-Shares shares_beside(const Rivals& rivals, const SetSearch& search, const Columns& set) {
-  const AtNoise* best = &search.noises().front();
+Shares shares_beside(const Rivals& rivals, const FoundSets& search, const Columns& set) {
+  const AtNoise* best = &search.noises.front();
   double max = -HUGE_VAL;
-  for (const AtNoise& noise : search.noises()) {
-    const double likely = Shares(rivals, search.likelihood(), noise).log_likelihood(set);
+  for (const AtNoise& noise : search.noises) {
+    const double likely = Shares(rivals, search.likelihood, noise).log_likelihood(set);
     if (likely <= max) continue;
     max = likely;
     best = &noise;
   }
-  return {rivals, search.likelihood(), *best};
+  return {rivals, search.likelihood, *best};
 }
 
 // All sets, most probable first.
-void take_sets(const SetSearch& search, Explanations& found) {
+void take_sets(const FoundSets& search, Explanations& found) {
   double best = -HUGE_VAL;
-  for (const EffectSet& set : search.sets()) best = std::max(best, set.total());
+  for (const EffectSet& set : search.sets) best = std::max(best, set.total());
   double sum = 0;
-  for (const EffectSet& set : search.sets()) {
+  for (const EffectSet& set : search.sets) {
     const auto probability = [&](std::size_t with) {
       return std::exp(set.log_prior + set.log_likelihood[with] - best);
     };
@@ -114,24 +115,18 @@ void take_sets(const SetSearch& search, Explanations& found) {
       [](const Explanation& a, const Explanation& b) { return a.probability > b.probability; });
 }
 
-// The part without which the others explain least. `others`: without each part.
-std::size_t largest_part(const Shares& shares, const std::vector<Columns>& others) {
+// The part without which the others explain least.
+const Part& largest_part(const Rivals& rivals, const Shares& shares,
+                         const std::vector<Part>& parts) {
   std::vector<double> explained;
-  for (const Columns& rest : others) explained.push_back(shares.explained(rest, false));
-  return static_cast<std::size_t>(std::min_element(explained.begin(), explained.end()) -
-                                  explained.begin());
-}
-
-std::vector<Columns> without_each(const Rivals& rivals, const std::vector<Part>& parts) {
-  std::vector<Columns> others;
   for (const Part& part : parts) {
-    std::vector<Part> rest;
-    for (const Part& other : parts) {
-      if (other.effect != part.effect) rest.push_back(other);
-    }
-    others.emplace_back(rivals, rest);
+    std::vector<Part> others;
+    std::copy_if(parts.begin(), parts.end(), std::back_inserter(others),
+                 [&](const Part& other) { return other.effect != part.effect; });
+    explained.push_back(shares.explained({rivals, others}, false));
   }
-  return others;
+  return parts[static_cast<std::size_t>(std::min_element(explained.begin(), explained.end()) -
+                                        explained.begin())];
 }
 
 // What an explanation explains, and what of it is the largest: in the drift as it is, all rows
@@ -146,21 +141,21 @@ void set_shares(const Rivals& rivals, const Shares& shares, const Shares& of_dri
   const Columns all(rivals, one.parts);
   const double explained = shares.explained(all, false);
   one.explained = std::clamp(explained / excess, 0.0, 1.0);
-  one.largest = one.parts[largest_part(of_drift, without_each(rivals, one.parts))].effect;
+  one.largest = largest_part(rivals, of_drift, one.parts).effect;
   one.mostly_something_else = shares.explained(all, true) - explained > explained;
 }
 
-void add_effects(const Rivals& rivals, const SetSearch& search, const Shares& shares,
+void add_effects(const Rivals& rivals, const FoundSets& search, const Shares& shares,
                  Explanations& found) {
-  for (std::size_t e = 0; e < rivals.effects().size(); ++e) {
-    const EffectSet& alone = search.sets()[e + 1];
+  for (std::size_t e = 0; e < rivals.effects(); ++e) {
+    const EffectSet& alone = search.sets[e + 1];
     Explanations::Effect effect;
     effect.shape = alone.parts.front().shape;
     effect.explained =
         std::clamp(shares.explained({rivals, alone.parts}, false) / found.excess, 0.0, 1.0);
-    effect.log_odds = alone.likelihood() - search.sets().front().likelihood();
-    for (std::size_t s = 0; s < rivals.effects()[e].shapes.size(); ++s) {
-      effect.log_likelihood.push_back(search.of_shape(e, s));
+    effect.log_odds = alone.likelihood() - search.sets.front().likelihood();
+    for (std::size_t s = 0; s < rivals.shape_count(e); ++s) {
+      effect.log_likelihood.push_back(search.of_shapes[rivals.number_of({e, s})]);
     }
     bool is_likeliest = true;
     for (const Explanation& one : found.all) {
@@ -178,25 +173,25 @@ void add_effects(const Rivals& rivals, const SetSearch& search, const Shares& sh
 }
 
 // What each effect would have needed to be seen, in what the most probable explanation leaves.
-void add_visibility(const Rivals& rivals, const SetSearch& search, const Columns& best,
+void add_visibility(const Rivals& rivals, const FoundSets& search, const Columns& best,
                     Explanations& found) {
   const Explanation& likeliest = found.all.front();
   const bool something_else = 2 * likeliest.something_else > likeliest.probability;
   std::vector<double> left;
-  for (const AtNoise& noise : search.noises()) {
-    left.push_back(Shares(rivals, search.likelihood(), noise).left(best, something_else));
+  for (const AtNoise& noise : search.noises) {
+    left.push_back(Shares(rivals, search.likelihood, noise).left(best, something_else));
   }
   const std::vector<double> sizes = visible_from_dph(rivals, search, left);
   for (std::size_t e = 0; e < sizes.size(); ++e) found.effects[e].visible_from_dph = sizes[e];
 }
 
-NoiseLevels noise_if_nothing(const Rivals& rivals, const SetSearch& search) {
-  const std::vector<double>& likely = search.of_nothing();
+NoiseLevels noise_if_nothing(const Rivals& rivals, const FoundSets& search) {
+  const std::vector<double>& likely = search.of_nothing;
   const double max = *std::max_element(likely.begin(), likely.end());
   double total = 0;
   NoiseLevels square;
   for (std::size_t i = 0; i < likely.size(); ++i) {
-    const AtNoise& noise = search.noises()[i];
+    const AtNoise& noise = search.noises[i];
     const double probability = std::exp(likely[i] - max);
     const double white = probability * rivals.white() * noise.left / rivals.freedom();
     total += probability;
@@ -217,10 +212,10 @@ bool Explanation::has(std::size_t effect) const {
                      [&](const Part& part) { return part.effect == effect; });
 }
 
-Explanations explain(const Rows& rows, const Eigen::MatrixXd& something_else,
-                     const std::vector<PossibleEffect>& effects) {
-  const Rivals rivals(rows, something_else, effects);
-  const SetSearch search(rivals);
+Explanations explain(const Rows& rows, Eigen::MatrixXd something_else,
+                     std::vector<PossibleEffect> effects) {
+  const Rivals rivals(rows, std::move(something_else), std::move(effects));
+  const FoundSets search = search_sets(rivals);
   Explanations found;
   take_sets(search, found);
   const Columns best(rivals, found.all.front().parts);
@@ -228,7 +223,7 @@ Explanations explain(const Rows& rows, const Eigen::MatrixXd& something_else,
   const double by_best = shares.explained(best, false);
   found.excess = std::max({shares.explained(best, true), by_best, 1e-9});
   found.left_by_best = std::clamp(1 - by_best / found.excess, 0.0, 1.0);
-  const Shares of_drift(rivals, search.likelihood(), search.noises().front());  // white
+  const Shares of_drift(rivals, search.likelihood, search.noises.front());  // white
   for (Explanation& one : found.all) {
     set_shares(rivals, shares, of_drift, found.excess, one);
     if (one.mostly_something_else) {

@@ -13,17 +13,17 @@ constexpr double kSmallest = 0.1;
 constexpr double kLargest = 10;
 constexpr double kFactorOfSize = 3.16;
 
-// What columns of one variance add: to the logarithm of the determinant, and to the square that
-// they explain.
+// What columns of one variance add: a factor of the determinant, and the square that they explain.
 struct Added {
-  double log_determinant = 0;
+  double determinant = 1;
   double square = 0;
 };
 
-Added added(const Eigen::MatrixXd& own, const Eigen::VectorXd& with_drift, double variance) {
+Added added(const Eigen::Ref<const Eigen::MatrixXd>& own,
+            const Eigen::Ref<const Eigen::VectorXd>& with_drift, double variance) {
   if (own.cols() == 1) {
     const double determinant = 1 + variance * std::max(0.0, own(0, 0));
-    return {std::log(determinant), variance * with_drift[0] * with_drift[0] / determinant};
+    return {determinant, variance * with_drift[0] * with_drift[0] / determinant};
   }
   if (own.cols() == 2) {
     const double a = 1 + variance * own(0, 0);
@@ -32,13 +32,12 @@ Added added(const Eigen::MatrixXd& own, const Eigen::VectorXd& with_drift, doubl
     const double determinant = std::max(1.0, a * d - b * b);
     const double x = with_drift[0];
     const double y = with_drift[1];
-    return {std::log(determinant),
-            variance * (d * x * x - 2 * b * x * y + a * y * y) / determinant};
+    return {determinant, variance * (d * x * x - 2 * b * x * y + a * y * y) / determinant};
   }
   const Eigen::LLT<Eigen::MatrixXd> solved(Eigen::MatrixXd::Identity(own.rows(), own.cols()) +
                                            variance * own);
-  return {2 * Eigen::MatrixXd(solved.matrixL()).diagonal().array().log().sum(),
-          variance * with_drift.dot(solved.solve(with_drift))};
+  const double root = solved.matrixLLT().diagonal().prod();
+  return {root * root, variance * with_drift.dot(solved.solve(with_drift))};
 }
 
 }  // namespace
@@ -48,10 +47,16 @@ double log_add(double a, double b) {
   return max == -HUGE_VAL ? max : max + std::log1p(std::exp(std::min(a, b) - max));
 }
 
-void add(const Beside& likely, Beside& sum) {
-  for (std::size_t with = 0; with < sum.size(); ++with) {
-    sum[with] = log_add(sum[with], likely[with]);
+void Sum::add(double log_scale, const Beside& factors) {
+  if (log_scale == -HUGE_VAL) return;
+  const double ratio = std::exp(-std::abs(log_scale - log_scale_));
+  const bool is_larger = log_scale > log_scale_;
+  const double own = is_larger ? ratio : 1;
+  const double others = is_larger ? 1 : ratio;
+  for (std::size_t with = 0; with < factors_.size(); ++with) {
+    factors_[with] = own * factors_[with] + others * factors[with];
   }
+  log_scale_ = std::max(log_scale_, log_scale);
 }
 
 Likelihood::Likelihood(const Rivals& rivals) : freedom_(rivals.freedom()) {
@@ -61,17 +66,16 @@ Likelihood::Likelihood(const Rivals& rivals) : freedom_(rivals.freedom()) {
   }
   smooth_sizes_.push_back(0);
   for (std::size_t i = 1; i < sizes_.size(); i += 2) smooth_sizes_.push_back(sizes_[i]);
-  log_formulas_ = std::log(1 - kSomethingElse);
-  log_smooth_ = std::log(kSomethingElse / static_cast<double>(smooth_sizes_.size() - 1));
+  something_else_ = kSomethingElse / static_cast<double>(smooth_sizes_.size() - 1);
 }
 
-Beside Likelihood::log_prior(std::size_t smooth, double largest) const {
+Beside Likelihood::prior(std::size_t smooth, double largest) const {
   std::size_t of_errors = 0;
   const double error = kInexact * largest;
   for (std::size_t i = 1; i < smooth_sizes_.size() && error >= kSmallest; ++i) {
     if (i == 1 || smooth_sizes_[i] <= error * kFactorOfSize) of_errors = i;
   }
-  return {smooth == of_errors ? log_formulas_ : -HUGE_VAL, smooth > 0 ? log_smooth_ : -HUGE_VAL};
+  return {smooth == of_errors ? 1 - kSomethingElse : 0, smooth > 0 ? something_else_ : 0};
 }
 
 double Likelihood::operator()(double log_density, double left) const {
@@ -83,33 +87,26 @@ double Likelihood::left_for(double log_density, double log_likelihood) const {
   return std::exp(2 * (log_density - log_likelihood) / freedom_);
 }
 
-// All sizes are equally probable.
-double Likelihood::of_size(double size, double log_density, double left, const Eigen::MatrixXd& own,
-                           const Eigen::VectorXd& with_drift) const {
-  const Added more = added(own, with_drift, size * size / static_cast<double>(own.cols()));
-  return (*this)(log_density - more.log_determinant / 2, left - more.square) -
-         std::log(static_cast<double>(sizes_.size()));
+std::vector<Beside> Likelihood::priors_of_sizes(std::size_t smooth, double largest) const {
+  const auto count = static_cast<double>(sizes_.size());
+  std::vector<Beside> priors;
+  for (const double size : sizes_) {
+    const Beside beside = prior(smooth, std::max(size, largest));
+    priors.push_back({beside[0] / count, beside[1] / count});
+  }
+  return priors;
 }
 
-Beside Likelihood::averaged(const Setting& setting, double log_density, double left, double largest,
-                            const Eigen::MatrixXd& own, const Eigen::VectorXd& with_drift) const {
-  Beside sum = kNoLikelihood;
-  for (const double size : sizes_) {
-    const Beside prior = log_prior(setting.smooth_number, std::max(size, largest));
-    if (std::max(prior[0], prior[1]) == -HUGE_VAL) continue;
-    const double likely = of_size(size, log_density, left, own, with_drift);
-    add({prior[0] + likely, prior[1] + likely}, sum);
+void Likelihood::add_average(const std::vector<Beside>& priors, double log_density, double left,
+                             const Eigen::Ref<const Eigen::MatrixXd>& own,
+                             const Eigen::Ref<const Eigen::VectorXd>& with_drift, Sum& sum) const {
+  for (std::size_t i = 0; i < sizes_.size(); ++i) {
+    if (!(priors[i][0] + priors[i][1] > 0)) continue;
+    const double variance = sizes_[i] * sizes_[i] / static_cast<double>(own.cols());
+    const auto [determinant, square] = added(own, with_drift, variance);
+    const double density = 1 / std::sqrt(determinant);
+    sum.add((*this)(log_density, left - square), {density * priors[i][0], density * priors[i][1]});
   }
-  return sum;
-}
-
-double Likelihood::averaged(double log_density, double left, const Eigen::MatrixXd& own,
-                            const Eigen::VectorXd& with_drift) const {
-  double sum = -HUGE_VAL;
-  for (const double size : sizes_) {
-    sum = log_add(sum, of_size(size, log_density, left, own, with_drift));
-  }
-  return sum;
 }
 
 }  // namespace fogcomp::judge

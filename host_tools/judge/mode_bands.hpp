@@ -18,6 +18,7 @@ class ModeBands {
   Eigen::Index size() const { return angle_.size(); }
   const Eigen::ArrayXd& angle() const { return angle_; }  ///< per row, geometric mean of each band
   const Eigen::ArrayXd& count() const { return count_; }  ///< modes of each band
+  const std::vector<Eigen::Index>& first() const { return first_; }  ///< mode of each, and the end
 
   /// Cosine modes of columns of rows, band by band.
   Eigen::MatrixXd modes(const Eigen::MatrixXd& columns) const;

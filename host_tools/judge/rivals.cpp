@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "support/least_squares.hpp"
 #include "support/parallel.hpp"
@@ -26,71 +27,83 @@ double size_of(const Eigen::VectorXd& column) {
 
 }  // namespace
 
-Eigen::MatrixXd gathered(const Eigen::MatrixXd& all, const std::vector<Place>& places) {
-  Eigen::Index count = 0;
-  for (const Place& place : places) count += place.count;
-  Eigen::MatrixXd some(all.rows(), count);
-  Eigen::Index at = 0;
-  for (const Place& place : places) {
-    some.middleCols(at, place.count) = all.middleCols(place.first, place.count);
-    at += place.count;
-  }
-  return some;
-}
-
-Rivals::Rivals(const Rows& rows, const Eigen::MatrixXd& something_else,
-               const std::vector<PossibleEffect>& effects)
-    : rows_(rows), effects_(effects), bands_(rows.stretches, kBandsOfAnOctave) {
-  set_rest(something_else);
-  set_effects();
-  rest_products_ = bands_.products(rest_modes_, rest_modes_);
-  cross_products_ = bands_.products(rest_modes_, effect_modes_);
-  for (const Place& place : shapes_) shape_products_.push_back(band_products({place}));
+Rivals::Rivals(const Rows& rows, Eigen::MatrixXd something_else,
+               std::vector<PossibleEffect> effects)
+    : rows_(rows), bands_(rows.stretches, kBandsOfAnOctave) {
+  const Eigen::MatrixXd rest_modes = modes_of_rest(std::move(something_else));
+  rest_products_ = bands_.products(rest_modes, rest_modes);
+  place(effects);
+  for_each_index(effects.size(), [&](std::size_t effect) {
+    take(first_shape(effect), effects[effect].shapes, rest_modes);
+  });
   auto unknown = static_cast<double>((rows.weights.array() > 0).count());
   for (Eigen::Index i = 0; i < model_; ++i) unknown -= prior_variance(i, 1) > 0 ? 0 : 1;
   freedom_ = std::max(1.0, unknown);
 }
 
-void Rivals::set_rest(const Eigen::MatrixXd& something_else) {
+Eigen::MatrixXd Rivals::modes_of_rest(Eigen::MatrixXd something_else) {
   Eigen::MatrixXd model =
       bridged(rows_, side_by_side({rows_.columns, power_on_columns(rows_)}, rows_.size()));
   model_ = model.cols();
   unit_ = model.colwise().norm().transpose() / std::sqrt(static_cast<double>(model.rows()));
   unit_ = (unit_.array() > 0).select(unit_, 1);
   model.array().rowwise() /= unit_.transpose().array();
-  Eigen::MatrixXd smooth = bridged(rows_, something_else);
+  Eigen::MatrixXd smooth = bridged(rows_, std::move(something_else));
   smooth.rowwise() -= smooth.colwise().mean().eval();
   smooth /= std::max(kTiny, smooth.norm() / std::sqrt(static_cast<double>(smooth.rows())));
   smooth_ = smooth.cols();
   const Eigen::MatrixXd drift = bridged(rows_, rows_.drift_dph);
-  rest_modes_ = bands_.modes(side_by_side({model, drift, smooth}, rows_.size()));
-  const Eigen::MatrixXd of_drift = rest_modes_.col(model_);
+  Eigen::MatrixXd modes = bands_.modes(side_by_side({model, drift, smooth}, rows_.size()));
+  const Eigen::MatrixXd of_drift = modes.col(model_);
   white_ = std::max(
       kTiny, bands_.mean_of_fast_modes(bands_.products(of_drift, of_drift).row(0).transpose()));
-  rest_modes_.col(model_) /= std::sqrt(white_);
+  modes.col(model_) /= std::sqrt(white_);
   spread_ = rms_about_mean(drift) / std::sqrt(white_);
+  return modes;
 }
 
-void Rivals::set_effects() {
-  Eigen::Index columns = 0;
-  for (const PossibleEffect& effect : effects_) {
-    first_shape_.push_back(shapes_.size());
-    for (const Eigen::MatrixXf* const shape : effect.shapes) {
-      shapes_.push_back({columns, shape->cols()});
-      columns += shape->cols();
+void Rivals::place(const std::vector<PossibleEffect>& effects) {
+  for (const PossibleEffect& effect : effects) {
+    effects_.push_back({shapes_.size(), effect.shapes.size(), effect.may_repeat});
+    for (const Eigen::MatrixXf& shape : effect.shapes) {
+      shapes_.push_back({columns_, shape.cols()});
+      columns_ += shape.cols();
+      widest_ = std::max(widest_, shape.cols());
     }
   }
-  effect_modes_.resize(rest_modes_.rows(), columns);
-  for_each_index(effects_.size(), [&](std::size_t e) {
-    for (std::size_t s = 0; s < shape_count(e); ++s) {
-      Eigen::MatrixXd shape = bridged(rows_, effects_[e].shapes[s]->cast<double>());
-      for (Eigen::Index i = 0; i < shape.cols(); ++i) {
-        shape.col(i) /= size_of(shape.col(i));
-      }
-      const Place& place = shapes_[first_shape_[e] + s];
-      effect_modes_.middleCols(place.first, place.count) = bands_.modes(shape);
+  modes_.resize(shapes_.size());
+  cross_products_.resize((model_ + 1 + smooth_) * columns_, bands_.size());
+  shape_products_ = Eigen::MatrixXd::Zero(widest_ * columns_, bands_.size());
+}
+
+// Some shapes at a time, as one transform serves two columns; their rows are dropped.
+void Rivals::take(std::size_t first, std::vector<Eigen::MatrixXf>& shapes,
+                  const Eigen::MatrixXd& rest_modes) {
+  constexpr std::size_t kTogether = 8;
+  for (std::size_t done = 0; done < shapes.size(); done += kTogether) {
+    const std::size_t end = std::min(shapes.size(), done + kTogether);
+    std::vector<Eigen::MatrixXd> parts;
+    for (std::size_t s = done; s < end; ++s) {
+      parts.emplace_back(shapes[s].cast<double>());
+      shapes[s].resize(0, 0);
     }
-  });
+    Eigen::MatrixXd some = bridged(rows_, side_by_side(parts, rows_.size()));
+    parts.clear();
+    for (Eigen::Index i = 0; i < some.cols(); ++i) some.col(i) /= size_of(some.col(i));
+    some = bands_.modes(some);
+    const Eigen::Index at = shapes_[first + done].first;
+    cross_products_.middleRows(rest_modes.cols() * at, rest_modes.cols() * some.cols()) =
+        bands_.products(rest_modes, some);
+    for (std::size_t s = first + done; s < first + end; ++s) {
+      const Place& place = shapes_[s];
+      modes_[s] = some.middleCols(place.first - at, place.count);
+      const Eigen::MatrixXd products = bands_.products(modes_[s], modes_[s]);
+      for (Eigen::Index i = 0; i < place.count; ++i) {
+        shape_products_.middleRows(widest_ * (place.first + i), place.count) =
+            products.middleRows(place.count * i, place.count);
+      }
+    }
+  }
 }
 
 Eigen::ArrayXd Rivals::noise_density(double flicker, double walk) const {
@@ -102,10 +115,13 @@ Eigen::ArrayXd Rivals::noise_density(double flicker, double walk) const {
   return density;
 }
 
-std::vector<Place> Rivals::places_of(const std::vector<Part>& parts) const {
-  std::vector<Place> places;
-  for (const Part& part : parts) places.push_back(shapes_[first_shape_[part.effect] + part.shape]);
-  return places;
+std::vector<Eigen::Index> Rivals::columns_of(const std::vector<Part>& parts) const {
+  std::vector<Eigen::Index> columns;
+  for (const Part& part : parts) {
+    const Place& place = shapes_[number_of(part)];
+    for (Eigen::Index i = 0; i < place.count; ++i) columns.push_back(place.first + i);
+  }
+  return columns;
 }
 
 double Rivals::prior_variance(Eigen::Index unknown, double turn_on_variance) const {
@@ -114,37 +130,41 @@ double Rivals::prior_variance(Eigen::Index unknown, double turn_on_variance) con
   return std::pow(rows_.prior_sigma[unknown], 2) / white_ * square;
 }
 
-Eigen::MatrixXd Rivals::products_of_rest(const Eigen::VectorXd& weights) const {
-  return weighted(rest_products_, weights, rest_modes_.cols());
+Rivals::Products Rivals::products(const Eigen::VectorXd& weights) const {
+  const Eigen::Index rest = model_ + 1 + smooth_;
+  return {weighted(rest_products_, weights, rest), weighted(cross_products_, weights, rest),
+          weighted(shape_products_, weights, widest_)};
 }
 
-Eigen::MatrixXd Rivals::products_with_effects(const Eigen::MatrixXd& weights) const {
-  return cross_products_ * weights;
-}
-
-Eigen::MatrixXd Rivals::products_of_shape(std::size_t number,
-                                          const Eigen::VectorXd& weights) const {
-  return weighted(shape_products_[number], weights, shapes_[number].count);
-}
-
-Eigen::MatrixXd Rivals::band_products(const std::vector<Place>& places) const {
-  const Eigen::MatrixXd some = gathered(effect_modes_, places);
+Eigen::MatrixXd Rivals::band_products(const std::vector<Part>& parts) const {
+  std::vector<Eigen::MatrixXd> modes;
+  for (const Part& part : parts) modes.push_back(modes_[number_of(part)]);
+  const Eigen::MatrixXd some = side_by_side(modes, bands_.first().back());
   return bands_.products(some, some);
 }
 
-Eigen::VectorXd Rivals::products_of_column(Eigen::Index column,
-                                           const Eigen::VectorXd& weights) const {
-  const auto known = [&]() -> const Eigen::MatrixXd& {
-    const std::lock_guard lock(mutex_);
-    Eigen::MatrixXd& products = column_products_[column];
-    if (products.size() == 0) products = band_products_with_all({{column, 1}});
-    return products;
-  };
-  return known() * weights;
-}
-
-Eigen::MatrixXd Rivals::band_products_with_all(const std::vector<Place>& places) const {
-  return bands_.products(gathered(effect_modes_, places), effect_modes_);
+// Some modes at a time, which stay in the cache.
+std::vector<Eigen::MatrixXd> Rivals::products_with_all(
+    const std::vector<Eigen::Index>& columns) const {
+  constexpr Eigen::Index kTogether = 256;
+  std::vector<Eigen::MatrixXd> products(columns.size(), Eigen::MatrixXd(columns_, bands_.size()));
+  for_each_index(static_cast<std::size_t>(bands_.size()), [&](std::size_t band) {
+    Eigen::MatrixXd sum =
+        Eigen::MatrixXd::Zero(columns_, static_cast<Eigen::Index>(columns.size()));
+    const Eigen::Index end = bands_.first()[band + 1];
+    for (Eigen::Index at = bands_.first()[band]; at < end; at += kTogether) {
+      Eigen::MatrixXd some(std::min(kTogether, end - at), columns_);
+      for (std::size_t s = 0; s < shapes_.size(); ++s) {
+        some.middleCols(shapes_[s].first, shapes_[s].count) = modes_[s].middleRows(at, some.rows());
+      }
+      const Eigen::MatrixXd own = some(Eigen::all, columns);
+      sum.noalias() += some.transpose() * own;
+    }
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      products[i].col(static_cast<Eigen::Index>(band)) = sum.col(static_cast<Eigen::Index>(i));
+    }
+  });
+  return products;
 }
 
 }  // namespace fogcomp::judge

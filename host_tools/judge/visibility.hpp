@@ -10,7 +10,7 @@ namespace fogcomp::judge {
 /// one of this size is as probable as none, so that it is found in half of all cases. Of its
 /// shapes, half are seen from this size on. `left`: squares that are noise, in each noise of
 /// `search`.
-std::vector<double> visible_from_dph(const Rivals& rivals, const SetSearch& search,
+std::vector<double> visible_from_dph(const Rivals& rivals, const FoundSets& search,
                                      const std::vector<double>& left);
 
 }  // namespace fogcomp::judge

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,9 @@ class MadeEvidence {
         all.back().shapes.push_back(
             {term, fogcomp::orthonormal(residualizer(columns).columns).cast<float>(), 0,
              columns.cast<float>()});
+        std::vector<Eigen::Index>& visible = all.back().shapes.back().visible;
+        visible.resize(static_cast<std::size_t>(columns.cols()));
+        std::iota(visible.begin(), visible.end(), 0);
       }
     }
     return {std::move(residualizer), std::move(all), {}, std::move(smooth)};

@@ -42,13 +42,13 @@ class ExplanationsTest : public testing::Test {
     for (double& value : rows_.drift_dph) value += kNoise_dph * random.gaussian();
     for (const double cycles : {3.1, 5.7, 7.9, 11.3})
       shapes_.emplace_back(sine(cycles).cast<float>());
-    effects_ = {{{&shapes_[0]}}, {{&shapes_[1]}}, {{&shapes_[2], &shapes_[3]}}};
   }
-  Explanations found() const { return explain(rows_, smooth_, effects_); }
+  Explanations found() const {
+    return explain(rows_, smooth_, {{{shapes_[0]}}, {{shapes_[1]}}, {{shapes_[2], shapes_[3]}}});
+  }
 
   Rows rows_;
   std::vector<Eigen::MatrixXf> shapes_;
-  std::vector<PossibleEffect> effects_;
   Eigen::MatrixXd smooth_{sine(1.3)};
 };
 
