@@ -26,7 +26,7 @@ test_packages=(
 )
 
 # What tests/bench/run.sh needs beside the first.
-bench_packages=(libbenchmark-dev)
+bench_packages=(libbenchmark-dev python3-pywt)
 
 # require_packages NAME...: installs what is missing, as root or by sudo; where neither is to be had,
 # says what to ask for and returns 2.

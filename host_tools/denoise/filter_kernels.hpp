@@ -5,29 +5,28 @@
 
 namespace fogcomp::denoise {
 
-/// Outputs per iteration of a kernel: array lengths are multiples of it.
+/// Outputs per iteration of the kernel: array lengths are multiples of it.
 constexpr std::size_t kKernelStep = 8;
 
-/// The two filters of a transform, split into even and odd taps.
+/// The two filters of a transform, split into even and odd taps, for either direction.
 struct FilterPair {
   explicit FilterPair(const std::vector<double>& lowpass);
+  /// What two outputs take of two inputs.
   struct Taps {
-    double low_even, low_odd, high_even, high_odd;
+    double first_of_x, first_of_y, second_of_x, second_of_y;
   };
-  std::vector<Taps> taps;  ///< one per two taps of a filter
-  std::size_t length() const { return 2 * taps.size(); }
+  std::vector<Taps> analysis;   ///< low and high of odd and even samples
+  std::vector<Taps> synthesis;  ///< even and odd samples of low and high
+  std::size_t phases() const { return analysis.size(); }
+  std::size_t length() const { return 2 * phases(); }
 };
 
-// Inner loops of a transform on separate even and odd samples. `count` is a multiple of
-// kKernelStep; results must not overlap inputs. With p = taps / 2 - 1:
-
-/// low[k] = sum over i of low_even[i] odd[k + p - i] + low_odd[i] even[k + p - i]; high likewise.
-/// Reads even and odd up to count + p.
-void analyse(const FilterPair& filters, const double* even, const double* odd, std::size_t count,
-             double* low, double* high);
-/// even[k] = sum over i of low_odd[i] low[k + i] + high_odd[i] high[k + i]; odd[k] with the even
-/// taps. Reads low and high up to count + p.
-void synthesise(const FilterPair& filters, const double* low, const double* high, std::size_t count,
-                double* even, double* odd);
+/// Two outputs of two inputs: first[k] = sum over i of first_of_x[i] x[k + i] + first_of_y[i] y[k +
+/// i], second[k] likewise. `backwards`: of inputs from the last tap's on, x[k + taps - 1 - i].
+/// `count` is a multiple of kKernelStep; outputs must not overlap inputs, which are read up to
+/// count
+/// + taps - 1.
+void filter(const std::vector<FilterPair::Taps>& taps, bool backwards, const double* x,
+            const double* y, std::size_t count, double* first, double* second);
 
 }  // namespace fogcomp::denoise

@@ -72,13 +72,14 @@ class Analysis {
     if (level.done == 0) {
       std::copy_n(work_, std::min(level.inputs, level.beginning.size()), level.beginning.begin());
     }
-    separate(level, count + filters_.taps.size() - 1);
+    separate(level, count + filters_.phases() - 1);
     double* const low = work_ + level.done;
     if (count == padded(count)) {
-      analyse(filters_, even_.data(), odd_.data(), count, low, high);
+      filter(filters_.analysis, true, odd_.data(), even_.data(), count, low, high);
       return;
     }
-    analyse(filters_, even_.data(), odd_.data(), padded(count), low_.data(), high_.data());
+    filter(filters_.analysis, true, odd_.data(), even_.data(), padded(count), low_.data(),
+           high_.data());
     std::copy_n(low_.data(), count, low);
     std::copy_n(high_.data(), count, high);
   }
@@ -86,7 +87,7 @@ class Analysis {
   // Pairs (even, odd) of the level's extended input, from those that its next output needs on.
   void separate(const Level& level, std::size_t pairs) {
     const std::ptrdiff_t begin = 2 * (static_cast<std::ptrdiff_t>(level.done) -
-                                      static_cast<std::ptrdiff_t>(filters_.taps.size() - 1));
+                                      static_cast<std::ptrdiff_t>(filters_.phases() - 1));
     const auto end = begin + static_cast<std::ptrdiff_t>(2 * pairs);
     if (begin >= 0 && end <= static_cast<std::ptrdiff_t>(level.inputs)) {
       const double* from = work_ + begin;
@@ -152,12 +153,14 @@ class Synthesis {
   void synthesise_chunk(const double* high, std::size_t first, const Level& level) {
     const std::size_t count = level.begin - first;
     if (count == padded(count)) {
-      synthesise(filters_, work_ + first, high + first, count, even_.data(), odd_.data());
+      filter(filters_.synthesis, false, work_ + first, high + first, count, even_.data(),
+             odd_.data());
     } else {
-      const std::size_t inputs = count + filters_.taps.size() - 1;
+      const std::size_t inputs = count + filters_.phases() - 1;
       std::copy_n(work_ + first, inputs, low_.data());
       std::copy_n(high + first, inputs, high_.data());
-      synthesise(filters_, low_.data(), high_.data(), padded(count), even_.data(), odd_.data());
+      filter(filters_.synthesis, false, low_.data(), high_.data(), padded(count), even_.data(),
+             odd_.data());
     }
     const std::size_t whole = std::min(count, level.size / 2 - first);
     double* to = work_ + 2 * first;

@@ -15,6 +15,22 @@ cmake --build build/stm32f405 --target denoiser_speed >/dev/null
 
 echo "== this computer, sym8 x 5, 11.9 M samples"
 build/host/tests/bench/wavelet_speed 2>/dev/null
+# As it is, and with memory as the tool's (support/large_blocks.cpp).
+for tunables in "" glibc.malloc.hugetlb=1; do
+  GLIBC_TUNABLES=$tunables /usr/bin/python3 - <<'PYTHON'
+import os, time
+import numpy, pywt
+
+signal = numpy.random.default_rng(1).normal(size=11_900_000)
+best_s = float("inf")
+for _ in range(5):
+    start_s = time.process_time()
+    pywt.waverec(pywt.wavedec(signal, "sym8", level=5), "sym8")
+    best_s = min(best_s, time.process_time() - start_s)
+pages = " with huge pages" if os.environ["GLIBC_TUNABLES"] else ""
+print(f"PyWavelets {pywt.__version__}{pages}: transform and inverse {best_s / signal.size * 1e9:.1f} ns a sample")
+PYTHON
+done
 echo
 echo "== this computer, training the paper's network (2-10-1, 5955 rows)"
 build/host/tests/bench/training_speed 2>/dev/null
