@@ -55,7 +55,7 @@ mkdir -p "$here"
 step "host tool"
 [[ -f $build/host/build.ninja && ${#workbench[@]} == 0 ]] ||
   quietly "$here/configure.log" cmake --preset host -B "$build/host" "${workbench[@]}"
-quietly "$here/build.log" cmake --build "$build/host" --target fogcomp
+quietly "$here/build.log" cmake --build "$build/host" --target fogcomp fogcomp_manual
 echo "$fogcomp"
 
 step "recording: the reference paper's chamber programme, sampled at $rate Hz as the board sees it"
