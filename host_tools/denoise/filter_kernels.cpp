@@ -1,40 +1,35 @@
 #include "denoise/filter_kernels.hpp"
 
+#include <cstring>
+
 #include "denoise/filters.hpp"
 
 namespace fogcomp::denoise {
 namespace {
 
-// kLanes doubles of a register, read from and written to wherever a double may lie.
-template <std::size_t kLanes>
-struct Register {
-  using Type
-      [[gnu::vector_size(kLanes * sizeof(double)), gnu::aligned(alignof(double)), gnu::may_alias]] =
-          double;
-  static const Type& at(const double* values) { return *reinterpret_cast<const Type*>(values); }
-  static Type& at(double* values) { return *reinterpret_cast<Type*>(values); }
-};
-
-// The sums of kKernelStep outputs, in as many registers as that takes. A loop over plain doubles
-// keeps them in memory, which takes three times as long.
+// The sums of kKernelStep outputs, in registers of kLanes doubles. A loop over plain doubles keeps
+// them in memory, which takes three times as long. Values are copied as bytes: they may lie
+// wherever a double may.
 template <std::size_t kLanes>
 [[gnu::always_inline]] inline void filter_by(const std::vector<FilterPair::Taps>& taps,
                                              bool backwards, const double* x, const double* y,
                                              std::size_t count, double* first, double* second) {
-  using Lanes = Register<kLanes>;
+  using Lanes [[gnu::vector_size(kLanes * sizeof(double))]] = double;
   constexpr std::size_t kParts = kKernelStep / kLanes;
   const std::ptrdiff_t step = backwards ? -1 : 1;
   const std::size_t begin = backwards ? taps.size() - 1 : 0;
   for (std::size_t k = 0; k < count; k += kKernelStep) {
-    typename Lanes::Type first_sum[kParts] = {};
-    typename Lanes::Type second_sum[kParts] = {};
+    Lanes first_sum[kParts] = {};
+    Lanes second_sum[kParts] = {};
     const double* x_here = x + begin + k;
     const double* y_here = y + begin + k;
     for (const FilterPair::Taps& each : taps) {
       const FilterPair::Taps tap = each;
       for (std::size_t p = 0; p < kParts; ++p) {
-        const typename Lanes::Type& x_now = Lanes::at(x_here + p * kLanes);
-        const typename Lanes::Type& y_now = Lanes::at(y_here + p * kLanes);
+        Lanes x_now;
+        Lanes y_now;
+        std::memcpy(&x_now, x_here + p * kLanes, sizeof x_now);
+        std::memcpy(&y_now, y_here + p * kLanes, sizeof y_now);
         first_sum[p] += tap.first_of_x * x_now;
         first_sum[p] += tap.first_of_y * y_now;
         second_sum[p] += tap.second_of_x * x_now;
@@ -43,10 +38,8 @@ template <std::size_t kLanes>
       x_here += step;
       y_here += step;
     }
-    for (std::size_t p = 0; p < kParts; ++p) {
-      Lanes::at(first + k + p * kLanes) = first_sum[p];
-      Lanes::at(second + k + p * kLanes) = second_sum[p];
-    }
+    std::memcpy(first + k, first_sum, sizeof first_sum);
+    std::memcpy(second + k, second_sum, sizeof second_sum);
   }
 }
 
