@@ -33,8 +33,8 @@ double median_spacing_s(const std::vector<double>& time_s) {
   }
   // Of a clock that jitters while samples are lost, most spacings are long.
   double period_s = median(spacings);
-  constexpr int kRounds = 5;  // until the counts of samples stay
-  for (int round = 0; round < kRounds && period_s > 0; ++round) {
+  constexpr int kPeriodRounds = 5;  // until the counts of samples stay
+  for (int round = 0; round < kPeriodRounds && period_s > 0; ++round) {
     double samples = 0;
     double sum_s = 0;
     for (const double each_s : spacings) {
