@@ -77,6 +77,42 @@ class CounterWrap {
   double counts_per_s_ = 0;  // 0: times of a calendar
 };
 
+/// Whether a last line without its end may have been cut within a number.
+class CutLine {
+ public:
+  CutLine(const CsvLayout& layout, const FileHead& head)
+      : dialect_(layout.dialect), is_read_(layout.header.slots.back() <= CsvHeader::kTimePart) {
+    for_each_row(first_lines(head), layout, [&](std::size_t, const auto& fields) {
+      longest_ = std::max(longest_, fields.back().size());
+      longest_fraction_ = std::max(longest_fraction_, fraction_of(fields.back()));
+    });
+  }
+
+  // What is wrong with `line`, or nothing: a number that is cut has fewer digits than others.
+  std::string fault_of(std::string_view line) const {
+    std::vector<std::string_view> fields;
+    split_fields(line, dialect_.separator, fields);
+    const std::string_view number = fields.back();
+    const bool is_shorter =
+        longest_fraction_ > 0 ? fraction_of(number) < longest_fraction_ : number.size() < longest_;
+    if (!is_read_ || !is_shorter || line.back() == '"') return {};
+    return "the file ends within a line, and '" + printable(number) +
+           "' has fewer digits than others: it may be cut (if not, end the line)";
+  }
+
+ private:
+  // Length from the decimal mark on; 0 without one.
+  std::size_t fraction_of(std::string_view number) const {
+    const std::size_t mark = number.find(dialect_.decimal_mark());
+    return mark == std::string_view::npos ? 0 : number.size() - mark;
+  }
+
+  CsvDialect dialect_;
+  bool is_read_;
+  std::size_t longest_ = 0;
+  std::size_t longest_fraction_ = 0;
+};
+
 /// Collects the good rows of a Recording and counts the bad ones.
 class RowCollector {
  public:
@@ -118,12 +154,13 @@ class RowCollector {
     for (const auto& [slot, values] : columns_) values->reserve(rows);
   }
 
-  // `cut`: why the line may not be whole, or nothing.
-  void add(std::string_view line, const std::string& cut) {
+  // `cut`: where the line may not be whole.
+  void add(std::string_view line, const CutLine* cut) {
     CsvRow row;
     const std::size_t number = rows_read_++;
     if (!reader_.read(line, row)) return refuse(reader_.fault_of(line));
-    if (!cut.empty()) return refuse(cut);
+    const std::string fault_of_end = cut != nullptr ? cut->fault_of(line) : std::string();
+    if (!fault_of_end.empty()) return refuse(fault_of_end);
     if (period_s_ > 0) row.values[kTimeSlot] = static_cast<double>(number) * period_s_;
     for (const CsvHeader::Constant& each : constants_) row.values[each.slot] = each.value;
     if (row.lacks_values && lacks_needed(row)) return;
@@ -335,44 +372,6 @@ class RowCollector {
   std::string last_label_;
 };
 
-/// Whether a last line without its end may have been cut within a number.
-class CutLine {
- public:
-  CutLine(const CsvLayout& layout, const FileHead& head) : dialect_(layout.dialect) {
-    is_read_ = layout.header.slots.back() <= CsvHeader::kTimePart;
-    for_each_row(first_lines(head), layout, [&](std::size_t, const auto& fields) {
-      whole_.emplace_back(fields.back());
-      has_mark_ = has_mark_ || whole_.back().find(dialect_.decimal_mark()) != std::string::npos;
-    });
-  }
-
-  // What is wrong with `line`, or nothing: a number that is cut has fewer digits than others.
-  std::string fault_of(std::string_view line) const {
-    std::vector<std::string_view> fields;
-    split_fields(line, dialect_.separator, fields);
-    const std::string number(fields.back());
-    const bool is_shorter = std::any_of(whole_.begin(), whole_.end(), [&](const auto& whole) {
-      return length_of(number) < length_of(whole);
-    });
-    if (!is_read_ || !is_shorter || line.back() == '"') return {};
-    return "the file ends within a line, and '" + printable(number) +
-           "' has fewer digits than others: it may be cut (if not, end the line)";
-  }
-
- private:
-  // Behind the decimal mark, if numbers have one.
-  std::size_t length_of(const std::string& number) const {
-    const std::size_t mark = number.find(dialect_.decimal_mark());
-    if (has_mark_) return mark == std::string::npos ? 0 : number.size() - mark;
-    return number.size();
-  }
-
-  CsvDialect dialect_;
-  bool is_read_;
-  bool has_mark_ = false;
-  std::vector<std::string> whole_;
-};
-
 // Estimated from the length of the first lines; later ones, with longer times, are less than twice
 // as long.
 std::size_t min_rows_of(const InputFile& file, std::string_view head) {
@@ -401,7 +400,7 @@ Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lin
     if (!filter.takes_all() && !filter.takes(line)) continue;
     if (!reserved) collector.reserve(file.size(), line.size());
     reserved = true;
-    collector.add(line, file.lacks_line_end() ? cut.fault_of(line) : std::string());
+    collector.add(line, file.lacks_line_end() ? &cut : nullptr);
   }
   if (filter.left_out() > 0) {
     options.watch.say(file.path(),
