@@ -73,7 +73,8 @@ int AddCommand::run() const {
   page.fill(document, [&] { return bench(asked, addition, written); });
   if (written) model_file.commit();
   page.commit();
-  print_found(json, findings::add_json(addition, name), document);
+  print_found(
+      json, [&] { return findings::add_json(addition, name); }, document);
   if (json.given()) return written ? 0 : 1;
   if (written) {
     std::printf("written%s: %s\n", addition.accepted ? "" : " by --force", name.c_str());

@@ -30,7 +30,8 @@ int CompareCommand::run() const {
   }
   page.fill(document, [&] { return report_bench(bench, recording); });
   page.commit();
-  print_found(json, findings::compare_json(judged), document, details.given());
+  print_found(
+      json, [&] { return findings::compare_json(judged); }, document, details.given());
   return 0;
 }
 

@@ -71,10 +71,11 @@ int DiagnoseCommand::run() const {
   page.fill(document, [&] { return report_bench(bench, recording); });
   if (written) model_file->commit();
   page.commit();
-  print_found(json,
-              loop_wanted ? findings::ladder_json(found.ladder, files)
-                          : findings::diagnosis_json(found.ladder.first, found.ladder.next, files),
-              document, details.given());
+  const auto object = [&] {
+    return loop_wanted ? findings::ladder_json(found.ladder, files)
+                       : findings::diagnosis_json(found.ladder.first, found.ladder.next, files);
+  };
+  print_found(json, object, document, details.given());
   if (!json.given() && written) std::printf("written: %s\n", output.value().c_str());
   if (!json.given() && model_file && !written) {
     std::puts("nothing written: the loop added nothing");

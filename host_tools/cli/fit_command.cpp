@@ -45,7 +45,8 @@ int FitCommand::run() const {
   });
   model_file.commit();
   page.commit();
-  print_found(json, findings::fit_json(found, output.value()), document);
+  print_found(
+      json, [&] { return findings::fit_json(found, output.value()); }, document);
   if (!json.given()) std::printf("\nwritten: %s\n", output.value().c_str());
   return 0;
 }

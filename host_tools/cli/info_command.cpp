@@ -38,7 +38,8 @@ int InfoCommand::run() const {
   document.read_with(recording.given_words());
   page.fill(document);
   page.commit();
-  print_found(json, findings::info_json(run, summary, visible), document, true);
+  print_found(
+      json, [&] { return findings::info_json(run, summary, visible); }, document, true);
   return 0;
 }
 

@@ -57,7 +57,8 @@ int PaperCommand::run() const {
   const findings::Document document = findings::paper_findings(studies);
   page.fill(document);
   page.commit();
-  print_found(json, findings::paper_json(studies), document);
+  print_found(
+      json, [&] { return findings::paper_json(studies); }, document);
   return 0;
 }
 

@@ -67,7 +67,8 @@ int PlanCommand::run_comparison() const {
   const findings::Document document = findings::comparison_findings(found);
   page.fill(document);
   page.commit();
-  print_found(json, findings::comparison_json(found), document, true);
+  print_found(
+      json, [&] { return findings::comparison_json(found); }, document, true);
   return 0;
 }
 
@@ -86,7 +87,8 @@ int PlanCommand::run() const {
   page.fill(document);
   profile.commit();
   page.commit();
-  print_found(json, findings::plan_json(found, output.value()), document, true);
+  print_found(
+      json, [&] { return findings::plan_json(found, output.value()); }, document, true);
   return 0;
 }
 

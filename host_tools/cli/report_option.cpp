@@ -25,10 +25,10 @@ void ReportFile::commit() {
   std::fprintf(stderr, "report: %s\n", file_->path().c_str());
 }
 
-void print_found(const Flag& json, const Json& object, const findings::Document& document,
-                 bool details) {
+void print_found(const Flag& json, const std::function<Json()>& object,
+                 const findings::Document& document, bool details) {
   const std::string text =
-      json.given() ? object.text() + "\n" : report::terminal(document, details);
+      json.given() ? object().text() + "\n" : report::terminal(document, details);
   std::fputs(text.c_str(), stdout);
 }
 

@@ -39,8 +39,8 @@ class ReportFile {
   std::vector<findings::Document>* axes_;
 };
 
-/// Prints what a command has found: `object` with --json, else `document` as text.
-void print_found(const Flag& json, const Json& object, const findings::Document& document,
-                 bool details = false);
+/// Prints what a command has found: what `object` gives with --json, else `document` as text.
+void print_found(const Flag& json, const std::function<Json()>& object,
+                 const findings::Document& document, bool details = false);
 
 }  // namespace fogcomp::cli
