@@ -10,6 +10,7 @@
 #include "recording/held_rate.hpp"
 #include "recording/row_range.hpp"
 #include "recording/stretches.hpp"
+#include "support/chi_square.hpp"
 #include "support/median.hpp"
 
 namespace fogcomp::recording {
@@ -53,7 +54,7 @@ bool are_balanced(const std::vector<double>& values, std::size_t window) {
   }
   const double independent =
       static_cast<double>(window) * square / static_cast<double>(values.size());
-  return sum_square / windows <= min_ratio_by_chance(2 / windows) * independent;
+  return standard_score(sum_square / independent, windows) <= -rules::kBalancedSigmas;
 }
 
 /// What spacings say of a clock that samples each `period_s`, above 0, and of which some are lost.

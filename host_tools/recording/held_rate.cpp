@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "recording/decision_rules.hpp"
+#include "support/chi_square.hpp"
 #include "support/median.hpp"
 
 namespace fogcomp::recording {
@@ -44,18 +45,16 @@ std::vector<double> divided(const std::vector<double>& held) {
 
 }  // namespace
 
-double min_ratio_by_chance(double variance) {
-  const double root = 1 - variance / 9 - rules::kBalancedSigmas * std::sqrt(variance) / 3;
-  return root * root * root;
-}
-
 bool are_regular(const std::vector<double>& lengths) {
   const auto count = static_cast<double>(lengths.size());
   const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.0) / count;
   double square = 0;
   for (const double each : lengths) square += (each - mean) * (each - mean);
   const double by_chance = mean * (mean - 1);
-  return square / count <= min_ratio_by_chance((8 + 1 / by_chance) / count) * by_chance;
+  // Those of a normal variable with as uncertain a variance.
+  const double degrees_of_freedom = 2 * count / (8 + 1 / by_chance);
+  return standard_score(square / count / by_chance * degrees_of_freedom, degrees_of_freedom) <=
+         -rules::kBalancedSigmas;
 }
 
 std::vector<std::size_t> repeated_readings(const std::vector<double>& rate_dph) {

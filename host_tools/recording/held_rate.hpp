@@ -5,11 +5,6 @@
 
 namespace fogcomp::recording {
 
-/// Smallest ratio of a measured variance to its expectation, 1, that is by chance: at
-/// rules::kBalancedSigmas, of a ratio with this variance (Wilson and Hilferty 1931). Negative
-/// where none is too small.
-double min_ratio_by_chance(double variance);
-
 /// Whether lengths, in rows, scatter less than those between events that come by chance: these have
 /// a geometric distribution, of variance m (m - 1) for a mean m, kurtosis 9 + 1 / (m (m - 1)).
 /// False where there are too few to tell.
