@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # other_machines.sh FOGCOMP SOURCE: tests that make recordings, search shapes and compare printed figures pass on other
-# machines, too: with either awk, in a language with a decimal comma, on one processor, and on a processor without AVX2
+# machines, too: with the other awk, in a language with a decimal comma, on one processor, and on a processor without AVX2
 # and FMA, where exp and sin of the C library round otherwise.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
@@ -20,29 +20,30 @@ on() {
   echo "$name: passed"
 }
 
+# What can be had of them, two at once.
+machine=(taskset -c "$(taskset -cp $$ | sed 's/.*: *//; s/[,-].*//')") name="one processor"
 for awk in mawk gawk; do
-  if command -v $awk >/dev/null; then
+  if ! type -P $awk >/dev/null; then
+    echo "$awk: not here"
+  elif [[ ! $(type -P $awk) -ef $(type -P awk) ]]; then
     mkdir $awk
     ln -s "$(command -v $awk)" $awk/awk
-    on $awk env PATH="$PWD/$awk:$PATH"
-  else
-    echo "$awk: not here"
+    machine+=(env PATH="$PWD/$awk:$PATH") name+=", $awk"
   fi
 done
+on "$name" "${machine[@]}"
 
-export LOCPATH=$PWD/locales
+machine=() name=
 mkdir locales
 if localedef -i de_DE -f UTF-8 locales/de_DE.UTF-8 >said.txt 2>&1; then
-  [[ $(LC_ALL=de_DE.UTF-8 locale decimal_point) == , ]] || fail "no decimal comma in $(LC_ALL=de_DE.UTF-8 locale)"
-  on "decimal comma" env LC_ALL=de_DE.UTF-8
+  machine+=(LOCPATH="$PWD/locales" LC_ALL=de_DE.UTF-8) name="decimal comma"
+  [[ $(env "${machine[@]}" locale decimal_point) == , ]] || fail "no decimal comma in $(env "${machine[@]}" locale)"
 else
   echo "decimal comma: $(head -n 1 said.txt)"
 fi
-unset LOCPATH
-
-on "one processor" taskset -c "$(taskset -cp $$ | sed 's/.*: *//; s/[,-].*//')"
 if grep -qw avx2 /proc/cpuinfo; then
-  on "without AVX2" env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F
+  machine+=(GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F) name+="${name:+, }without AVX2"
 else
   echo "without AVX2: this processor"
 fi
+((${#machine[@]} == 0)) || on "$name" env "${machine[@]}"
