@@ -97,7 +97,7 @@
     if (states.now !== state) return;
     show_findings();
     if (axes.x || !state.diagnosis) return;
-    show_runs(state);
+    show_axes(state);
     draw_third();
   };
   const diagnosed_by = (stage, done) => {
@@ -135,7 +135,11 @@
     );
     byId("run_use").disabled = last_fit;
     byId("run_use").title = last_fit ? "The only recording to fit to" : "What this recording is for";
-    const { variables } = view.runs[run];
+    show_axes(state);
+  };
+  // A diagnosis changes these alone: a button that it replaced would lose the click that is on its way.
+  const show_axes = (state) => {
+    const { variables } = state.view.runs[run];
     const chosen = axes.x || strongest(state, run);
     const group = (label, options) => make("optgroup", { label }, ...options);
     byId("variable").replaceChildren(
