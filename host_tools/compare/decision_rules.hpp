@@ -8,21 +8,10 @@
 namespace fogcomp::compare::rules {
 
 // ---- On what does a residual depend? ----------------------------------------------------------
-/// Standard score above which a dependence is reported: reached in 1, 0 and 5 of 300 simulated runs
-/// without any for temperature, rate and history, in 20 for time (dependence.hpp). dependence_test.
-constexpr double kStructured = 5;
 /// Smallest number of rows of a class: its mean's error is known to a third. dependence_test.
 constexpr std::size_t kMinInClass = 5;
 /// Smallest number of rows for any statement: ten classes of five. residual_analysis_test.
 constexpr std::size_t kMinRowsToJudge = 50;
-
-/// Fraction of a residual's variance that errors of the input rate have to explain to be reported:
-/// fifteen columns explain less of noise in 150 rows. residual_analysis_test.
-constexpr double kMinInputRateShare = 0.1;
-
-/// Standard deviations of the floor's own error, 0.6 / sqrt(rows), within which a residual is at
-/// the floor. residual_analysis_test.
-constexpr double kFloorErrorSigmas = 4;
 
 /// Relative difference of two errors (with and without the board's delay) above which both are
 /// printed. tests/integration/equal_figures.sh.
@@ -47,9 +36,8 @@ constexpr double kMaxVarianceInflation = 50;
 constexpr std::size_t kMinRowsOnBranch = 3;
 
 // ---- Is a row within what the model was trained on? -------------------------------------------
-/// Margin of the trained rates: fraction of their range, and minimum, degC/min; covers sensor noise
-/// and the chamber's control error. trained_range_test.
+/// Margin of the trained rates, as a fraction of their range, beside that of a soak; covers sensor
+/// noise and the chamber's control error. trained_range_test.
 constexpr double kRateMargin = 0.05;
-constexpr double kMinRateMarginDegcPerMin = 0.02;
 
 }  // namespace fogcomp::compare::rules

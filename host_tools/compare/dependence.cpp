@@ -9,6 +9,7 @@
 #include "noise/autocorrelation.hpp"
 #include "support/chi_square.hpp"
 #include "support/decompositions.hpp"
+#include "support/evidence.hpp"
 
 namespace fogcomp::compare {
 namespace {
@@ -225,7 +226,7 @@ double score_of(const Pairs& pairs, const ClassMeans& means) {
 }  // namespace
 
 bool ClassTest::structured() const {
-  return score > rules::kStructured;
+  return score > kCertainSigmas;
 }
 
 Dependence dependence_on(const std::vector<double>& variable, const ResidualRows& rows,

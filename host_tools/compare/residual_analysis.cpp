@@ -7,6 +7,7 @@
 #include "noise/autocorrelation.hpp"
 #include "noise/input_rate.hpp"
 #include "noise/quiet_rows.hpp"
+#include "support/evidence.hpp"
 
 namespace fogcomp::compare {
 namespace {
@@ -57,7 +58,7 @@ std::optional<double> input_rate_share(const Comparison& comparison,
 
 double floor_uncertainty(std::size_t rows) {
   constexpr double kFloorError = 0.6;
-  return rules::kFloorErrorSigmas * kFloorError / std::sqrt(static_cast<double>(rows));
+  return kRareSigmas * kFloorError / std::sqrt(static_cast<double>(rows));
 }
 
 std::optional<double> ResidualAnalysis::share_of_excess(const ClassTest& test) const {

@@ -5,6 +5,7 @@
 
 #include "compare/decision_rules.hpp"
 #include "model/catalogue.hpp"
+#include "noise/decision_rules.hpp"
 
 namespace fogcomp::compare {
 namespace {
@@ -37,7 +38,7 @@ std::array<model::Range, fog::kExtensionInputs> input_limits(const model::Model&
 
 TrainedRange::TrainedRange(const model::Model& model, double row_s)
     : degc_{model.min_degc, model.max_degc},
-      rate_(widened(model.rate_range_degc_per_min, rules::kMinRateMarginDegcPerMin)),
+      rate_(widened(model.rate_range_degc_per_min, noise::rules::kMaxQuietRate)),
       time_(time_limits(model, row_s)),
       input_rate_(widened(model.input_rate_range_dph, 0)),
       inputs_(input_limits(model)) {}

@@ -7,10 +7,6 @@
 /// threshold rules are MATLAB's and are defined with their formulas (thresholds.cpp).
 namespace fogcomp::denoise::rules {
 
-/// Standard deviations of a difference of neighbours above which a single value that differs from
-/// both is an outlier: 1 of 1.7 million of noise alone. tests/integration/denoise_worth.sh.
-constexpr double kDenoiseOutlierSigmas = 5;
-
 // ---- Kalman filter with an ARMA(2, 1) noise, one of the alternatives --------------------------
 /// Values of the running mean that removes the drift before the noise is identified: ten minutes in
 /// rows of 10 s. Chosen. tests/unit/denoise/alternatives_test.

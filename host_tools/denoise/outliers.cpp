@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "denoise/decision_rules.hpp"
 #include "denoise/thresholds.hpp"
+#include "support/evidence.hpp"
 
 namespace fogcomp::denoise {
 
@@ -32,8 +32,7 @@ double outlier_limit(fog::Span<const double> values) {
     differences.push_back(values[i] - values[i - 1]);
   }
   if (differences.empty()) return 0;
-  return rules::kDenoiseOutlierSigmas / std::sqrt(2) *
-         noise_of({differences.data(), differences.size()});
+  return kCertainSigmas / std::sqrt(2) * noise_of({differences.data(), differences.size()});
 }
 
 }  // namespace fogcomp::denoise

@@ -9,6 +9,7 @@
 #include "fit/effect_change.hpp"
 #include "fit/possible_gain.hpp"
 #include "fit/turn_on_repeatability.hpp"
+#include "support/evidence.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -111,7 +112,7 @@ bool AdditionJudge::may_help(const AdditionRequest& request) {
   const double gain =
       fit::possible_gain(*series_, before, fit::change_effects(before, request.effects).terms,
                          {refitted_->noise, refitted_->row_weights, has_own_biases()});
-  return gain >= fit::rules::kVisible * fit::rules::kVisible;
+  return gain >= kCertainSigmas * kCertainSigmas;
 }
 
 TriedAddition AdditionJudge::tried(AdditionRequest request, const runs::Runs& runs,
@@ -161,7 +162,7 @@ std::string AdditionJudge::objection_of_biases(const fit::Addition& addition) co
   const double chance =
       fit::chance_of_biases(*series_, refitted_->model.terms, addition.model.terms,
                             {refitted_->noise, refitted_->row_weights, false});
-  if (chance < fit::rules::kFalseTurnOn) return "";
+  if (chance < kFalseAlarm) return "";
   return format(
       "biases that differ from power-on to power-on would look like it with a chance of "
       "%.2g",

@@ -76,7 +76,7 @@ class AdditionJudge {
   TriedAddition operator()(AdditionRequest request);
 
   /// Whether a change of shapes would be certainly visible in the runs of the fit
-  /// (fit::possible_gain(), fit::rules::kVisible). A trial takes a hundred times as long.
+  /// (fit::possible_gain(), kCertainSigmas). A trial takes a hundred times as long.
   bool may_help(const AdditionRequest& request);
 
  private:

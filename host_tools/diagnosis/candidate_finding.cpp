@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/decision_rules.hpp"
 #include "diagnosis/model_fit.hpp"
 #include "diagnosis/refit.hpp"
+#include "support/evidence.hpp"
 #include "support/parallel.hpp"
 
 namespace fogcomp::diagnosis {
@@ -25,7 +25,9 @@ CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
   finding.visible_from_dph = effect.visible_from_dph;
   const double best = *std::max_element(effect.log_likelihood.begin(), effect.log_likelihood.end());
   for (std::size_t s = 0; s < own.shapes.size(); ++s) {
-    if (effect.log_likelihood[s] < best - rules::kPossible / 2 && s != effect.shape) continue;
+    if (effect.log_likelihood[s] < best - kPossibleSigmas * kPossibleSigmas / 2 &&
+        s != effect.shape)
+      continue;
     finding.possible.push_back(own.shapes[s].term);
   }
   const auto likeliest =

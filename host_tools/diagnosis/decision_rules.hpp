@@ -10,9 +10,6 @@
 namespace fogcomp::diagnosis::rules {
 
 // ---- Is there anything beside noise? ----------------------------------------------------------
-/// Probability that nothing is missing below which it is not believed.
-constexpr double kDoubtful = 0.1;
-
 /// Chance that noise alone has it, as its natural logarithm, below which fast structure is told:
 /// three tests without a physical model. At 0.05 % a cycle was reported for 1 of 300 clean gyros.
 inline const double kFastLogP = std::log(0.00001);
@@ -29,9 +26,6 @@ constexpr double kEnoughFreedom = 12;
 /// effects. Clean gyros.
 constexpr double kSmallExcess = 0.2 * 0.2;
 
-/// Excess in units of the white noise: a larger one can be attributed to noise only by the soaks.
-constexpr double kMuchAboveWhite = 0.1;
-
 // ---- Which effect is it? ----------------------------------------------------------------------
 /// Decrease of chi^2, beside smooth functions, above which a step is moved from its grid time to
 /// its row: the largest of 6000 rows of white noise exceeds this once in 600,000 recordings (chi^2
@@ -41,29 +35,14 @@ constexpr double kMinPlacedChi2Drop = 40;
 /// The same beside nothing but the model, where slow noise looks like steps: as for other shapes.
 constexpr double kMinMovedChi2Drop = 100;
 
-/// A shape within this chi^2 of the best one is still possible: three standard deviations.
-constexpr double kPossible = 9;
-
-/// Probability above which one effect is named, and above which it is one of the rivals. Calibrated
-/// with the hidden effects.
+/// Probability above which one effect is named (nothing is missing, doubtful below the rest), and
+/// above which it is one of the rivals. Calibrated with the hidden effects.
 constexpr double kNamed = 0.9;
 constexpr double kConfusable = 0.05;
 
-/// Formulas use an input beside the temperature and its rate if its evidence is at least this
-/// fraction of the strongest variable's. A residual that depends on the input alone gives 1, one
-/// that depends equally on another variable 0.5.
-constexpr double kMinShareOfInput = 0.5;
-
 // ---- What to add, and when to stop ------------------------------------------------------------
-
-/// Fraction of the excess above which a part counts as the main part of an unknown residual.
-constexpr double kMainPart = 0.5;
-
 /// Fraction of an effect that the model must leave for the effect to be visible; with less it would
 /// have to be thirty times larger than what it shows.
 constexpr double kMinVisible = 0.03;
-
-/// An addition that lowers the error by less than this fraction hardly helps.
-constexpr double kHardlyHelps = 0.1;
 
 }  // namespace fogcomp::diagnosis::rules

@@ -11,6 +11,7 @@
 #include "model/effect_list.hpp"
 #include "model/shape_limits.hpp"
 #include "model/shape_parameter.hpp"
+#include "support/evidence.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::diagnosis {
@@ -63,7 +64,7 @@ double removed_alone(const Diagnosis& diagnosis, const CandidateFinding& finding
 // further input would double the number of formulas, and inputs that hardly vary look alike.
 fog::InputMask signals_of_formulas(const Diagnosis& diagnosis) {
   const fog::InputDescription* best = nullptr;
-  double max = rules::kMinShareOfInput;
+  double max = kMost;
   for (const NamedShare& variable : diagnosis.variables) {
     for (const fog::InputDescription& input : fog::kInputTable) {
       const bool beside = fog::beside_temperature(bit_of(input.input)) != 0;

@@ -12,6 +12,7 @@
 #include "model/catalogue.hpp"
 #include "model/shape_limits.hpp"
 #include "series/term_columns.hpp"
+#include "support/evidence.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::diagnosis {
@@ -83,7 +84,7 @@ void name_effects(Diagnosis& diagnosis) {
 void take_fast(const FastFinding& fast, double slow_excess, Diagnosis& diagnosis) {
   diagnosis.fast = fast.spectrum;
   diagnosis.jumps = fast.jumps;
-  if (fast.kind == FastKind::none || fast.excess <= rules::kHardlyHelps * slow_excess) return;
+  if (fast.kind == FastKind::none || fast.excess <= kNoticeable * slow_excess) return;
   diagnosis.fast_kind = fast.kind;
   diagnosis.fast_share = fast.excess / (fast.excess + slow_excess);
   if (fast.excess > slow_excess) diagnosis.variable = "time_s";
@@ -93,7 +94,7 @@ void take_fast(const FastFinding& fast, double slow_excess, Diagnosis& diagnosis
 // may explain more as well as an effect does; then one recording cannot tell.
 bool leaves_noise(const Diagnosis& diagnosis) {
   return diagnosis.has_static ||
-         diagnosis.residual_rms_dph <= (1 + rules::kMuchAboveWhite) * diagnosis.noise_floor_dph;
+         diagnosis.residual_rms_dph <= (1 + kNoticeable) * diagnosis.noise_floor_dph;
 }
 
 // How probably the likeliest effect is the largest of what is missing.

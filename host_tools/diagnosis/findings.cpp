@@ -5,6 +5,7 @@
 #include "diagnosis/diagnosis.hpp"
 #include "model/catalogue.hpp"
 #include "model/shape_limits.hpp"
+#include "support/evidence.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::diagnosis {
@@ -24,12 +25,12 @@ const char* name_of(Verdict verdict) {
 }
 
 bool helps_clearly(const Diagnosis& diagnosis, const CandidateFinding& finding) {
-  return finding.rms_after_dph <= (1 - rules::kHardlyHelps) * diagnosis.residual_rms_dph &&
+  return finding.rms_after_dph <= (1 - kNoticeable) * diagnosis.residual_rms_dph &&
          !model::is_event(finding.term());
 }
 
 bool is_mainly_fast(const Diagnosis& diagnosis) {
-  return diagnosis.fast_share >= rules::kMainPart;
+  return diagnosis.fast_share >= kMost;
 }
 
 void shown_by_formulas(Diagnosis& diagnosis, double nothing) {
@@ -51,7 +52,7 @@ void withdraw_name(Diagnosis& diagnosis, Refuted refuted) {
 }
 
 bool Diagnosis::may_be_noise() const {
-  return nothing >= rules::kDoubtful;
+  return nothing >= 1 - rules::kNamed;
 }
 
 std::string Diagnosis::walk_words() const {
@@ -111,7 +112,7 @@ std::string effect_to_add(const Diagnosis& diagnosis) {
   const auto main = std::find_if(diagnosis.candidates.begin(), diagnosis.candidates.end(),
                                  [&](const CandidateFinding& finding) {
                                    return finding.probability >= rules::kNamed &&
-                                          finding.explained_fraction >= rules::kMainPart &&
+                                          finding.explained_fraction >= kMost &&
                                           lowers_the_error(diagnosis, finding) &&
                                           !model::only_tail_is_seen(finding.term());
                                  });

@@ -9,6 +9,7 @@
 #include "diagnosis/decision_rules.hpp"
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
+#include "support/evidence.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
 
@@ -80,7 +81,7 @@ std::vector<std::string> find_late_ripples(const series::SignalSeries& series,
                         [](const Ripple& a, const Ripple& b) { return a.chi2_drop < b.chi2_drop; });
   const double excess = left.squaredNorm() - static_cast<double>(left.size());
   std::vector<std::string> expressions;
-  if (!(best.chi2_drop > rules::kMainPart * excess)) return expressions;
+  if (!(best.chi2_drop > kMost * excess)) return expressions;
   const std::string name = model::free_name(terms, "T_late_ripple");
   for (const double range : kLagRanges) {
     expressions.push_back(

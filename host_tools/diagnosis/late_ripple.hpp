@@ -13,7 +13,7 @@ namespace fogcomp::diagnosis {
 /// phase, and what is left looks like cycles in time. `left`: whitened residual, one value per row,
 /// of variance 1 where it is noise. Returns `NAME = EXPRESSION` for `add` to a model of these
 /// terms, bounds around the best lag and period of a grid, first narrow, then wide; nothing if that
-/// explains less than rules::kMainPart of what is above the noise.
+/// explains less than kMost of what is above the noise.
 std::vector<std::string> find_late_ripples(const series::SignalSeries& series,
                                            const std::vector<model::EffectTerm>& terms,
                                            const Eigen::VectorXd& left);

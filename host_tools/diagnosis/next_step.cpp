@@ -8,6 +8,7 @@
 #include "diagnosis/refinement.hpp"
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
+#include "support/evidence.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
 
@@ -276,7 +277,7 @@ bool noise_may_hide(const Diagnosis& diagnosis) {
                                 ? !diagnosis.blind_spot.empty()
                                 : diagnosis.may_be_noise() && !is_mainly_fast(diagnosis);
   return may_be_noise &&
-         diagnosis.residual_rms_dph > (1 + rules::kMuchAboveWhite) * diagnosis.noise.white_dph();
+         diagnosis.residual_rms_dph > (1 + kNoticeable) * diagnosis.noise.white_dph();
 }
 
 // Among formulas as well: one may stand out of the slow noise in which no effect of the catalogue

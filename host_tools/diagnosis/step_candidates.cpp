@@ -10,6 +10,7 @@
 #include "fit/decision_rules.hpp"
 #include "fit/predict.hpp"
 #include "noise/gradual_change.hpp"
+#include "support/evidence.hpp"
 #include "support/least_squares.hpp"
 #include "support/parallel.hpp"
 
@@ -145,7 +146,7 @@ void remove_gradual_steps(std::vector<Candidate::Shape>& shapes, const series::R
   std::vector<char> is_gradual(shapes.size());
   for_each_index(shapes.size(), [&](std::size_t i) {
     is_gradual[i] = noise::gain_of_gradual_change(shapes[i].row, whitening, rows, residual) >
-                    fit::rules::kMaxGradualGain;
+                    kPossibleSigmas * kPossibleSigmas;
   });
   std::vector<Candidate::Shape> kept;
   for (std::size_t i = 0; i < shapes.size(); ++i) {

@@ -22,7 +22,7 @@ void place_steps(std::vector<Candidate::Shape>& shapes, const series::SignalSeri
                  const Residualizer& residualizer, const Eigen::MatrixXf& smooth);
 
 /// Removes steps where the residual changes over minutes rather than within a row
-/// (noise::gain_of_gradual_change(), fit::rules::kMaxGradualGain): slow noise, or another effect.
+/// (noise::gain_of_gradual_change(), kPossibleSigmas): slow noise, or another effect.
 /// May leave none.
 void remove_gradual_steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows,
                           const fit::NoiseWeightedFit& fit);

@@ -7,6 +7,7 @@
 #include "compare/decision_rules.hpp"
 #include "findings/figures.hpp"
 #include "noise/outlier_rows.hpp"
+#include "support/evidence.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 
@@ -51,7 +52,7 @@ std::vector<Part> parts_of(const compare::ResidualAnalysis& analysis,
 // alone.
 std::string input_rate_words(const compare::ResidualAnalysis& analysis) {
   const double share = analysis.input_rate_share.value_or(0);
-  if (!analysis.excess_dph2 || share < compare::rules::kMinInputRateShare) return "";
+  if (!analysis.excess_dph2 || share < kNoticeable) return "";
   return format(
       "errors that go with the input rate, its change or its product with temperature "
       "explain %.0f %% of its variance",

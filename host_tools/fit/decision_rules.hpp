@@ -11,17 +11,9 @@ namespace fogcomp::fit::rules {
 /// Correlation of two effects' coefficients that is reported: each is three times less certain than
 /// alone. identify_test.
 constexpr double kConfused = 0.95;
-/// Standard deviations above which an effect is certainly visible. identify_test.
-constexpr double kVisible = 5;
-/// degC/min: a step of the bias in a faster ramp may be a missing effect. Chosen: soaks are below,
-/// ramps above (recording/decision_rules.hpp). bias_steps_test.
-constexpr double kRampDegcPerMin = 0.1;
 /// degC beyond the coldest and warmest row, so that sensor noise at the end of the range does not
 /// count as outside. tests/unit/compare/trained_range_test.
 constexpr double kRangeMarginDegc = 1;
-/// Probability of a reported bias difference between runs of one gyro that differ only by noise: 1
-/// %, as in the other tests of the project. turn_on_bias_test.
-constexpr double kFalseTurnOn = 0.01;
 
 // ---- What the recordings do not determine -----------------------------------------------------
 /// Limits that select the wording of a refusal: start times above so many lengths of the longest
@@ -33,12 +25,6 @@ constexpr double kStillDegc = 1;
 /// degC: recorded temperatures that can hold an effect's place span at least this, twice the widest
 /// glass transition. reference_values_test, tests/integration/bad_input.sh.
 constexpr double kMinSpanOfPlaceDegc = 16;
-
-// ---- Steps of the bias ------------------------------------------------------------------------
-/// Largest chi^2 by which a change over minutes may explain more than a step: three standard
-/// deviations. More is slow noise, or an effect that the model lacks: a bias jumps within a row.
-/// step_candidates_test.
-constexpr double kMaxGradualGain = 9;
 
 // ---- Does it help out of sample? --------------------------------------------------------------
 /// Number of runs from which on each is left out in turn. add_effect_test.

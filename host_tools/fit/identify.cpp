@@ -20,6 +20,7 @@
 #include "model/shape_limits.hpp"
 #include "noise/outlier_rows.hpp"
 #include "series/term_columns.hpp"
+#include "support/evidence.hpp"
 #include "support/input_error.hpp"
 #include "support/least_squares.hpp"
 #include "support/text.hpp"
@@ -133,7 +134,7 @@ double set_coefficients(model::EffectTerm& term, const series::ColumnRange& colu
     term.coefficients_dph.emplace_back(values[i], std::sqrt(own(i, i)));
   }
   const Eigen::MatrixXd part = fit.columns.middleCols(first, count);
-  return rules::kVisible * std::sqrt((part * own).cwiseProduct(part).rowwise().sum().maxCoeff());
+  return kCertainSigmas * std::sqrt((part * own).cwiseProduct(part).rowwise().sum().maxCoeff());
 }
 
 void set_shape_sigmas(std::vector<model::EffectTerm>& terms, const NoiseWeightedFit& fit,

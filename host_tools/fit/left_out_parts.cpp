@@ -7,6 +7,7 @@
 #include "fit/decision_rules.hpp"
 #include "model/catalogue.hpp"
 #include "model/input_value.hpp"
+#include "recording/decision_rules.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::fit {
@@ -37,7 +38,8 @@ std::vector<Part> directions_of(const series::Rows& rows) {
   std::vector<Part> parts(2);
   const std::vector<double> rates = rows.temperature_rates_degc_per_min();
   for (std::size_t row = 0; row < rates.size(); ++row) {
-    if (std::abs(rates[row]) > rules::kRampDegcPerMin) append(row, parts[rates[row] > 0 ? 0 : 1]);
+    if (std::abs(rates[row]) > recording::rules::kMinRampDegcPerMin)
+      append(row, parts[rates[row] > 0 ? 0 : 1]);
   }
   return parts;
 }

@@ -11,6 +11,7 @@
 #include "model/drift_model.hpp"
 #include "model/shape_parameter.hpp"
 #include "series/block_walk.hpp"
+#include "support/evidence.hpp"
 #include "support/least_squares.hpp"
 
 namespace fogcomp::fit {
@@ -63,13 +64,13 @@ Offsets offsets_of(const series::Rows& rows, const NoiseWeightedFit& fit, Eigen:
 }
 
 // Which of them are larger than the one that so many equal runs show with probability
-// rules::kFalseTurnOn.
+// kFalseAlarm.
 std::vector<bool> certain_ones(const std::vector<Offset>& offsets) {
   std::vector<bool> certain;
   for (const Offset& offset : offsets) {
     const double standard_deviations = std::abs(offset.above_dph) / offset.sigma_dph;
     const double chance = std::erfc(standard_deviations / std::sqrt(2.0));
-    certain.push_back(chance * static_cast<double>(offsets.size()) < rules::kFalseTurnOn);
+    certain.push_back(chance * static_cast<double>(offsets.size()) < kFalseAlarm);
   }
   return certain;
 }
@@ -126,7 +127,7 @@ compare::TurnOn turn_on_biases(const model::Model& model, const std::vector<runs
 
   std::vector<bool> certain = certain_ones(offsets.each);
   const bool any = std::find(certain.begin(), certain.end(), true) != certain.end();
-  found.differs = any || repeatability.chance < rules::kFalseTurnOn;
+  found.differs = any || repeatability.chance < kFalseAlarm;
   if (any) {
     const Eigen::MatrixXd smooth = smooth_drift(rows, fit.columns.leftCols(effects));
     const std::vector<bool> too = certain_ones(

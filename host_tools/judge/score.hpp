@@ -1,12 +1,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+
+#include "support/evidence.hpp"
 
 namespace fogcomp::judge {
 
-/// What happens once in 100 times where there is nothing: as the logarithm of a ratio of
+/// What happens by chance as often as kFalseAlarm: as the logarithm of a ratio of
 /// probability densities (Markov's inequality: its mean is 1), and in standard deviations.
-inline constexpr double kGain = 4.605;
+inline const double kGain = -std::log(kFalseAlarm);
 inline constexpr double kSigmas = 2.33;
 
 /// What a model foretells of rows: each from those that it may know and the rows before it.

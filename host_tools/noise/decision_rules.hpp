@@ -22,9 +22,6 @@ constexpr double kAllanModelError = 0.01;
 constexpr double kPlausibleScore = 4;
 
 // ---- Noise floor ------------------------------------------------------------------------------
-/// Number of second differences that give a floor within 0.6 / sqrt(30) = 11 %; with fewer, shorter
-/// means are used. noise_floor_test.
-constexpr std::size_t kMinFloorDifferences = 30;
 
 /// Means per fitted column of scale factor error: each removes a tenth of the noise's variance, 5 %
 /// of the floor. noise_floor_test.
@@ -42,15 +39,10 @@ constexpr double kMaxQuietRate = 0.02;
 constexpr double kQuietShareOfRamps = 0.05;
 constexpr double kRampQuantile = 0.95;
 
-/// Rows without a gap for a spectrum of 16 frequencies. quiet_rows_test.
-constexpr std::size_t kMinQuietRows = 32;
-
-/// Fraction of an input's range: a larger change from row to row is a rotation of the axis or a
-/// field that is switched. Chosen. quiet_rows_test.
-constexpr double kInputJump = 0.25;
-/// Standard deviations of an input's changes from row to row, by their median: a column that is
-/// noise does not jump. quiet_rows_test.
-constexpr double kInputJumpSigmas = 5;
+/// Fraction of an input's range by which its value is another one. From row to row that is a
+/// rotation of the axis or a field that is switched, unless the column is noise. Chosen.
+/// quiet_rows_test, outlier_rows_test.
+constexpr double kOtherInput = 0.25;
 /// The input rate may change within quiet rows by this fraction of its range, or by 0.1 deg/s,
 /// which is more than Earth's rate and a reference's noise: a rate table that sweeps makes errors
 /// of the scale factor. Chosen. quiet_rows_test.
@@ -58,9 +50,6 @@ constexpr double kMaxTurning = 0.01;
 constexpr double kMinTurning_dph = 360;
 
 // ---- Noise model ------------------------------------------------------------------------------
-/// Standard deviations at which a row is clipped for its periodogram: exceeded by noise alone in 1
-/// of 16,000 rows. noise_model_test.
-constexpr double kMaxSpectrumSigmas = 4;
 
 /// Periods in a run: slower variations belong to the model, not to the noise. Half or twice the
 /// value changes no unit test; tests/bench/hidden_effects, clean gyros.
@@ -79,15 +68,9 @@ constexpr double kNegligibleComponent = 1e-5;
 /// Rows per window, whose noise is known to 19 % (noise_scale.cpp). noise_scale_test.
 constexpr std::size_t kScaleWindow = 64;
 
-/// Standard errors by which the windows' scatter must exceed that of equal noise. noise_scale_test.
-constexpr double kBeyondChance = 3;
-
 // ---- Outliers ---------------------------------------------------------------------------------
-/// Standard deviations of white noise, minimum and maximum (Chauvenet's criterion requires more in
-/// a longer recording): 1 of 16,000 rows of noise. outlier_rows_test.
-constexpr double kMinOutlierSigmas = 4;
-constexpr double kMaxOutlierSigmas = 10;
-/// Chauvenet: expected number of rows of noise alone beyond the limit.
+/// Chauvenet's criterion: rows of noise alone that are expected beyond the limit, which is no less
+/// than kRareSigmas. outlier_rows_test.
 constexpr double kRowsBeyond = 0.5;
 
 /// In units of the neighbours' scatter: an effect that decays within 2 rows reaches 2.9.
@@ -100,14 +83,9 @@ constexpr std::size_t kNeighbours = 3;
 /// Distance, in rows, within which neighbours with the same inputs are searched for. Chosen.
 /// outlier_rows_test.
 constexpr std::size_t kNeighbourReach = 20;
-/// Fraction of an input's range within which its value counts as the same. As kInputJump.
-/// outlier_rows_test.
-constexpr double kSameInput = 0.25;
 
-/// Rows on either side whose noise is estimated together, to 21 %, and number of second differences
-/// that is too small for it. outlier_rows_test.
+/// Rows on either side whose noise is estimated together, to 21 %. outlier_rows_test.
 constexpr std::size_t kRowsAround = 25;
-constexpr std::size_t kFewBends = 12;
 
 // ---- Jumps of quiet stretches, which are events and no slow noise -----------------------------
 /// Rows on either side that are compared. jumps_test.
@@ -117,12 +95,6 @@ constexpr std::array<Eigen::Index, 4> kJumpWidths{8, 16, 32, 64};
 constexpr double kMinJump = 5.5;
 /// Fraction of the jump that half the width must show: a ramp shows half, a jump all. jumps_test.
 constexpr double kMinJumpShare = 0.7;
-/// Standard deviations of a step from row to row by which a single row is a spike. jumps_test.
-constexpr double kSpike = 3;
-/// Minimum rows of a part, as kMinQuietRows. jumps_test.
-constexpr Eigen::Index kMinPartRows = 32;
-/// Positions without common rows, for a standard deviation to 18 %. jumps_test.
-constexpr std::size_t kMinPlaces = 16;
 
 // ---- Values that go together ------------------------------------------------------------------
 /// Correlation lengths over which correlations are summed: e^-5 is negligible, and further ones

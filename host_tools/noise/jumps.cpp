@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "noise/decision_rules.hpp"
+#include "support/evidence.hpp"
 #include "support/median.hpp"
 
 namespace fogcomp::noise {
@@ -16,7 +17,7 @@ namespace {
 Eigen::VectorXd without_spikes(const Eigen::VectorXd& values) {
   std::vector<double> steps;
   for (Eigen::Index i = 1; i < values.size(); ++i) steps.push_back(values[i] - values[i - 1]);
-  const double far = rules::kSpike * sigma_by_median(std::move(steps));
+  const double far = kPossibleSigmas * sigma_by_median(std::move(steps));
   Eigen::VectorXd smooth = values;
   for (Eigen::Index i = 1; i + 1 < values.size(); ++i) {
     const auto [min, max] = std::minmax({values[i - 1], values[i + 1]});
@@ -72,7 +73,7 @@ class Jumps {
     }
     const auto places =
         changes.size() * static_cast<std::size_t>(step) / static_cast<std::size_t>(2 * width);
-    const double sigma = places < rules::kMinPlaces ? 0 : sigma_by_median(std::move(changes));
+    const double sigma = places < kFewValues ? 0 : sigma_by_median(std::move(changes));
     return sigma > 0 ? sigma : HUGE_VAL;  // nothing is significant
   }
 
@@ -81,7 +82,7 @@ class Jumps {
     std::optional<Eigen::Index> found;
     double max = rules::kMinJump;
     for (std::size_t i = 0; i < rules::kJumpWidths.size(); ++i) {
-      const Eigen::Index away = std::max(rules::kJumpWidths[i], rules::kMinPartRows);
+      const Eigen::Index away = std::max<Eigen::Index>(rules::kJumpWidths[i], kEnoughValues);
       for (Eigen::Index row = begin + away; row + away <= end; ++row) {
         const double change = levels.change_at(row, rules::kJumpWidths[i]);
         const double height = std::abs(change) / sigma_[i];

@@ -10,6 +10,7 @@
 #include "noise/input_rate.hpp"
 #include "recording/segments.hpp"
 #include "series/complete_rows.hpp"
+#include "support/evidence.hpp"
 #include "support/least_squares.hpp"
 #include "support/median.hpp"
 
@@ -113,8 +114,7 @@ std::optional<double> noise_floor_dph(const recording::Recording& recording, dou
   const std::vector<recording::RowRange> stretches = recording::unmasked_stretches(recording);
   const std::size_t wanted = series::samples_per_row(recording, average_s);
   std::size_t samples = wanted;
-  while (samples > 1 && count_differences(stretches, samples) < rules::kMinFloorDifferences)
-    samples /= 2;
+  while (samples > 1 && count_differences(stretches, samples) < kEnoughValues) samples /= 2;
   if (count_differences(stretches, samples) == 0) return std::nullopt;
   const double white = std::sqrt(static_cast<double>(samples) / static_cast<double>(wanted));
   // Without an input rate the rate is the bias: a copy of a long recording takes longer than this.

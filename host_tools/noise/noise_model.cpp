@@ -9,6 +9,7 @@
 
 #include "noise/decision_rules.hpp"
 #include "noise/jumps.hpp"
+#include "support/evidence.hpp"
 #include "support/median.hpp"
 #include "support/periodogram.hpp"
 #include "support/units.hpp"
@@ -37,7 +38,7 @@ void remove_line(Eigen::VectorXd& values) {
 
 // Outliers must not determine the noise: a row of 60 sigma would dominate it.
 void clip_outliers(Eigen::VectorXd& values) {
-  const double max = rules::kMaxSpectrumSigmas * sigma_by_median({values.begin(), values.end()});
+  const double max = kRareSigmas * sigma_by_median({values.begin(), values.end()});
   if (max == 0) return;  // most rows are rounded to one value: the others are no outliers
   values = values.cwiseMax(-max).cwiseMin(max);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "noise/decision_rules.hpp"
+#include "support/evidence.hpp"
 #include "support/median.hpp"
 
 namespace fogcomp::noise {
@@ -71,7 +72,7 @@ double shrinkage_factor(const Windows& windows, double typical) {
   sampling /= count;
   const double own = square - sampling;
   const double error = sampling * std::sqrt(2 / (count - 1));
-  return own > rules::kBeyondChance * error ? own / square : 0;
+  return own > kPossibleSigmas * error ? own / square : 0;
 }
 
 }  // namespace

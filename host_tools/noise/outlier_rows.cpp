@@ -7,6 +7,7 @@
 
 #include "model/input_value.hpp"
 #include "noise/decision_rules.hpp"
+#include "support/evidence.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"
 
@@ -40,8 +41,8 @@ double sigma_of_bends(std::vector<double> bends) {
 
 // Chauvenet's criterion: noise alone is expected to exceed it in half a row.
 double max_sigmas(std::size_t rows) {
-  double low = rules::kMinOutlierSigmas;
-  double high = rules::kMaxOutlierSigmas;
+  double low = kRareSigmas;
+  double high = 10;  // noise of no recording reaches it
   while (high - low > 1e-3) {
     const double middle = (low + high) / 2;
     const double beyond = static_cast<double>(rows) * std::erfc(middle / std::sqrt(2.0));
@@ -80,7 +81,7 @@ class OutlierSearch {
     for (const std::vector<double>& input : rows.inputs) {
       if (input.empty()) continue;
       const auto [min, max] = std::minmax_element(input.begin(), input.end());
-      if (*max > *min) inputs_.push_back({&input, rules::kSameInput * (*max - *min)});
+      if (*max > *min) inputs_.push_back({&input, rules::kOtherInput * (*max - *min)});
     }
     std::vector<double> bends;
     for (const recording::RowRange& stretch : rows.stretches) {
@@ -166,7 +167,7 @@ class OutlierSearch {
     for (std::size_t i = first; i + 1 < end; ++i) {
       if (i + 1 < row || i > row + 1) bends.push_back(bend(i));
     }
-    return bends.size() < rules::kFewBends ? 0 : sigma_of_bends(std::move(bends));
+    return bends.size() < kFewValues ? 0 : sigma_of_bends(std::move(bends));
   }
 
   const ValuesInTime& rows_;
@@ -238,8 +239,7 @@ std::string outlier_words(std::size_t rows, double row_s) {
   if (rows == 0) return "";
   return format(
       "%s of %.4g s left out: %s out of its neighbours by more than %g sigma of the noise",
-      counted(rows, "row").c_str(), row_s, rows == 1 ? "it stands" : "each stands",
-      rules::kMinOutlierSigmas);
+      counted(rows, "row").c_str(), row_s, rows == 1 ? "it stands" : "each stands", kRareSigmas);
 }
 
 }  // namespace fogcomp::noise

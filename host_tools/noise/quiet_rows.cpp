@@ -5,6 +5,7 @@
 
 #include "model/input_value.hpp"
 #include "noise/decision_rules.hpp"
+#include "support/evidence.hpp"
 #include "support/median.hpp"
 
 namespace fogcomp::noise {
@@ -36,10 +37,9 @@ class InputChanges {
       for (std::size_t row = 1; row < rows.signals.size(); ++row) {
         steps.push_back(value(row, i) - value(row - 1, i));
       }
-      changes_.push_back({i,
-                          std::max(rules::kInputJump * (max - min),
-                                   rules::kInputJumpSigmas * sigma_by_median(steps)),
-                          HUGE_VAL});
+      changes_.push_back(
+          {i, std::max(rules::kOtherInput * (max - min), kCertainSigmas * sigma_by_median(steps)),
+           HUGE_VAL});
       if (model::kOptionalInputs[i] == fog::Input::input_rate) {
         changes_.back().max = std::max(rules::kMaxTurning * (max - min), rules::kMinTurning_dph);
       }
@@ -76,12 +76,12 @@ class InputChanges {
 std::vector<recording::RowRange> quiet_ranges(const series::Rows& rows) {
   std::vector<recording::RowRange> ranges;
   const auto size = static_cast<std::size_t>(rows.size());
-  if (size < rules::kMinQuietRows) return ranges;
+  if (size < kEnoughValues) return ranges;
   const double limit = rate_limit(rows);
   const InputChanges changes(rows);
   std::size_t begin = 0;
   const auto finish = [&](std::size_t end) {
-    if (end - begin >= rules::kMinQuietRows) ranges.push_back({begin, end});
+    if (end - begin >= kEnoughValues) ranges.push_back({begin, end});
   };
   for (std::size_t row = 0; row < size; ++row) {
     const bool quiet = std::abs(rows.signals[row].temperature_rate) <= limit;

@@ -11,6 +11,7 @@
 #include "recording/row_range.hpp"
 #include "recording/stretches.hpp"
 #include "support/chi_square.hpp"
+#include "support/evidence.hpp"
 #include "support/median.hpp"
 
 namespace fogcomp::recording {
@@ -32,7 +33,7 @@ std::size_t uneven_in(const std::vector<double>& time_s, double period_s) {
 
 // Whether samples of one period are still those of the other one at the end of a window.
 bool is_period(double one_s, double other_s) {
-  return std::abs(one_s - other_s) * static_cast<double>(rules::kMinStampWindow) <= other_s / 2;
+  return std::abs(one_s - other_s) * static_cast<double>(kFewValues) <= other_s / 2;
 }
 
 // Whether values make up for each other: sums of `window` neighbours scatter less than those of
@@ -54,7 +55,7 @@ bool are_balanced(const std::vector<double>& values, std::size_t window) {
   }
   const double independent =
       static_cast<double>(window) * square / static_cast<double>(values.size());
-  return standard_score(sum_square / independent, windows) <= -rules::kBalancedSigmas;
+  return standard_score(sum_square / independent, windows) <= -kPossibleSigmas;
 }
 
 /// What spacings say of a clock that samples each `period_s`, above 0, and of which some are lost.
@@ -154,7 +155,7 @@ class EvenRows {
       }
     }
     window_ = std::max(
-        rules::kMinStampWindow,
+        kFewValues,
         static_cast<std::size_t>(std::ceil(rules::kWindowPauses * longest_pause_s_ / period_s_)));
   }
 
@@ -193,7 +194,7 @@ class EvenRows {
   // nothing it is the shortest. False if they are none, or if too many windows lost some.
   bool count_losses(std::optional<double> given_s) {
     std::vector<double> periods = periods_between_anchors();
-    if (periods.size() < rules::kMinWindows) return false;
+    if (periods.size() < rules::kMinCases) return false;
     const bool has_too_many_rows =
         given_s && period_s_ < *given_s && !is_period(period_s_, *given_s);
     if (has_too_many_rows) return false;
@@ -226,7 +227,7 @@ class EvenRows {
     });
     const auto windows = static_cast<double>(off_s.size());
     return lost <= -std::log(rules::kShareWithoutLoss) * windows &&
-           whole >= static_cast<double>(rules::kMinWindows) &&
+           whole >= static_cast<double>(rules::kMinCases) &&
            whole >= rules::kShareWithoutLoss * windows &&
            overfull <= rules::kShareWithoutLoss * whole &&
            sigma_by_median(std::move(off_s)) < rules::kMaxAnchorScatter * period_s_;
@@ -365,7 +366,7 @@ class EvenRows {
 
 std::optional<EvenTimes> even_times(const std::vector<double>& time_s,
                                     const std::optional<double>& rate_hz) {
-  if (time_s.size() < rules::kMinWindows * rules::kMinStampWindow) return std::nullopt;
+  if (time_s.size() < rules::kMinCases * kFewValues) return std::nullopt;
   const double spacing_s = median_spacing_s(time_s);
   const std::size_t uneven = uneven_in(time_s, spacing_s);
   if (uneven == 0) return std::nullopt;
@@ -380,7 +381,7 @@ std::optional<EvenTimes> even_times(const std::vector<double>& time_s,
   if (rows.fit(rate_hz ? std::optional(1 / *rate_hz) : std::nullopt)) {
     even = rows.times();
     even.is_known = rate_hz || rows.explains(even.time_s);
-    const std::size_t least = std::max(even.gaps_after, rules::kMinWindows);
+    const std::size_t least = std::max(even.gaps_after, rules::kMinCases);
     if (even.is_known && may_be_clock && even.gaps_after + least > uneven) return std::nullopt;
   }
   even.uneven_before = uneven;

@@ -23,10 +23,9 @@ constexpr double kMinRampDegc = 2;
 constexpr double kMinRampTolerances = 4;
 /// Seconds; a shorter rest is a corner. Chosen. segments_test.
 constexpr double kMinSoakS = 120;
-/// Largest deviation of the temperature from a straight line, degC: at least this, and so many
-/// standard deviations of its noise, and steps of its sensor. segments_test.
+/// Largest deviation of the temperature from a straight line, degC: at least this, what
+/// is certainly no noise of it, and so many steps of its sensor. segments_test.
 constexpr double kMinToleranceDegc = 0.3;
-constexpr double kToleranceSigmas = 5;
 constexpr double kToleranceSteps = 1.25;
 
 // ---- Rows that the board would refuse ---------------------------------------------------------
@@ -55,10 +54,8 @@ constexpr std::size_t kMaxLinesBeforeHeader = 200;
 constexpr std::size_t kMaxRowsLookedAt = 2000;
 /// Columns whose names are compared closely: ten times the widest log of an autopilot.
 constexpr std::size_t kMaxColumnsUnderstood = 1000;
-/// Sensors that one file has by turns, and standard deviations by which the means of two differ.
-/// row_filter_test.
+/// Sensors that one file has by turns. row_filter_test.
 constexpr std::size_t kMaxSensors = 16;
-constexpr double kSensorSigmas = 6;
 /// Seconds since 1970 that a date is believed between, 2001 and 2100: no gyro has been powered for
 /// 31 years. time_scale_test.
 constexpr double kMinUnixTimeS = 1e9;
@@ -67,24 +64,17 @@ constexpr double kMaxUnixTimeS = 4.1e9;
 /// gyro, and 10 min beyond a logger of one. time_scale_test.
 constexpr double kMinUsualPeriodS = 1e-4;
 constexpr double kMaxUsualPeriodS = 600;
-/// Smallest number of changes of an input rate that may be those of held readings; with fewer there
-/// is little to gain. sparse_input_rate_test.
-constexpr std::size_t kMinHeldChanges = 20;
 /// A curve between readings of the input rate is unknown if its error is so many times the median
 /// of that record's. Chosen: noise of the readings reaches six. sparse_input_rate_test.
 constexpr double kMaxUsualErrors = 10;
 
 // ---- Are the times those at which samples arrived? ----------------------------------------------
-/// Samples that are looked at together: several times the longest pause, so that some came in time,
-/// and enough for a mean. arrival_stamps_test.
-constexpr double kWindowPauses = 4;
-constexpr std::size_t kMinStampWindow = 16;
-/// Fewer windows, or gaps that are none, do not tell late samples from lost ones.
+/// Samples that are looked at together: several times the longest pause, so that some came in time.
 /// arrival_stamps_test.
-constexpr std::size_t kMinWindows = 8;
-/// Standard deviations by which spacings, or lengths of repeats, are more regular than independent
-/// ones can be: a ratio of variances that is 1 by chance. arrival_stamps_test, held_rate_test.
-constexpr double kBalancedSigmas = 3;
+constexpr double kWindowPauses = 4;
+/// Fewer cases tell no rule: windows, or gaps that are none, whether samples are late or lost;
+/// flanks, whether there is a delay. arrival_stamps_test, table_flanks_test.
+constexpr std::size_t kMinCases = 8;
 /// Share of windows that lose nothing, at least; with fewer, lost samples cannot be counted. And
 /// scatter of the times between anchors about whole samples, in samples, below which they can:
 /// without any grid it is 0.29. arrival_stamps_test.
@@ -95,18 +85,10 @@ constexpr double kMaxAnchorScatter = 0.12;
 constexpr double kMinRowsPerReading = 1.05;
 
 // ---- Does a record of the input rate tell the flanks of a rate table? -------------------------
-/// Fewer flanks do not tell a delay from another movement. table_flanks_test.
-constexpr std::size_t kMinFlanks = 8;
 /// Median of the flanks' angles, and of their scatter about one delay, in standard deviations of
 /// the gyro's noise, above which there is a delay, or another movement: noise alone has 0.67; three
-/// times it may still be that.
-/// table_flanks_test.
+/// times it may still be that. table_flanks_test.
 constexpr double kMaxFlankScatter = 2;
-/// The same as a fraction of what the delay makes, below which a delay is the better description:
-/// an error of the scale factor is late, too. table_flanks_test.
-constexpr double kMaxScatterOfDelay = 0.1;
-/// Part of a recording that flanks of one delay may be to be left out. Chosen. table_flanks_test.
-constexpr double kMaxPartOfFlanks = 0.5;
 /// Seconds on either side of a flank by which a table has settled, twice: the outer half is taken
 /// for steady. A longer movement is no flank. Chosen. table_flanks_test.
 constexpr double kFlankReachS = 10;
@@ -114,12 +96,9 @@ constexpr double kFlankReachS = 10;
 constexpr double kFlankPauseS = 1;
 /// Smallest number of rows that show a steady rate on either side. table_flanks_test.
 constexpr std::size_t kMinSteadyRows = 3;
-/// Standard deviations of the record's noise that are no change of the rate, multiples of that by
-/// which the steady rates before and after have to differ, and standard deviations of the gyro's
-/// noise by which it still disagrees. table_flanks_test.
-constexpr double kSteadySigmas = 5;
+/// Multiples of what is certainly no noise of the record by which the steady rates before and after
+/// differ. table_flanks_test.
 constexpr double kMinFlankSteps = 10;
-constexpr double kFlankSigmas = 5;
 
 // ---- Recordings longer than memory should hold ------------------------------------------------
 /// Rows that are judged together: hours at 200 Hz, longer than any excursion (kMaxExcursionS).

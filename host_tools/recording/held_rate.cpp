@@ -7,6 +7,7 @@
 
 #include "recording/decision_rules.hpp"
 #include "support/chi_square.hpp"
+#include "support/evidence.hpp"
 #include "support/median.hpp"
 
 namespace fogcomp::recording {
@@ -54,7 +55,7 @@ bool are_regular(const std::vector<double>& lengths) {
   // Those of a normal variable with as uncertain a variance.
   const double degrees_of_freedom = 2 * count / (8 + 1 / by_chance);
   return standard_score(square / count / by_chance * degrees_of_freedom, degrees_of_freedom) <=
-         -rules::kBalancedSigmas;
+         -kPossibleSigmas;
 }
 
 std::vector<std::size_t> repeated_readings(const std::vector<double>& rate_dph) {

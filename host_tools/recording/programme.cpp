@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "recording/decision_rules.hpp"
+#include "support/evidence.hpp"
 #include "support/median.hpp"
 #include "support/units.hpp"
 
@@ -54,7 +55,7 @@ double resolution_degc(const Recording& recording, RowRange rows) {
 
 // Largest deviation of the temperature from a straight line that does not count as a corner.
 double tolerance_degc(const Recording& recording, RowRange rows, const std::vector<Point>& points) {
-  return std::max({rules::kMinToleranceDegc, rules::kToleranceSigmas * noise_degc(points),
+  return std::max({rules::kMinToleranceDegc, kCertainSigmas * noise_degc(points),
                    rules::kToleranceSteps * resolution_degc(recording, rows)});
 }
 

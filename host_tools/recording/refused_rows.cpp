@@ -9,9 +9,9 @@
 
 #include "recording/board_limits.hpp"
 #include "recording/columns.hpp"
-#include "recording/decision_rules.hpp"
 #include "recording/row_judge.hpp"
 #include "recording/row_removal.hpp"
+#include "support/evidence.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"
@@ -129,7 +129,7 @@ std::vector<RowRange> stuck_ranges(const std::vector<double>& values) {
   for (std::size_t row = 1, first = 0; row <= values.size(); ++row) {
     if (row < values.size() && values[row] == values[row - 1]) continue;
     if (row < values.size()) ++changes;
-    if (row - first > rules::kMinHeldChanges) {
+    if (row - first > kFewValues) {
       held.push_back({first, row});
     } else {
       repeats += row - first - 1;
@@ -138,8 +138,7 @@ std::vector<RowRange> stuck_ranges(const std::vector<double>& values) {
   }
   const double repeat_share =
       (static_cast<double>(repeats) + 1) / (static_cast<double>(changes) + 1);
-  const bool changes_otherwise =
-      repeat_share <= 0.5 && changes >= rules::kMinHeldChanges + 2 * held.size();
+  const bool changes_otherwise = repeat_share <= 0.5 && changes >= kFewValues + 2 * held.size();
   if (held.empty() || !changes_otherwise) return {};
   std::vector<double> steps;
   for (std::size_t row = 1; row < values.size(); ++row) {
@@ -153,7 +152,7 @@ std::vector<RowRange> stuck_ranges(const std::vector<double>& values) {
   held.erase(std::remove_if(held.begin(), held.end(),
                             [&](const RowRange& range) {
                               return static_cast<double>(range.size()) <=
-                                         static_cast<double>(rules::kMinHeldChanges) + by_chance ||
+                                         static_cast<double>(kFewValues) + by_chance ||
                                      !jumps_at(range.first) || !jumps_at(range.end);
                             }),
              held.end());

@@ -9,6 +9,7 @@
 #include "recording/csv_fields.hpp"
 #include "recording/csv_lines.hpp"
 #include "recording/decision_rules.hpp"
+#include "support/evidence.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -69,7 +70,7 @@ struct Sensors {
         const double variance =
             a.square / (a.count - 1) / a.count + b.square / (b.count - 1) / b.count;
         const double apart = a.mean - b.mean;
-        if (apart * apart > rules::kSensorSigmas * rules::kSensorSigmas * variance) return true;
+        if (apart * apart > kCertainSigmas * kCertainSigmas * variance) return true;
       }
     }
     return false;

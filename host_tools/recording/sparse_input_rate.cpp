@@ -9,6 +9,7 @@
 
 #include "recording/board_limits.hpp"
 #include "recording/decision_rules.hpp"
+#include "support/evidence.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"
 
@@ -159,7 +160,7 @@ std::vector<std::size_t> rows_of_held_readings(const std::vector<double>& column
     if (held < 2) return {};
     changes.push_back(row);
   }
-  if (changes.size() < rules::kMinHeldChanges) return {};
+  if (changes.size() < kFewValues) return {};
   std::vector<std::size_t> rows{0};
   for (const std::size_t change : changes) {
     const std::size_t first = rows.back() + held;

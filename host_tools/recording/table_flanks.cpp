@@ -7,6 +7,7 @@
 #include "recording/decision_rules.hpp"
 #include "recording/row_range.hpp"
 #include "recording/segments.hpp"
+#include "support/evidence.hpp"
 #include "support/median.hpp"
 #include "support/units.hpp"
 
@@ -52,7 +53,7 @@ class Flanks {
       : recording_(recording), rate_(recording.input_rate_dph), bias_(bias_dph(recording)) {
     noise_dph_ = sigma_of_changes(bias_, false);
     // The record's own noise makes no flank, nor a change that the gyro's noise hides.
-    steady_dph_ = std::max(rules::kSteadySigmas * sigma_of_changes(rate_, true), noise_dph_);
+    steady_dph_ = std::max(kCertainSigmas * sigma_of_changes(rate_, true), noise_dph_);
     for (const RowRange& stretch : stretches_of(recording, {0, recording.rows()})) find(stretch);
   }
 
@@ -118,7 +119,7 @@ class Flanks {
     const RowRange after{(flank.rows.end + flank.around.end) / 2, flank.around.end};
     const double level_before = median_of(bias_, before);
     const double level_after = median_of(bias_, after);
-    const double agrees_dph = rules::kFlankSigmas * noise_dph_;
+    const double agrees_dph = kCertainSigmas * noise_dph_;
     Deviation result{{flank.rows.first, flank.rows.end}, 0, 0, flank.step_dph};
     for (std::size_t row = before.end; row < flank.rows.first; ++row) {
       if (std::abs(bias_[row] - level_before) <= agrees_dph) continue;
@@ -185,7 +186,7 @@ class OneDelay {
     }
     shows_ = median(std::move(made_sigmas)) > rules::kMaxFlankScatter;
     explains_ = median(std::move(left_sigmas)) <= rules::kMaxFlankScatter ||
-                median(std::move(left)) <= rules::kMaxScatterOfDelay * median(std::move(made));
+                median(std::move(left)) <= kNoticeable * median(std::move(made));
   }
 
   bool shows() const { return shows_; }  // beside the noise
@@ -238,7 +239,7 @@ UnknownFlanks unknown_flanks(const Recording& recording) {
   const Flanks flanks(recording);
   const std::vector<Deviation> deviations =
       without(recording.masks, recording.time_s, flanks.deviations());
-  if (deviations.size() < rules::kMinFlanks) return unknown;
+  if (deviations.size() < rules::kMinCases) return unknown;
   const double late_s = delay_s(deviations);
   const OneDelay delay(deviations, late_s);
   if (delay.explains() && !delay.shows()) return unknown;
@@ -246,7 +247,7 @@ UnknownFlanks unknown_flanks(const Recording& recording) {
   if (!delay.explains()) return unknown;
   unknown.delay_s = late_s;
   const double rows_s = recording.period_s * static_cast<double>(recording.rows());
-  if (length_s(unknown.masks) > rules::kMaxPartOfFlanks * rows_s) unknown.masks.clear();
+  if (length_s(unknown.masks) > kMost * rows_s) unknown.masks.clear();
   return unknown;
 }
 

@@ -22,7 +22,7 @@ struct UnknownFlanks {
 /// another movement: a commanded rate without the table's acceleration, readings that are points in
 /// time. The ends of longer movements are left out with them. Flanks of one delay stay if they are
 /// most of the recording: late_reference describes them to first order. None if there are fewer
-/// than rules::kMinFlanks, or the input rate never stands still. Needs stretches
+/// than rules::kMinCases, or the input rate never stands still. Needs stretches
 /// (find_stretches()); times in `recording.masks` do not count.
 UnknownFlanks unknown_flanks(const Recording& recording);
 

@@ -18,10 +18,8 @@ constexpr double kMaxRowsToJudge = 12000;
 constexpr double kMinRowsToJudge = 100;
 
 // ---- Are rows short enough? -------------------------------------------------------------------
-/// Fraction of the time in segments of less than so many rows above which a note says that rows
-/// average soaks and ramps together: a segment of two rows always contains a whole one.
-/// tests/integration/bad_input.sh.
-constexpr double kMinShareOfShortSegments = 0.1;
+/// A note says that rows average soaks and ramps together where much of the time is in segments of
+/// fewer rows: a segment of two rows always contains a whole one. tests/integration/bad_input.sh.
 constexpr double kShortSegmentRows = 2;
 
 // ---- Are they of one gyro? --------------------------------------------------------------------

@@ -8,6 +8,7 @@
 #include "runs/decision_rules.hpp"
 #include "series/measured_temperature.hpp"
 #include "series/rows.hpp"
+#include "support/evidence.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::runs {
@@ -73,7 +74,7 @@ std::vector<std::string> notes_on_rows(const Run& run, double row_s) {
     shortest_s = length_s;
     shortest = segment.name;
   }
-  if (in_parts_s <= rules::kMinShareOfShortSegments * all_s) return {};
+  if (in_parts_s <= kNoticeable * all_s) return {};
   return {
       format("%s: rows of %.4g s average ramps and soaks together: %zu of its %s shorter than "
              "two rows (%s: %.4g s); use an --average of %.4g or less",

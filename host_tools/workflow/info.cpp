@@ -1,5 +1,6 @@
 #include "workflow/info.hpp"
 
+#include "diagnosis/decision_rules.hpp"
 #include "model/effect_list.hpp"
 #include "noise/white_noise.hpp"
 #include "recording/plausibility.hpp"
@@ -13,7 +14,6 @@ namespace fogcomp::workflow {
 namespace {
 
 constexpr double kUsualAverageSeconds = 10;
-constexpr Eigen::Index kMinRows = 60;  // fewer show no noise beside the effects
 
 std::vector<planning::VisibleSize> visible_sizes(const compare::RunSummary& summary,
                                                  double length_s) {
@@ -23,7 +23,7 @@ std::vector<planning::VisibleSize> visible_sizes(const compare::RunSummary& summ
   const series::BlockSeries blocks = series::make_blocks(summary.blocks);
   series::SignalSeries series(settings, series::Phase::zero);
   series.add(blocks);
-  if (series.rows().size() < kMinRows) return {};
+  if (series.rows().size() < diagnosis::rules::kMinRows) return {};
   return planning::visible_in(series, model::parse_effects(model::kFirstEffects), blocks.inputs);
 }
 

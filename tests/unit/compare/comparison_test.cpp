@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "compare/decision_rules.hpp"
 #include "compare/residual_analysis.hpp"
+#include "support/evidence.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
 namespace fogcomp::compare {
@@ -84,7 +84,7 @@ TEST(Comparison, KnowsWhatGoesWithTheInputRateAndTemperatureTogether) {
   const ResidualAnalysis found = analysis_with(1e-5);
   EXPECT_LT(found.share_of_excess(found.inputs.at(0).test).value_or(0), 0.2);
   EXPECT_GT(found.input_rate_share.value_or(0), 0.9);
-  EXPECT_LT(analysis_with(0).input_rate_share.value_or(1), rules::kMinInputRateShare);
+  EXPECT_LT(analysis_with(0).input_rate_share.value_or(1), kNoticeable);
   const auto at_rest = fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
   EXPECT_FALSE(analyse_residual(compare(fog::test::truth(), at_rest)).input_rate_share);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "compare/decision_rules.hpp"
+#include "support/evidence.hpp"
 
 namespace fogcomp::findings {
 namespace {
@@ -21,7 +22,7 @@ TEST(StructureWords, NameTheInputsOnWhichNothingDependsAndWhatGoesWithTheInputRa
       "nothing in it depends on temperature, temperature rate, time, history or input rate "
       "alone beyond noise; errors that go with the input rate, its change or its product with "
       "temperature explain 98 % of its variance");
-  run.analysis.inputs[0].test.score = 2 * compare::rules::kStructured;
+  run.analysis.inputs[0].test.score = 2 * kCertainSigmas;
   run.analysis.inputs[0].test.variance_dph2 = 0.4;
   EXPECT_EQ(structure_words(run).substr(0, 44), "of what is above the floor: input rate 40 %;");
   run.analysis.excess_dph2 = {};  // at the floor there is nothing to explain

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "fit/decision_rules.hpp"
 #include "model/effect_list.hpp"
+#include "support/evidence.hpp"
 #include "support/least_squares.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
@@ -67,7 +67,7 @@ TEST(PossibleGain, IsNoneWhereItIsThere) {
   const GyroWithRipple gyro("polarization_ripple:period=9,chirp=0.01");
   EXPECT_LT(
       gyro.gain("polarization_ripple:period=9,chirp=0.01", "polarization_ripple:period=9,chirp=?"),
-      rules::kVisible * rules::kVisible);
+      kCertainSigmas * kCertainSigmas);
   EXPECT_EQ(gyro.gain("polarization_ripple:period=9", "polarization_ripple:period=9"), 0);
 }
 
