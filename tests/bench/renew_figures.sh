@@ -27,11 +27,11 @@ EOF
 
 ## What the denoiser does to noise and to a rotation
 
-`build/host/tests/bench/streaming_worth docs/examples/mems_chamber.csv`.
+`build/host/tests/bench/streaming_worth`; with `docs/examples/mems_chamber.csv` behind it also of a real gyro.
 
 ```
 EOF
-  build/host/tests/bench/streaming_worth docs/examples/mems_chamber.csv
+  build/host/tests/bench/streaming_worth
   echo '```'
 } >"$page"
 cp "$page" firmware/FIGURES.md
