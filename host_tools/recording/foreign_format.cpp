@@ -83,8 +83,8 @@ std::string importer_of(std::string_view head) {
 void refuse_foreign_format(std::string_view head, const std::string& path) {
   const Format* format = format_of(head);
   if (format == nullptr) return;
-  const std::string file = path == "-" ? "FILE" : shell_word(path);
-  const std::string importing = "make a CSV of it: fogcomp convert " + file + " -o run.csv";
+  const std::string importing =
+      "make a CSV of it: fogcomp convert " + shell_word(path) + " -o run.csv";
   throw InputError(
       path, std::string(format->is) + "; " + (format->way == nullptr ? importing : format->way));
 }

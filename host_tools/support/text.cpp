@@ -106,6 +106,7 @@ std::string join_list(const std::vector<std::string>& words, std::string_view la
 }
 
 std::string shell_word(const std::string& word) {
+  if (word == "-") return "FILE";
   const auto is_plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
            std::string_view("_./,:=+-@%").find(c) != std::string_view::npos;

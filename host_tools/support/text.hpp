@@ -18,7 +18,8 @@ std::string join(const std::vector<std::string>& words, std::string_view separat
 /// For a sentence: "a, b or c", with `last` before the last word.
 std::string join_list(const std::vector<std::string>& words, std::string_view last);
 
-/// A command-line word for a shell: quoted if necessary.
+/// A word of a command that is proposed, for a shell: quoted if necessary. Standard input has been
+/// read by then: "-" is FILE.
 std::string shell_word(const std::string& word);
 /// Such words, separated by blanks.
 std::string shell_words(const std::vector<std::string>& words);

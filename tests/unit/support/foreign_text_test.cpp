@@ -82,4 +82,8 @@ TEST(Counted, HasASingularAndAPlural) {
   EXPECT_EQ(fogcomp::counted(6, "bad row"), "6 bad rows");
 }
 
+TEST(ProposedCommand, OfStandardInput_NamesAFileInstead) {
+  EXPECT_EQ(fogcomp::shell_words({"fogcomp", "fit", "-", "a b.csv"}), "fogcomp fit FILE 'a b.csv'");
+}
+
 }  // namespace
