@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # stack_depth.sh IMAGE.elf OBJECTS PERCENT: the deepest the stack of a Cortex-M image can become: the longest chain of
-# calls from the reset handler, an interrupt upon it, a fault upon that. Frames are those that the compiler states
+# calls from the reset handler, every interrupt upon another, a fault upon that. Frames are what the compiler states
 # (OBJECTS/**/*.ci, -fcallgraph-info=su), or of a library's function those that its instructions show; calls are those
 # in the image's own code, one through a pointer going to any function of which the image holds the address. Exits 1 for
 # recursion, a frame of unknown size, or where less than PERCENT of the stack's reserve stays free.
@@ -58,7 +58,7 @@ awk -v reserve="$reserve" -v percent="$percent" -v vectors="$vectors" -v image="
       if (FNR > vectors) taken[name] = 1
       else if (FNR == 2) main_at = name
       else if (FNR <= 8) is_fault[name] = 1
-      else is_interrupt[name] = 1
+      else is_interrupt[name]++
     }
     next
   }
@@ -83,15 +83,15 @@ awk -v reserve="$reserve" -v percent="$percent" -v vectors="$vectors" -v image="
     if (main_at == "") fail("no reset handler found")
     main = depth(main_at)
     for (f in is_fault) if ((d = depth(f)) > fault || fault_at == "") { fault = d; fault_at = f }
-    # An unused interrupt goes where faults go: upon it comes no other.
-    for (f in is_interrupt) if (!(f in is_fault) && ((d = depth(f)) > interrupt || interrupt_at == "")) {
-      interrupt = d
-      interrupt_at = f
+    # An unused interrupt goes where faults go: upon it comes no other. The others may have any priorities.
+    for (f in is_interrupt) if (!(f in is_fault)) {
+      interrupts += is_interrupt[f] * (depth(f) + exception)
+      nested = nested (nested == "" ? "" : " | ") chain(f)
     }
-    total = main + interrupt + fault + exception * ((interrupt_at != "") + (fault_at != ""))
+    total = main + interrupts + fault + exception * (fault_at != "")
     printf "%s: %d bytes of a reserve of %d, %.0f %% free\n", image, total, reserve, 100 * (1 - total / reserve)
     printf "  running   %5d: %s\n", main, chain(main_at)
-    printf "  interrupt %5d: %s\n", interrupt + exception, chain(interrupt_at)
+    printf "  interrupts %4d: %s\n", interrupts, nested
     printf "  fault     %5d: %s\n", fault + exception, chain(fault_at)
     if (total > reserve * (1 - percent / 100)) fail("less than " percent " % of the stack stays free")
   }' "$scratch/frames" "$scratch/functions" "$scratch/words" "$scratch/code" | arm-none-eabi-c++filt
