@@ -78,8 +78,8 @@ class Parser {
   Option& require_option(const std::string& name) const {
     if (Option* option = command_.find_option(name)) return *option;
     std::vector<std::string> names;
-    for (const Option* option : command_.options()) names.push_back(option->name);
-    command_.fail("unknown option " + dashed(name) + did_you_mean(name, names));
+    for (const Option* option : command_.options()) names.push_back(dashed(option->name));
+    command_.fail("unknown option " + dashed(name) + did_you_mean(dashed(name), names));
   }
 
   Command& command_;

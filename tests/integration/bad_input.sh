@@ -355,7 +355,7 @@ rm paper
 
 # Arguments.
 refuses "no command 'fti' \(did you mean 'fit'\?\)" fti
-refuses 'unknown option --efects \(did you mean .effects.\?\)' fit good.csv -o kept --efects bias
+refuses 'unknown option --efects \(did you mean .--effects.\?\)' fit good.csv -o kept --efects bias
 refuses '--effects needs a value' fit good.csv -o kept --effects
 refuses '-o MODEL is missing' fit good.csv --effects bias
 proposal='--effects LIST is missing \(try --effects bias,bias_temperature:order=2,temperature_rate\)'

@@ -155,7 +155,7 @@ TEST(Options, SayWhatTheyTake) {
             "fogcomp sample: --average is given twice; see fogcomp sample --help");
   Sample mistyped;
   EXPECT_EQ(refusal(mistyped, {"--averag", "1"}),
-            "fogcomp sample: unknown option --averag (did you mean 'average'?); see fogcomp sample "
+            "fogcomp sample: unknown option --averag (did you mean '--average'?); see fogcomp sample "
             "--help");
 }
 
