@@ -56,7 +56,7 @@ for function in "${functions[@]}"; do
   "${compile[@]}" -c "$copy/firmware/core/$function.cpp" -o "$copy/${function//\//_}.o"
 done
 ar rc "$copy/functions.a" "$copy"/*.o
-for check in intervals sweep network/network.cpp denoise/denoise_parameters.cpp; do
+for check in intervals sweep network/network.cpp denoise/denoise_parameters.cpp denoise/filter_bank.cpp; do
   holds "$check" || { cat "$copy/said.txt"; echo "FAILED: $check: a fault where none is planted"; exit 1; }
 done
 
@@ -65,6 +65,11 @@ plant denoise/denoise_parameters.cpp denoise/denoise_parameters.hpp '2 * power_o
 plant denoise/denoise_parameters.cpp denoise/denoise_parameters.cpp 'kMaxGain = UINT16_MAX' 'kMaxGain = 2 * UINT16_MAX'
 plant denoise/denoise_parameters.cpp denoise/denoise_parameters.cpp '(30) - 1' '(30)* 2'
 plant denoise/denoise_parameters.cpp denoise/denoise_parameters.hpp 'kMaxNoiseShift = 15' 'kMaxNoiseShift = 16'
+plant denoise/filter_bank.cpp denoise/denoise_parameters.hpp 'kMaxThresholdScale = 4' 'kMaxThresholdScale = 5'
+plant denoise/filter_bank.cpp denoise/adaptive_thresholds.hpp 'kEnergyUnit = 256' 'kEnergyUnit = 128'
+plant denoise/filter_bank.cpp denoise/outlier_gate.hpp '(30) - 1' '(31)'
+plant denoise/filter_bank.cpp denoise/filter_kernels.hpp 'kTapFraction + Rate::fractional_bits - kDetailFraction' 'kTapFraction + kDetailFraction - Rate::fractional_bits'
+plant denoise/adaptive_thresholds.cpp denoise/adaptive_thresholds.cpp 'kNoiseVariance = 422' 'kNoiseVariance = 422 << 14'
 plant network/network.cpp network/network.cpp 'kMaxWeightSum = UINT32_MAX - 1' 'kMaxWeightSum = UINT32_MAX'
 plant network/network.cpp network/network.hpp 'kMaxWeightShift = 16' 'kMaxWeightShift = 23'
 plant pipeline/model_parameters.cpp signal/weighted_sum.hpp 'Fixed<std::int64_t, 20>' 'Fixed<std::int64_t, 34>'

@@ -10,8 +10,8 @@
 
 namespace fog::test {
 
-/// The streaming denoiser in double precision, soft thresholds, written from
-/// firmware/core/denoise/BOUNDS.md only: the same result, deg/h, by different means.
+/// The streaming denoiser in double precision, soft thresholds, written from its description only
+/// (firmware/spec/denoiser.md): the same result, deg/h, by different means.
 class RealDenoiser {
  public:
   static constexpr std::size_t kBlock = 128;

@@ -22,6 +22,8 @@ bool RiskHistogram::choose() {
 // Estimated risk of threshold t, in noise variances: n - 2 #(|d| <= t) + sum min(d^2, t^2). The
 // constant n is left out. Each detail counts with the mean square of its bin.
 [[gnu::always_inline]] inline std::uint32_t RiskHistogram::min_risk() const {
+  static_assert(UINT8_MAX * kUnits * kUnits <= INT32_MAX);
+  static_assert(UINT8_MAX * 2 * kNoiseVariance <= INT32_MAX);
   std::uint32_t below = 0;
   std::uint32_t squares = 0;
   std::int32_t min = INT32_MAX;

@@ -57,8 +57,10 @@ class RiskHistogram {
  public:
   static constexpr std::uint32_t kWhole = 16;
 
+  static constexpr std::uint32_t kMaxUniversal = INT16_MAX;
+
   /// Counts a detail: its magnitude and the universal threshold of its level, in the same unit; the
-  /// threshold below 2^15.
+  /// threshold up to kMaxUniversal.
   [[gnu::always_inline]] void add(std::uint32_t magnitude, std::uint32_t universal) {
     if (universal == 0) return;
     const bool large = magnitude >= kMaxScaled / kUnits * universal;
@@ -83,6 +85,10 @@ class RiskHistogram {
   static constexpr std::uint32_t kUnitsPerBin = kUnits / kWhole;
   static constexpr std::uint32_t kMaxScaled = 256;
   static constexpr std::uint32_t kEnergyUnit = 256;
+  // add(): the detail before it is divided; then the sum of as many as can be counted.
+  static_assert(kMaxUniversal <= UINT32_MAX / kMaxScaled);
+  static_assert(UINT8_MAX * (kMaxScaled * kMaxScaled / kEnergyUnit) <= UINT16_MAX);
+  static_assert(kThresholdBlock <= UINT8_MAX);
 
   std::uint32_t min_risk() const;
 

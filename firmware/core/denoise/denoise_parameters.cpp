@@ -20,7 +20,6 @@ std::uint32_t largest_gain(Span<const std::int32_t> synthesis) {
 }
 
 constexpr std::uint32_t kMaxGain = UINT16_MAX;
-constexpr std::uint32_t kMaxNoise = INT16_MAX;  // and the largest removed detail
 constexpr std::uint32_t kMaxThreshold = power_of_two<std::uint32_t>(30) - 1;
 
 // noise_fits(): a threshold that adapts, and gain * (noise + removed).
@@ -28,7 +27,6 @@ static_assert(kMaxThreshold <= UINT32_MAX / kMaxThresholdScale);
 static_assert(2 * kMaxNoise + 1 <= UINT32_MAX / kMaxGain);
 // FilterBank::removed(): a threshold that passes, twice in 32 bits without a sign, and once with
 // half an LSB of noise in 32 bits with one.
-constexpr std::uint32_t kMaxRemoved = kMaxNoise * power_of_two<std::uint32_t>(kMaxNoiseShift);
 static_assert(kMaxRemoved <= kMaxThreshold);
 static_assert(kMaxRemoved + rounding_half<std::uint32_t>(kMaxNoiseShift) <= INT32_MAX);
 // merge(): before it is shifted, a noise that passes is below kMaxNoise * 2^14; and half an LSB.

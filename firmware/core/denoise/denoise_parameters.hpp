@@ -73,6 +73,9 @@ constexpr std::uint32_t kMaxThresholdScale = 4;
 /// which no sum of removed details can overflow, whatever the input; -1 if even kMaxNoiseShift is
 /// too small (thresholds of thousands of deg/h).
 constexpr int kMaxNoiseShift = 15;
+constexpr std::uint32_t kMaxNoise = INT16_MAX;  ///< and the largest removed detail, shifted
+constexpr std::uint32_t kMaxRemoved =
+    kMaxNoise * power_of_two<std::uint32_t>(kMaxNoiseShift);  ///< threshold that passes, adapted
 int noise_shift(const DenoiseParameters& parameters);
 
 }  // namespace fog

@@ -11,9 +11,21 @@ namespace {
 
 // Limit of the outlier gate in LSB of Rate: twice the universal threshold of the finest level,
 // about five standard deviations of the samples.
-std::uint32_t outlier_limit(std::uint32_t finest_threshold) {
+constexpr std::uint32_t outlier_limit(std::uint32_t finest_threshold) {
   return floor_shift(finest_threshold, kDetailFraction - Rate::fractional_bits - 1);
 }
+static_assert(outlier_limit(kMaxRemoved) <= OutlierGate::kMaxLimit);
+
+// adapt_threshold(): the scale that noise_shift() allows for; a threshold in the unit of the noise.
+static_assert(NoiseScale::kMax ==
+              kMaxThresholdScale * power_of_two<std::uint32_t>(NoiseScale::kFraction));
+static_assert(kMaxNoise <= RiskHistogram::kMaxUniversal);
+
+// step(): noise in LSB of a detail, and half an LSB of Rate.
+constexpr int kNoiseBelowRate = kDetailFraction - Rate::fractional_bits;
+static_assert((kMaxNoise + 1) * power_of_two<std::uint32_t>(kMaxNoiseShift) +
+                  rounding_half<std::uint32_t>(kNoiseBelowRate) <=
+              INT32_MAX);
 
 }  // namespace
 
@@ -123,7 +135,6 @@ std::int32_t FilterBank<kTaps>::step(std::int32_t sample) {
     if (choice_due_) choose_threshold();
     noise = finest_.waiting_noise;
   }
-  constexpr int kNoiseBelowRate = kDetailFraction - Rate::fractional_bits;
   const std::int32_t fine =
       shift_left(noise, shift_) + rounding_half<std::int32_t>(kNoiseBelowRate);
   return saturating_difference(line_.oldest(), floor_shift(fine, kNoiseBelowRate));

@@ -18,6 +18,7 @@ namespace fog {
 
 // Input and approximation have the format of Rate; a detail is held finer.
 constexpr int kDetailShift = kTapFraction + Rate::fractional_bits - kDetailFraction;
+static_assert(kDetailShift <= kTapFraction);  // split(): kMaxTapSum allows for the larger half
 
 /// One step of a level: approximation of the `newest` inputs and detail of the `oldest` (kTaps
 /// each, newest first; the same window on all levels but 1). high[i] = (-1)^i low[taps - 1 - i], so

@@ -5,6 +5,7 @@
 
 #include "core/denoise/sample_line.hpp"
 #include "core/fixed_point/saturating_difference.hpp"
+#include "core/fixed_point/shift.hpp"
 
 namespace fog {
 
@@ -30,7 +31,12 @@ class OutlierGate {
   bool valid() const { return valid_; }
   void set_valid(bool valid) { valid_ = valid; }
 
-  /// `limit` in the unit of the samples, below 2^30.
+  static constexpr std::uint32_t kMaxLimit = power_of_two<std::uint32_t>(30) - 1;
+  // push(): the largest jump of either sign, which may be a saturated one, is above every limit.
+  static_assert(INT32_MAX + kMaxLimit >= 2 * kMaxLimit + 1);
+  static_assert(power_of_two<std::uint32_t>(31) + kMaxLimit >= 2 * kMaxLimit + 1);
+
+  /// `limit` in the unit of the samples, up to kMaxLimit.
   [[gnu::always_inline]] void set_limit(std::uint32_t limit) {
     limit_ = limit;
     if (!withholding()) span_ = 2 * limit + 1;
@@ -42,7 +48,6 @@ class OutlierGate {
   }
 
   [[gnu::always_inline]] void push(SampleLine& line, std::int32_t sample) {
-    // A saturated difference is above every limit, too.
     const std::int32_t jump = saturating_difference(sample, line.newest()[0]);
     if (static_cast<std::uint32_t>(jump) + limit_ >= span_) {
       sample = judge(line, sample);
