@@ -93,7 +93,7 @@ bool ReadingMonitor<Limits>::can_be_reached(Reading reading) const {
 template <class Limits>
 bool ReadingMonitor<Limits>::jumped(Reading reading, bool confirmed) const {
   if (is_power_on_reading(reading)) return distance(reading, last_) > kOneDegree;
-  return is_step(reading, last_) && !(confirmed && can_be_reached(reading));
+  return is_step(reading, last_) && (!confirmed || !can_be_reached(reading));
 }
 
 template <class Limits>

@@ -104,7 +104,9 @@ class Denoiser {
   // Validity of the oldest of `length` samples, after that of the last but one.
   bool oldest_after(bool last_but_one, std::size_t length) {
     constexpr std::size_t kOtherPlaces = 2;  // the newest, and the oldest itself
-    if (kTaps == 2 && length == kOtherPlaces) return last_but_one;
+    if constexpr (kTaps == 2) {
+      if (length == kOtherPlaces) return last_but_one;
+    }
     return memory_.validity.exchange(last_but_one, length - kOtherPlaces);
   }
 

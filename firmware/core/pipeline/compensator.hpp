@@ -319,11 +319,13 @@ class Compensator {
 
   // Whether the KVH frames have the undelayed rate.
   bool sends_undelayed() const {
-    return (kOptions & kRotationIsUndelayed) != 0U && sends_undelayed_;
+    if constexpr ((kOptions & kRotationIsUndelayed) == 0U) return false;
+    return sends_undelayed_;
   }
 
   bool sends(OutputSelection frame) const {
-    return kOutput == frame || output_ == frame || output_ == OutputSelection::both;
+    if constexpr (kOutput != OutputSelection::both) return kOutput == frame;
+    return output_ == frame || output_ == OutputSelection::both;
   }
 
   std::size_t encode(const OutputSample& sample, std::uint8_t* out) {

@@ -84,22 +84,16 @@ void Ds18b20::start(Phase phase) {
   bit_ = 0;
 }
 
-// Starts the next phase once all bits of this one have been sent.
+// Starts the next phase once all bits of this one have been sent. Not for the phase `wait`.
 void Ds18b20::command_sent(std::uint32_t now_ms) {
-  switch (phase_) {
-    case Phase::configure:
-      if (bit_ == 8U * kConfigureCommand.size()) start(Phase::convert);
-      break;
-    case Phase::convert:
-      if (bit_ < 8U * kConvertCommand.size()) break;
-      start(Phase::wait);
-      converting_since_ms_ = now_ms;
-      break;
-    case Phase::read:
-      if (bit_ == 8U * (kReadCommand.size() + kScratchpadBytes)) scratchpad_read(now_ms);
-      break;
-    case Phase::wait:
-      break;
+  if (phase_ == Phase::configure) {
+    if (bit_ == 8U * kConfigureCommand.size()) start(Phase::convert);
+  } else if (phase_ == Phase::convert) {
+    if (bit_ < 8U * kConvertCommand.size()) return;
+    start(Phase::wait);
+    converting_since_ms_ = now_ms;
+  } else if (bit_ == 8U * (kReadCommand.size() + kScratchpadBytes)) {
+    scratchpad_read(now_ms);
   }
 }
 

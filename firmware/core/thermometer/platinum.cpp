@@ -56,7 +56,6 @@ Temperature platinum_temperature(ResistanceRatio ratio) {
 
 ResistanceRatio divider_ratio(std::uint32_t code_sum, std::uint32_t full_scale,
                               ResistanceRatio reference) {
-  if (code_sum >= full_scale) return ResistanceRatio::highest();
   const auto over_reference =
       round_divide(shift_left(std::int64_t{code_sum}, ResistanceRatio::fractional_bits),
                    static_cast<std::int32_t>(full_scale - code_sum));
