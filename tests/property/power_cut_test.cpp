@@ -257,6 +257,9 @@ TEST_F(Loading, RefusesWhatIsNotForThisBoardBeforeAnythingIsErased) {
   slot = slot_of(2);
   ++slot[3];
   expect_refused(LoadRefusal::damaged, slot);
+  slot = slot_of(2);
+  slot[3] = slot[6] = fog::kProcessorAt + fog::kProcessorWords;  // ends before its first section
+  expect_refused(LoadRefusal::damaged, slot);
 }
 
 TEST_F(Loading, TakesTheTableOfAnotherGyroWhereItIsToldSo) {
@@ -315,6 +318,17 @@ TEST_F(Loading, RefusesWhatTurnsOutToBeNoGoodTableBeforeItIsOne) {
   expect_refused(LoadRefusal::not_in_image, sealed(large), true);
 }
 
+TEST_F(Loading, FramesTooLongForTheLine_Refused) {
+  Words slot = slot_of(2);
+  const std::size_t period = fog::kSlotHeaderWords + fog::kProcessorAt + fog::kProcessorWords;
+  slot[period] = 100;  // us
+  const std::size_t crc = slot.size() - 2;
+  const auto* const table = reinterpret_cast<const std::int32_t*>(slot.data());
+  slot[crc] =
+      fog::model_table_crc({table + fog::kSlotHeaderWords, crc + 1 - fog::kSlotHeaderWords});
+  expect_refused(LoadRefusal::frames_too_long, sealed(slot), true);
+}
+
 TEST_F(Loading, RefusesATableThatEndsEarlyAndBlocksThatDoNotFollow) {
   const Words slot = slot_of(2);
   Loader board = loader();
@@ -330,6 +344,28 @@ TEST_F(Loading, RefusesATableThatEndsEarlyAndBlocksThatDoNotFollow) {
   while (board.take(beyond, true).refusal == LoadRefusal::none) beyond.at += 32;
   EXPECT_LE(beyond.at, slot.size()) << "nothing behind the slot is written";
   EXPECT_EQ(boot(flash_).used().sequence, 1U);
+}
+
+TEST_F(Loading, Block_NotWhatIsDue_Refused) {
+  const Words slot = slot_of(2);
+  Loader board = loader();
+  LoadMessage head = begin_of(slot);
+  --head.size;
+  EXPECT_EQ(board.take(head, true).refusal, LoadRefusal::not_expected);
+  ++head.size;
+  ASSERT_EQ(board.take(head, true).refusal, LoadRefusal::none);
+  const LoadMessage block = block_of(slot, fog::kLoadHeadWords);
+  ASSERT_EQ(board.take(block, true).refusal, LoadRefusal::none);
+  LoadMessage other = block;
+  other.words[0] ^= 1U;  // not what was written there
+  EXPECT_EQ(board.take(other, true).refusal, LoadRefusal::not_expected);
+  other = block;
+  --other.size;
+  EXPECT_EQ(board.take(other, true).refusal, LoadRefusal::not_expected);
+  other.size = static_cast<std::uint32_t>(slot.size()) + 1;
+  EXPECT_EQ(board.take(other, true).refusal, LoadRefusal::not_expected);
+  EXPECT_EQ(load(board, slot), LoadRefusal::none);
+  EXPECT_EQ(board.take(block, true).refusal, LoadRefusal::not_expected);
 }
 
 TEST_F(Loading, TakesAStepOnceWhoseAnswerWasLost) {
@@ -359,6 +395,24 @@ TEST_F(Loading, FindsAFlashThatDoesNotHoldWhatIsWritten) {
   flash_.is_deaf = true;
   EXPECT_EQ(load(flash_, slot_of(2)), LoadRefusal::flash_failed);
   EXPECT_EQ(boot(flash_).used().sequence, 1U);
+}
+
+// From each of its calls on, with and without a report; the last one makes the table good.
+TEST_F(Loading, FlashFailing_AtAnyCall_OldTableStays) {
+  for (bool CutFlash::*const failure : {&CutFlash::fails, &CutFlash::is_deaf}) {
+    std::size_t calls = 0;
+    LoadRefusal refusal = LoadRefusal::flash_failed;
+    for (std::size_t good = 0; refusal != LoadRefusal::none; ++good) {
+      CutFlash flash = flash_;
+      calls = 0;
+      flash.before_call = [&] { flash.*failure = ++calls > good; };
+      refusal = load(flash, slot_of(2));
+      const bool is_loaded = refusal == LoadRefusal::none;
+      ASSERT_TRUE(is_loaded || refusal == LoadRefusal::flash_failed) << good;
+      ASSERT_EQ(boot(flash).used().sequence, is_loaded ? 2U : 1U) << good;
+    }
+    EXPECT_GT(calls, 5U);
+  }
 }
 
 }  // namespace

@@ -25,9 +25,12 @@ class CutFlash {
   bool fails = false;      ///< and the flash reports it
   bool is_deaf = false;    ///< ignores writes without reporting it
   std::size_t writes = 0;  ///< bytes and erases
+  /// Called before each call of erase() and program(): may let the flash fail from there on.
+  std::function<void()> before_call;
   std::size_t erases = 0;
 
   bool erase(std::size_t slot) {
+    if (before_call) before_call();
     if (fails) return false;
     cut();
     // The cells of a sector do not all erase at the same pace: the first words may be last.
@@ -46,6 +49,7 @@ class CutFlash {
     return true;
   }
   bool program(std::size_t slot, std::size_t at, const std::uint32_t* words, std::size_t count) {
+    if (before_call) before_call();
     for (std::size_t i = 0; i < count && !fails; ++i) {
       for (unsigned shift = 0; shift < 32; shift += 8) {
         write_byte(slots_[slot].at(at + i), words[i] | ~(0xFFU << shift));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <random>
 
+#include "core/acquisition/extension_monitor.hpp"
 #include "core/acquisition/rate_monitor.hpp"
 #include "core/acquisition/reading_monitor.hpp"
 #include "core/acquisition/sample_rate_monitor.hpp"
@@ -137,6 +138,13 @@ TEST_F(TimedSequenceTest, AnOutageOfAnyLengthIsTimeThatPassed) {
     EXPECT_EQ(verdict.status, Status::sequence_gap) << lost;
     EXPECT_EQ(send(++sequence, 5).status, Status::none) << lost;
   }
+}
+
+TEST(SequenceMonitor, Outage_LongerThanItCounts_HeldAtItsLongest) {
+  fog::SequenceMonitor monitor(1000);
+  monitor.judge(0, {true, 0});
+  EXPECT_EQ(monitor.judge(1, {true, 4'000'000'000U}).missing, 1U << 30U);
+  EXPECT_EQ(monitor.judge(2, {true, 4'000'000'001U}).status, Status::none);
 }
 
 TEST_F(TimedSequenceTest, ADemodulatorThatCountsAnewIsFollowedAtOnceAndTimeIsTheClocks) {
@@ -406,6 +414,13 @@ TEST(RateMonitor, ANewSteadyRateIsAcceptedAsSoonAsItCanHaveBeenReached) {
   EXPECT_EQ(monitor.judge(deg_per_s(-200), true, 6), Status::none);  // five samples were lost
 }
 
+TEST(RateMonitor, Outage_OfAllNumbers_TimeDoesNotComeRound) {
+  fog::RateMonitor monitor = rate_monitor(deg_per_s(500), kPeriodUs);
+  EXPECT_EQ(monitor.judge(deg_per_s(0), true, 1), Status::none);
+  for (int i = 0; i < 4; ++i) monitor.judge(deg_per_s(399), false, 1U << 30U);  // 2^32 samples
+  EXPECT_EQ(monitor.judge(deg_per_s(399), true, 1), Status::none);
+}
+
 // From 120 deg/s on; it may change by 100 deg/s in a sample.
 TEST(RateMonitor, SignFlips_FlaggedUntilItIsBack) {
   fog::RateMonitor monitor = rate_monitor(deg_per_s(500), kPeriodUs);
@@ -567,6 +582,8 @@ TEST_F(TemperatureMonitorTest, LimitsAreExactToTheLsb) {
     const double end = sign > 0 ? 130 : -70;
     EXPECT_EQ(judge(possible, end + sign * kLsb), Status::temperature_invalid);
     EXPECT_EQ(judge(possible, end), Status::none);
+    EXPECT_TRUE(fog::is_possible(degc(end)));
+    EXPECT_FALSE(fog::is_possible(degc(end + sign * kLsb)));
 
     fog::TemperatureMonitor at_once(kPeriodUs);
     EXPECT_EQ(judge(at_once, 20), Status::none);
@@ -770,6 +787,20 @@ TEST_F(TemperatureMonitorTest, ASensorThatShowsItsNoiseIsFrozenAfterAMinute) {
 TEST_F(TemperatureMonitorTest, ACoarseSensorMayStandForHours) {
   for (int i = 0; i < 600; ++i) EXPECT_EQ(send(20 + (i % 3 == 0) / 16.0, kSecond), Status::none);
   EXPECT_EQ(send(20, 6 * 3600 * kSecond), Status::none);
+}
+
+TEST(ExtensionMonitor, Silence_OfAllNumbers_TimeDoesNotComeRound) {
+  using fog::Input;
+  constexpr fog::InputMask kNeeded = fog::bit_of(Input::temperature2);
+  const std::int32_t limits[] = {degc(-70).raw(), degc(130).raw(), degc(2).raw()};
+  fog::ExtensionMonitor<kNeeded> monitor(kNeeded, {limits, 3}, kPeriodUs, 0);
+  const auto judge = [&](double temperature) {
+    return monitor.judge({Input::temperature2, degc(temperature)});
+  };
+  EXPECT_NE(judge(20), fog::ReadingUse::none);
+  for (const std::uint32_t samples : {0x7FFFFFFFU, 0x7FFFFFFFU, 2U}) monitor.advance(samples);
+  EXPECT_EQ(judge(90), fog::ReadingUse::none) << "nothing agrees with it yet";
+  EXPECT_NE(judge(90), fog::ReadingUse::none) << "in 2^32 samples a sensor can get there";
 }
 
 // An input from the model table: only thermal mass makes these readings impossible.

@@ -1,10 +1,12 @@
-// Interpolation of missing blocks between two good ones.
+// Blocks: interpolation of missing ones between two good ones, means of inputs, their count.
 #include "core/thermal/block_bridge.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "core/pipeline/block_clock.hpp"
+#include "core/thermal/extension_averages.hpp"
 #include "model/real_numbers.hpp"
 #include "support/overflow_guard.hpp"
 
@@ -90,6 +92,36 @@ TEST(BlockBridge, AHoldWithoutEndIsBridgedAsFarAsABoardCounts) {
   ASSERT_TRUE(bridge.bridge_to(block_of(1 << 30, 0), INT32_MAX - 1));
   EXPECT_EQ(bridge.next().temperature.raw(), 0);
   EXPECT_EQ(bridge.remaining(), static_cast<std::uint32_t>(INT32_MAX) - 1);
+}
+
+TEST(BlockBridge, InputThatTheImageLacks_LeftAsItWas) {
+  fog::BlockBridge<fog::BoardNumbers, fog::bit_of(Input::magnetic)> bridge(10);
+  Means first = block_of(1000, 0);
+  bridge.start(first);
+  Means second = block_of(3000, 2);
+  second[Input::supply] = fog::ExtensionValue::from_raw(3000);
+  ASSERT_TRUE(bridge.bridge_to(second, 1));
+  const Means& halfway = bridge.next();
+  EXPECT_EQ(halfway[Input::magnetic].raw(), 2000);
+  EXPECT_EQ(halfway[Input::supply], first[Input::supply]);
+}
+
+TEST(ExtensionAverages, InputThatTheModelDoesNotNeed_NotAveraged) {
+  fog::ExtensionAverages<fog::kAllExtensionInputs> averages(fog::bit_of(Input::magnetic));
+  averages.add(Input::supply, fog::ExtensionValue::from_raw(7));
+  EXPECT_FALSE(averages.has_all());
+  averages.add(Input::magnetic, fog::ExtensionValue::from_raw(9));
+  EXPECT_TRUE(averages.has_all());
+  EXPECT_EQ(averages.means()[fog::extension_number(Input::magnetic)].raw(), 9);
+  EXPECT_EQ(averages.means()[fog::extension_number(Input::supply)].raw(), 0);
+}
+
+TEST(BlockClock, After68Years_Stands) {
+  fog::BlockClock clock(1);
+  clock.advance(INT32_MAX);
+  EXPECT_EQ(clock.elapsed(), fog::Elapsed::highest());
+  EXPECT_EQ(clock.advance(INT32_MAX), static_cast<std::uint32_t>(INT32_MAX));
+  EXPECT_EQ(clock.elapsed(), fog::Elapsed::highest());
 }
 
 TEST(BlockBridge, OnTheHostIsTheSameLine) {

@@ -230,6 +230,26 @@ TEST_F(CompensatorTest, LostSamples_KvhSequence_CountsThem) {
   EXPECT_EQ(sequence_of_next(), (before + 11) % 128);
 }
 
+TEST_F(CompensatorTest, RateDelay_OfDenoisedFrames_IsTheDenoisers) {
+  EXPECT_EQ(pipeline_->rate_delay(), fog::denoise_delay(16, 5));
+}
+
+// However long a hold is against a block, no sample makes more than 64 steps of the model.
+TEST_F(CompensatorTest, HoldOf99BlocksOfASample_CaughtUpInTwoSamples) {
+  parameters_.samples_per_block = 1;
+  parameters_.policy.hold_blocks = 200;
+  pipeline_ = std::make_unique<fogcomp::board::HostCompensator>(parameters_,
+                                                                fog::IntegrityToken::not_needed());
+  std::vector<std::uint32_t> state(fogcomp::board::HostCompensator::kMaxStateWords);
+  run(300);
+  EXPECT_GT(pipeline_->keep(state.data()), 0U);
+  sequence_ = static_cast<std::uint16_t>(sequence_ + 99);
+  run(1);
+  EXPECT_EQ(pipeline_->keep(state.data()), 0U);
+  run(1);
+  EXPECT_GT(pipeline_->keep(state.data()), 0U);
+}
+
 // The frame of a user who closes a loop: the rate of the sample that it answers.
 TEST_F(CompensatorTest, KvhFrames_Undelayed_RateAndValidityOfTheSample) {
   for (const fog::OutputOptions angle : {fog::OutputOptions{0}, fog::kRotationIsAngle}) {

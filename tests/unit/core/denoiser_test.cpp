@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/denoise/optional_denoiser.hpp"
 #include "denoise/filters.hpp"
 #include "support/overflow_guard.hpp"
 #include "support/removal_bound.hpp"
@@ -162,6 +163,34 @@ TEST(NoiseShift, IsTheSmallestWithWhichNoSumOfRemovedDetailsOverflows) {
     EXPECT_EQ(shift_of({8191}, rule), 0);  // up to four times as much
     EXPECT_EQ(shift_of({8192}, rule), 1);
   }
+}
+
+TEST(NoiseShift, FilterOfTooMuchGain_None) {
+  const auto shift_of = [](std::int32_t tap) {
+    const std::int32_t synthesis[] = {0, 0, 0, 0, 0, 0, tap, 0, tap, 0, 2, 0};
+    const std::int32_t threshold = 0;
+    fog::DenoiseParameters parameters;
+    parameters.filters = {synthesis, 12};
+    parameters.thresholds = {&threshold, 1};
+    return fog::noise_shift(parameters);
+  };
+  EXPECT_EQ(shift_of(INT16_MAX - 1), 0);
+  EXPECT_EQ(shift_of(INT16_MAX), -1);
+}
+
+// An image for a filter, or without one.
+TEST(OptionalDenoiser, WithoutLevels_PassesTheRate) {
+  fog::OptionalDenoiser<16, 5> denoiser{fog::DenoiseParameters()};
+  EXPECT_TRUE(denoiser.filling());
+  EXPECT_EQ(denoiser.delay(), 0U);
+  EXPECT_EQ(denoiser.step(Rate::from_raw(123), true).rate.raw(), 123);
+  EXPECT_FALSE(denoiser.filling());
+}
+
+TEST(Filters, OfAnyLength_All) {
+  EXPECT_EQ(fog::filters_of(fog::kAnyTaps), ~fog::FilterMask{0});
+  EXPECT_EQ(fog::filters_of(16), 1U << 8U);
+  EXPECT_EQ(fog::filters_of(fog::kOrNone + 16), 1U << 8U | 1U);
 }
 
 TEST_F(DenoiserTest, KeepsAConstantAndHasNoStartUpTransient) {

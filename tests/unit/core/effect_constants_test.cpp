@@ -12,12 +12,15 @@ namespace {
 
 using Constants = std::vector<std::int32_t>;
 
+// Those that no board needs included.
+constexpr fog::EffectMask kEveryEffect = ~fog::EffectMask{0};
+
 bool accepted(std::size_t id, const Constants& constants, std::size_t coefficient_count) {
   const std::vector<std::int32_t> coefficients(coefficient_count, 1);
   fog::EffectParameters effect;
   effect.constants = constants.data();
   effect.coefficients = {coefficients.data(), coefficients.size()};
-  return fog::effect_fits<fog::kAllEffects>(id, effect, constants.size());
+  return fog::effect_fits<kEveryEffect>(id, effect, constants.size());
 }
 
 constexpr std::int32_t kMax = INT32_MAX;
@@ -79,6 +82,11 @@ const EffectLimits kEffects[] = {
      1,
      {{1, 0, 1}, {kMax, kMax, kMax}},
      {{0, 0, 1}, {-1, 0, 1}, {1, -1, 1}, {1, 0, 0}, {1, 0, -1}}},
+    {"magnetic", 13, 2, {{}}, {}},
+    {"vibration", 14, 1, {{}}, {}},
+    {"light_power", 15, 1, {{}}, {}},
+    {"bias_step", 16, 1, {{0}, {kMax}}, {{-1}}},
+    {"late_reference", 20, 1, {{1, 0}, {kMax, kMin}}, {{0, 0}, {-1, 0}}},
 };
 
 TEST(EffectConstants, AreAcceptedUpToTheirLimitsAndRefusedBeyond) {
@@ -106,6 +114,11 @@ TEST(EffectConstants, APolynomialHasAsManyCoefficientsAsItsOrderUpToNine) {
       EXPECT_EQ(accepted(1, {order}, coefficients), right) << order << " " << coefficients;
     }
   }
+}
+
+// read_model() refuses it by its number.
+TEST(EffectConstants, NumberOfNoEffect_NotLookedAt) {
+  EXPECT_TRUE(accepted(fog::kMaxEffects - 1, {}, 0));
 }
 
 TEST(EffectConstants, OfAnEffectThatAnImageLeavesOutAreNotLookedAt) {

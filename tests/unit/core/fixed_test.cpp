@@ -169,6 +169,19 @@ TEST(Fixed, WidensTheRangeOfASaturatedProduct) {
   }
 }
 
+// On the board nothing else happens.
+TEST(Fixed, WhatDoesNotFit_Wraps) {
+  EXPECT_EQ(fog::shift_left(INT32_MAX, 1), -2);
+  EXPECT_EQ(fog::shift_left(INT32_MIN, 1), 0);
+  using Narrow = fog::Fixed<std::int32_t, 4>;
+  using Wide = fog::Fixed<std::int64_t, 4>;
+  constexpr std::int64_t kTwo32 = std::int64_t{1} << 32U;
+  EXPECT_EQ(fog::round_to<Narrow>(Wide::from_raw(5)).raw(), 5);
+  EXPECT_EQ(fog::round_to<Narrow>(Wide::from_raw(kTwo32 + 5)).raw(), 5);
+  EXPECT_EQ(fog::round_to<Narrow>(Wide::from_raw(5 - kTwo32)).raw(), 5);
+  fog::test::forget_overflows();
+}
+
 TEST(CheckedFixed, CountsAnOverflowAndKnowsItsPlace) {
   if (!fog::test::kChecked) GTEST_SKIP() << "not a checked build (preset tests)";
   const std::uint32_t before = fog::test::overflows();

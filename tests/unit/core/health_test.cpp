@@ -196,6 +196,20 @@ TEST(March, FindsEveryStuckCellWithEachPattern) {
   }
 }
 
+// Writing the pattern to the first word of two turns the second over. Until the downward pass the
+// second one is written after it.
+TEST(March, DisturbedAfterItsLastWrite_FoundByTheLastRead) {
+  for (const std::uint32_t pattern : fog::kMarchPatterns) {
+    FaultyMemory memory{std::vector<std::uint32_t>(kWords),
+                        [=](auto& cells, std::size_t i, std::uint32_t before) {
+                          if (i == 0 && before == ~pattern && cells[0] == pattern) {
+                            cells[kWords - 1] = ~pattern;
+                          }
+                        }};
+    EXPECT_FALSE(fog::march(memory, kWords, pattern)) << pattern;
+  }
+}
+
 TEST(March, FindsEveryCellThatCannotRiseOrFall) {
   for (std::size_t bit = 0; bit < 32 * kWords; ++bit) {
     const std::uint32_t mask = 1U << (bit % 32);

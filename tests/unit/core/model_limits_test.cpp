@@ -199,6 +199,7 @@ TEST(ModelLimits, ASerialNumberEnds) {
 // Without a usable model a board answers silence at its fastest rate.
 TEST(ModelLimits, ABoardWithoutAModelHasASamplePeriodThatALineTakes) {
   EXPECT_GE(ModelParameters().acquisition.sample_period_us, 1000U);
+  EXPECT_EQ(ModelParameters().output_line().word(), fog::SerialLine().word());
 }
 
 TEST(ModelLimits, TheUsualFlagsAlwaysMakeARateNotValidAndOthersMayBeChosen) {
@@ -438,6 +439,8 @@ TEST(ModelLimits, AnEffectComesOnceWithItsOwnConstantsAndCoefficients) {
   EXPECT_EQ(got.effects.enabled(), 0x5U);
   twice["id 2"] = 0;
   EXPECT_EQ(twice.read(), ModelError::out_of_range);
+  twice["id 2"] = fog::kMaxEffects - 1;  // no effect has this number
+  EXPECT_EQ(twice.read(), ModelError::out_of_range);
 }
 
 TEST(ModelLimits, LevelsAndTapsComeTogetherAndTapsInPairs) {
@@ -484,6 +487,34 @@ TEST(ModelLimits, ARefusedTableLeavesParametersOfABoardWithoutAModel) {
   EXPECT_EQ(parameters.effects.enabled(), 0U);
   EXPECT_EQ(parameters.denoise.levels(), 0U);
   EXPECT_FALSE(parameters.network.present());
+}
+
+TEST(ModelLimits, OptionThatTheImageLacks_Refused) {
+  fog::ModelShape plain = fog::kAnyModel;
+  plain.output_options = 0;
+  Table table = good_table();
+  EXPECT_EQ(table.read(plain), ModelError::none);
+  table["output"] |= fog::kRotationIsAngle;
+  EXPECT_EQ(table.read(), ModelError::none);
+  EXPECT_EQ(table.read(plain), ModelError::not_in_image);
+}
+
+TEST(ModelLimits, Filters_OneSumOff_Refused) {
+  for (const char* const name : {"low 0", "low 1"}) {
+    Table table = good_table();
+    ++table[name];
+    EXPECT_EQ(table.read(), ModelError::out_of_range) << name;
+  }
+  // Synthesis words whose high-pass half still belongs to the low-pass half.
+  const auto read_with = [](std::int32_t even, std::int32_t odd) {
+    Table table = good_table();
+    table["synthesis 0"] = halves(-odd, even);
+    table["synthesis 1"] = halves(even, odd);
+    return table.read();
+  };
+  EXPECT_EQ(read_with(kSynthesisHalf, kSynthesisHalf), ModelError::none);
+  EXPECT_EQ(read_with(kSynthesisHalf + 1, kSynthesisHalf), ModelError::out_of_range);
+  EXPECT_EQ(read_with(kSynthesisHalf, kSynthesisHalf + 1), ModelError::out_of_range);
 }
 
 // The taps' magnitudes sum to less than 2, so that no sum of products leaves 64 bits.

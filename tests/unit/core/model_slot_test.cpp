@@ -152,6 +152,33 @@ TEST_F(ModelSlots, OneThatIsWrittenInPartLeavesTheOlderOne) {
   }
 }
 
+TEST_F(ModelSlots, Memory_SmallerThanItsTable_Damaged) {
+  const std::string bytes = bytes_of(1);
+  const Memory memory = holding(bytes);
+  const std::size_t words = bytes.size() / sizeof(std::int32_t);
+  EXPECT_EQ(fog::read_slot({memory.data(), words}).error, ModelError::none);
+  EXPECT_EQ(fog::read_slot({memory.data(), words - 1}).error, ModelError::damaged);
+  EXPECT_EQ(fog::read_slot({memory.data(), fog::kSlotHeaderWords - 1}).error,
+            ModelError::not_a_model);
+}
+
+TEST_F(ModelSlots, SerialNumber_NotWrittenInPart_MayBeTheSame) {
+  BoardSettings other;
+  other.serial = "FOG-0043";
+  BoardSettings own;
+  own.serial = "FOG-0042";
+  const Memory a = table(1, own);
+  Memory b = table(2, other);
+  const auto same = [](const Memory& one, const Memory& another) {
+    return fog::have_same_serial({one.data(), one.size()}, {another.data(), another.size()});
+  };
+  EXPECT_TRUE(same(a, a));
+  EXPECT_FALSE(same(a, b));
+  b[fog::kSlotHeaderWords + fog::kIdentityAt + 1] = -1;  // erased
+  EXPECT_TRUE(same(a, b));
+  EXPECT_TRUE(same(b, a));
+}
+
 TEST_F(ModelSlots, OneOfAnotherBoardLeavesTheOlderOneAndIsTheReasonWhereThereIsNone) {
   BoardSettings elsewhere;
   elsewhere.processor = {3, 2, 1};
@@ -183,6 +210,15 @@ TEST(SlotsRecord, IsReadAsItWasSentAndNotWithAnyBitFlipped) {
     fog::SlotsResponse bad = good;
     bad[bit / 8] = static_cast<std::uint8_t>(bad[bit / 8] ^ (1U << (bit % 8)));
     EXPECT_FALSE(fog::decode_slots_response(bad.data(), read)) << bit;
+  }
+}
+
+TEST(SlotsRecord, SerialNumberWithoutEnd_Refused) {
+  for (const std::size_t slot : {0U, 1U}) {
+    fog::SlotsRecord record;
+    record.slots[slot].serial = {0x30473031, 0, 0, 0x01000000};
+    fog::SlotsRecord read;
+    EXPECT_FALSE(fog::decode_slots_response(fog::encode_slots_response(record).data(), read));
   }
 }
 

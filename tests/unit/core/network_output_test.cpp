@@ -42,6 +42,24 @@ TEST(NetworkOutput, IsTheSumWhereItIsLinearWithinTwo) {
   }
 }
 
+// The fourth input has code of its own.
+TEST(NetworkOutput, EachOfFourInputs_WeighsTheSame) {
+  const auto drift_of = [](std::size_t at, std::size_t count) {
+    std::int32_t neuron[fog::kNeuronWords] = {};
+    neuron[1 + at] = 1 << 27;
+    neuron[fog::kNeuronWords - 1] = 1 << 27;
+    fog::NetworkParameters network;
+    network.input_count = count;
+    network.neurons = {neuron, fog::kNeuronWords};
+    network.amplitude = fog::from_integer<fog::NetworkDrift>(1);
+    fog::ScaledInputs inputs{};
+    inputs[at] = 1 << 30;
+    return fog::network_drift(network, inputs);
+  };
+  EXPECT_GT(drift_of(0, 3).raw(), 0);
+  for (std::size_t at = 0; at < 4; ++at) EXPECT_EQ(drift_of(at, 4), drift_of(0, 3)) << at;
+}
+
 TEST(NetworkOutput, IsTanhOfHalfTheSumWhereItIsNot) {
   for (const int shift : {0, 1, 5, 16}) {
     const std::int32_t one = 1 << (27 - shift);

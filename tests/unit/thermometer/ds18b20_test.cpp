@@ -105,6 +105,22 @@ TEST(Ds18b20, RefusesAScratchpadWithAnyBitFlipped) {
   }
 }
 
+// With a good CRC: a sensor that has lost its configuration, or another one.
+TEST(Scratchpad, WithoutOneOfTheMarks_Refused) {
+  fog::Scratchpad scratchpad{0x50, 0x05, 0x5F, 0xA6, 0x7F, 0xFF, 0x0C, 0x10};
+  const auto decode = [&] {
+    scratchpad.back() = fog::crc8(scratchpad.data(), scratchpad.size() - 1);
+    fog::Temperature temperature{};
+    return fog::decode_scratchpad(scratchpad, temperature);
+  };
+  EXPECT_TRUE(decode());
+  for (const std::size_t mark : {2U, 3U, 4U}) {
+    scratchpad[mark] ^= 1U;
+    EXPECT_FALSE(decode()) << mark;
+    scratchpad[mark] ^= 1U;
+  }
+}
+
 TEST(Ds18b20, GivesUpAReadingThatIsOldAndComesBack) {
   Line line;
   line.run(kOneReading);
