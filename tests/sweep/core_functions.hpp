@@ -353,7 +353,7 @@ inline const std::array<CoreFunction, 15>& core_functions() {
        detail::Sweep<detail::ActivationBeyond<1000>>::run},
       {"activation, below -16", INT32_MIN, INT32_MAX, 2.72e-7L, "", kNotMonotonic,
        detail::Sweep<detail::ActivationBeyond<-1000>>::run},
-      {"platinum temperature", kRatioOfPlatinumFrom, kRatioOfPlatinumTo, 1e-4L, "degC", 0,
+      {"platinum temperature", kRatioOfPlatinumFrom, kRatioOfPlatinumTo, 2.63e-5L, "degC", 1.53e-5L,
        detail::Sweep<detail::Platinum>::run},
       {"rate as a float", INT32_MIN, INT32_MAX, 1, "units in the last place", 0,
        detail::Sweep<detail::RateFloat>::run},
