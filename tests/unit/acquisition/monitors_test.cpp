@@ -140,6 +140,14 @@ TEST_F(TimedSequenceTest, AnOutageOfAnyLengthIsTimeThatPassed) {
   }
 }
 
+TEST(SequenceMonitor, TimeOfASampleBeforeAReset_GapIsTheClocks) {
+  fog::SequenceMonitor monitor(kPeriodUs);
+  monitor.judge(65000, {});
+  monitor.set_newest_time({true, 1000});
+  EXPECT_EQ(monitor.judge(65011, {true, 1000 + 11 * 5}).missing, 10U);
+  EXPECT_EQ(monitor.judge(65012, {true, 1055 + (65537 * 5)}).missing, 65536U);
+}
+
 TEST(SequenceMonitor, Outage_LongerThanItCounts_HeldAtItsLongest) {
   fog::SequenceMonitor monitor(1000);
   monitor.judge(0, {true, 0});
@@ -801,6 +809,14 @@ TEST(ExtensionMonitor, Silence_OfAllNumbers_TimeDoesNotComeRound) {
   for (const std::uint32_t samples : {0x7FFFFFFFU, 0x7FFFFFFFU, 2U}) monitor.advance(samples);
   EXPECT_EQ(judge(90), fog::ReadingUse::none) << "nothing agrees with it yet";
   EXPECT_NE(judge(90), fog::ReadingUse::none) << "in 2^32 samples a sensor can get there";
+}
+
+TEST(ExtensionMonitor, ImageWithoutInputs_WaitsForNone) {
+  fog::ExtensionMonitor<0> monitor(0, {}, kPeriodUs, 0);
+  monitor.resume({});
+  monitor.advance(1);
+  EXPECT_TRUE(monitor.confirmed());
+  EXPECT_EQ(monitor.judge({fog::Input::supply, degc(5)}), fog::ReadingUse::none);
 }
 
 // An input from the model table: only thermal mass makes these readings impossible.

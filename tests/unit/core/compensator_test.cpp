@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/bytes/byte_order.hpp"
+#include "core/pipeline/silence_clock.hpp"
 #include "model/drift_model.hpp"
 #include "support/overflow_guard.hpp"
 #include "unit/core/compensator_fixture.hpp"
@@ -228,6 +229,17 @@ TEST_F(CompensatorTest, LostSamples_KvhSequence_CountsThem) {
   pipeline_->answer_silence(frame.data());
   sequence_ = static_cast<std::uint16_t>(sequence_ + 10);
   EXPECT_EQ(sequence_of_next(), (before + 11) % 128);
+}
+
+// At 300 Hz, over the wrap of the clock.
+TEST(SilenceClock, WithoutSamples_DueAfterTwoPeriodsThenOncePerPeriod) {
+  const std::uint32_t start_ms = 0U - 5U;
+  fog::SilenceClock clock(3333, start_ms);
+  std::uint32_t frames = 0;
+  for (std::uint32_t ms = 0; ms < 10'000; ++ms) {
+    frames += clock.due(start_ms + ms) ? 1 : 0;
+    ASSERT_EQ(frames, ms < 8 ? 0 : (1000 * (ms - 7) + 3332) / 3333) << ms;
+  }
 }
 
 TEST_F(CompensatorTest, RateDelay_OfDenoisedFrames_IsTheDenoisers) {

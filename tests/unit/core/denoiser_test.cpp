@@ -178,7 +178,24 @@ TEST(NoiseShift, FilterOfTooMuchGain_None) {
   EXPECT_EQ(shift_of(INT16_MAX), -1);
 }
 
+TEST(DenoiserMemory, OfWaitingDetails_DelayOfTheLevelsBelow) {
+  EXPECT_EQ(fog::denoise_waiting(16, 5), (0U + 1) + (15U + 1) + (45U + 1) + (105U + 1));
+}
+
 // An image for a filter, or without one.
+TEST_F(DenoiserTest, OptionalDenoiser_WithLevels_IsTheDenoiser) {
+  auto any = make(1, fog::ThresholdMode::soft);
+  fog::DenoiseParameters parameters = fogcomp::board::read_board_table(table_, "test").denoise;
+  parameters.thresholds = {thresholds_.data(), thresholds_.size()};
+  const auto optional = std::make_unique<fog::OptionalDenoiser<16, 5>>(parameters);
+  EXPECT_EQ(optional->delay(), kDelay);
+  for (const std::int32_t raw : random_input(1000, 4000)) {
+    const Rate rate = Rate::from_raw(raw);
+    ASSERT_EQ(optional->step(rate, true).rate, any->step(rate, true).rate);
+    ASSERT_EQ(optional->filling(), any->filling());
+  }
+}
+
 TEST(OptionalDenoiser, WithoutLevels_PassesTheRate) {
   fog::OptionalDenoiser<16, 5> denoiser{fog::DenoiseParameters()};
   EXPECT_TRUE(denoiser.filling());

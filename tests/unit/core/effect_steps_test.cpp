@@ -76,6 +76,24 @@ TEST(BiasStep, AtItsTime_Whole) {
   EXPECT_EQ(step(effect, signals_at(20, 100))[0], 1);
 }
 
+TEST(BiasStep, TimeOfIt_InBlocks) {
+  EXPECT_EQ(constants_of<effects::BiasStep>({3000}, 10)[0], 300);
+}
+
+// A reference that is late by 2^19 units of the coefficient, of blocks of 10 s.
+TEST(LateReference, RateAndItsSlopeRise_SlopeOfThePast) {
+  using Host = fogcomp::model::RealNumbers;
+  const std::array<double, 4> constants = constants_of<effects::LateReference>({400}, 10);
+  effects::LateReference<Host> effect(constants.data());
+  Signals<Host> signals;
+  signals.block.rate_within.rise = 500;
+  signals.block.rate_within.rise_of_slope = 30;
+  effect.reset(signals);
+  double regressor = 0;
+  effect.step(signals, &regressor);
+  EXPECT_NEAR(std::ldexp(regressor, 19), (500 + 0.4 / 2 * 30) / 10, 1e-9);
+}
+
 TEST(GlassTransition, WithoutALag_FollowsAtOnce) {
   for (const bool has_lag : {false, true}) {
     const std::int32_t decay = has_lag ? 1 << 20 : 0;

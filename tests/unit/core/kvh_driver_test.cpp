@@ -67,6 +67,14 @@ TEST(DeltaAngle, IsNoneWhereTimeStands) {
   EXPECT_EQ(as_float(angle.bits()), 0);
 }
 
+// An image whose header asks for no angles.
+TEST(Rotation, WithoutAngles_IsTheRate) {
+  Rotation<false> rotation{ModelParameters()};
+  rotation.step(Rate::from_raw(1000));
+  rotation.stand();
+  EXPECT_EQ(rotation.bits(Rate::from_raw(77)), rate_as_radians_float(Rate::from_raw(77)));
+}
+
 // As drivers that check the CRC do: bytes are dropped until the header is in front.
 struct CheckingDriver {
   void take(const std::vector<std::uint8_t>& bytes) {

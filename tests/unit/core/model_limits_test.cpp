@@ -322,6 +322,14 @@ TEST(ModelLimits, Line_BeyondItsRatesAndFormats_Refused) {
   }
 }
 
+TEST(SerialLine, FormatsAndTimes_AsTheirWordSays) {
+  const fog::SerialLine odd(9'600 + (5 << 24));
+  EXPECT_TRUE(odd.has_odd_parity());
+  EXPECT_FALSE(fog::SerialLine(9'600 + (3 << 24)).has_odd_parity());
+  EXPECT_EQ(odd.us_of(36), 45'000U);
+  EXPECT_EQ(fog::SerialLine().us_of(36), 391U) << "rounded up";
+}
+
 // 36, 28 and 64 bytes: of 12 bits at 9600 Bd, of 10 at 4,147,200 Bd.
 TEST(ModelLimits, Period_OnAnotherLine_ShortestThatCarriesItsFrames) {
   const struct {
