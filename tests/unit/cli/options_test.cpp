@@ -154,9 +154,10 @@ TEST(Options, SayWhatTheyTake) {
   EXPECT_EQ(refusal(twice, {"--average", "1", "--average", "2"}),
             "fogcomp sample: --average is given twice; see fogcomp sample --help");
   Sample mistyped;
-  EXPECT_EQ(refusal(mistyped, {"--averag", "1"}),
-            "fogcomp sample: unknown option --averag (did you mean '--average'?); see fogcomp sample "
-            "--help");
+  EXPECT_EQ(
+      refusal(mistyped, {"--averag", "1"}),
+      "fogcomp sample: unknown option --averag (did you mean '--average'?); see fogcomp sample "
+      "--help");
 }
 
 }  // namespace
