@@ -5,6 +5,7 @@
 # By clang rather than gcov: that counts the conditions of the source, not those of every instantiation and of exceptions
 # that the core does not have.
 set -euo pipefail
+(($# == 0)) || { sed -n '2,7s/^# //p' "$0" >&2; exit 2; }
 cd "$(dirname "$0")/../.."
 source cmake/bootstrap/packages.sh
 require_packages "${build_packages[@]}" "${quick_packages[@]}" clang-19 llvm-19 libclang-rt-19-dev || exit 2

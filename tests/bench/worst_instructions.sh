@@ -10,10 +10,10 @@ images=build/host/firmware_images found=build/host/worst_instructions
 mkdir -p "$found"
 
 # In the time of the buffer's bytes, of 10 bits each; an instruction takes a cycle at least.
-megahertz=168
+core_hz=$(sed -nE "s/^constexpr std::uint32_t kCoreHz = ([0-9']+);/\1/p" firmware/platform/stm32f405/clock_tree.cpp)
 buffer=$(sed -nE 's/^RingBuffer<([0-9]+)> received;/\1/p' firmware/platform/stm32f405/sample_source.cpp)
 line=$(sed -nE "s/^constexpr std::uint32_t kMaxSensorBaud = ([0-9']+);/\1/p" firmware/core/frames/serial_line.hpp)
-budget=$((buffer * 10 * megahertz * 1000000 / ${line//\'/}))
+budget=$((buffer * 10 * ${core_hz//\'/} / ${line//\'/}))
 
 sed 's/fog::kGenericTaps/fog::kOrNone + fog::kMaxTaps/; s/fog::kGenericLevels/9/' firmware/model/generic/fog_model.h \
   >"$found/fog_model.h"

@@ -237,7 +237,7 @@ TEST(SilenceClock, WithoutSamples_DueAfterTwoPeriodsThenOncePerPeriod) {
   fog::SilenceClock clock(3333, start_ms);
   std::uint32_t frames = 0;
   for (std::uint32_t ms = 0; ms < 10'000; ++ms) {
-    frames += clock.due(start_ms + ms) ? 1 : 0;
+    frames += clock.due(start_ms + ms) ? 1U : 0U;
     ASSERT_EQ(frames, ms < 8 ? 0 : (1000 * (ms - 7) + 3332) / 3333) << ms;
   }
 }
