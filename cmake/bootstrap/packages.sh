@@ -22,7 +22,7 @@ test_packages=(
   dpkg-dev man-db
   emscripten
   gawk locales
-  clang-tidy cppcheck
+  clang-tidy cppcheck gappa
 )
 
 # What tests/bench/run.sh needs beside the first.

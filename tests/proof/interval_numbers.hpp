@@ -132,8 +132,8 @@ namespace fog {
 /// Lemma, for y + round(round22(x - y) * decay) with 0 <= decay < 1, if x <= M. Where y <= M, the
 /// rounded difference is below M - y + 2^-23, so the new y is below M + 2^-23 + 2^-41. Where M < y
 /// <= M + kExcess, the difference is at most 0 and y does not rise. The same holds from below,
-/// where halves are rounded up, too: the difference is at least M - y - 2^-23. The test
-/// LagStaysWithinItsInputs tries it on the board's lag, at both ends and next to them.
+/// where halves are rounded up, too: the difference is at least M - y - 2^-23. lag_lemma.sh has it
+/// proved. The test LagStaysWithinItsInputs tries it on the board's lag, at both ends.
 template <>
 class FirstOrderLag<proof::IntervalNumbers> {
  public:
