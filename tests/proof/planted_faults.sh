@@ -27,11 +27,9 @@ holds() {
 }
 
 failures=0
-# plant CHECK FILE FROM TO: replaces FROM, which has to be there, in firmware/core/FILE.
-plant() {
-  local check=$1 file=$copy/firmware/core/$2
-  cp -r firmware/core "$copy/firmware/"
-  python3 - "$file" "$3" "$4" <<'PYTHON'
+# change FILE FROM TO: replaces FROM, which has to be there, in the copy of firmware/core/FILE.
+change() {
+  python3 - "$copy/firmware/core/$1" "$2" "$3" <<'PYTHON'
 import sys
 path, old, new = sys.argv[1:]
 text = open(path, encoding="utf-8").read()
@@ -39,12 +37,41 @@ if text.count(old) < 1:
     sys.exit(f"{path}: nothing says {old!r}")
 open(path, "w", encoding="utf-8").write(text.replace(old, new, 1))
 PYTHON
-  if holds "$check"; then
-    echo "FAILED: not found: $2: $4"
-    failures=$((failures + 1))
+}
+
+# found IS_IT WHERE WHAT
+found() {
+  if (($1)); then
+    echo "found: $2: $3"
   else
-    echo "found: $2: $4"
+    echo "FAILED: not found: $2: $3"
+    failures=$((failures + 1))
   fi
+}
+
+# plant CHECK FILE FROM TO: one fault, in a fresh copy.
+plant() {
+  cp -r firmware/core "$copy/firmware/"
+  change "${@:2}"
+  local is_found=1
+  if holds "$1"; then is_found=0; fi
+  found "$is_found" "$2" "$4"
+}
+
+# plant_in SAID FILE FROM TO: the intervals name the effect whose operation can overflow, so faults of several effects are
+# planted at once, and looked for by find_planted.
+planted=()
+plant_in() {
+  ((${#planted[@]})) || cp -r firmware/core "$copy/firmware/"
+  change "${@:2}"
+  planted+=("$1" "$2" "$4")
+}
+find_planted() {
+  local i
+  if holds intervals; then echo "no interval overflows" >"$copy/said.txt"; fi
+  for ((i = 0; i < ${#planted[@]}; i += 3)); do
+    found "$(grep -c -m 1 -e "${planted[i]}" "$copy/said.txt" || true)" "${planted[@]:i+1:2}"
+  done
 }
 
 mkdir -p "$copy/firmware"
@@ -80,18 +107,19 @@ plant expression/expression_program.cpp expression/expression_program.hpp 'kMaxD
 plant frames/delta_angle.cpp frames/delta_angle.hpp 'kAnglePerLsbUs = 5723669695U' 'kAnglePerLsbUs = 2 * 5723669695U'
 plant frames/rate_float.cpp frames/rate_float.cpp '= 2729258392U' '= 2729258392U * std::uint64_t{4}'
 # Operations and checks of constants.
-plant intervals effects/axial_gradient.hpp 'N::saturating_difference(second, signals.block.temperature)' 'second - signals.block.temperature'
-plant intervals effects/bias_temperature.hpp 'saturate_to<Regressor>(power * x)' 'round_to<Regressor>(power * x)'
-plant intervals effects/vibration.hpp 'saturate_to' 'round_to'
-plant intervals effects/glass_transition.hpp '256 << 22' '400 << 22'
-plant intervals effects/thermal_hysteresis.hpp '256 << 22' '400 << 22'
-plant intervals effects/scale_factor_asymmetry.hpp '3 * power_of_two' '5 * power_of_two'
-plant intervals effects/scale_factor_temperature.hpp 'kMaxReference = 256' 'kMaxReference = 32767'
-plant intervals effects/scale_factor.hpp 'scale_factor_error<N, 1>' 'scale_factor_error<N, 0>'
-plant intervals effects/aging.hpp 'if (age_ > longest) age_ = longest;' ''
-plant intervals effects/light_power.hpp 'power < min ? min : power' 'power'
-plant intervals effects/polarization_ripple.hpp 'Stretched = typename N::template Number<23>' 'Stretched = typename N::template Number<24>'
-plant intervals thermal/filtered_derivative.hpp 'saturate_to<TemperatureRate>' 'round_to<TemperatureRate>'
+plant_in '^-axial_gradient: ' effects/axial_gradient.hpp 'N::saturating_difference(second, signals.block.temperature)' 'second - signals.block.temperature'
+plant_in '^-bias_temperature: ' effects/bias_temperature.hpp 'saturate_to<Regressor>(power * x)' 'round_to<Regressor>(power * x)'
+plant_in '^-vibration: ' effects/vibration.hpp 'saturate_to' 'round_to'
+plant_in '^-glass_transition: ' effects/glass_transition.hpp '256 << 22' '400 << 22'
+plant_in '^-thermal_hysteresis: ' effects/thermal_hysteresis.hpp '256 << 22' '400 << 22'
+plant_in '^-scale_factor_asymmetry: ' effects/scale_factor_asymmetry.hpp '3 * power_of_two' '5 * power_of_two'
+plant_in '^-scale_factor_temperature: ' effects/scale_factor_temperature.hpp 'kMaxReference = 256' 'kMaxReference = 32767'
+plant_in '^-scale_factor: ' effects/scale_factor.hpp 'scale_factor_error<N, 1>' 'scale_factor_error<N, 0>'
+plant_in '^-aging: ' effects/aging.hpp 'if (age_ > longest) age_ = longest;' ''
+plant_in '^-light_power: ' effects/light_power.hpp 'power < min ? min : power' 'power'
+plant_in '^-polarization_ripple: ' effects/polarization_ripple.hpp 'Stretched = typename N::template Number<23>' 'Stretched = typename N::template Number<24>'
+plant_in '\[  FAILED  \] ThermalState' thermal/filtered_derivative.hpp 'saturate_to<TemperatureRate>' 'round_to<TemperatureRate>'
+find_planted
 plant expression/expression_program.cpp expression/expression_program.hpp 'kMaxPlayRadius = (1 << 30) - 1' 'kMaxPlayRadius = 1 << 30'
 # Functions.
 plant sweep fixed_point/sine_table.hpp 105245103 105245105
