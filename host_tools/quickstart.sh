@@ -53,9 +53,10 @@ echo "all there"
 mkdir -p "$here"
 
 step "host tool"
-[[ -f $build/host/build.ninja && ${#workbench[@]} == 0 ]] ||
-  quietly "$here/configure.log" cmake --preset host -B "$build/host" "${workbench[@]}"
-quietly "$here/build.log" cmake --build "$build/host" --target fogcomp fogcomp_manual
+host=$(realpath -m "$build/host") # CMake takes a link to the folder for another one
+[[ -f $host/build.ninja && ${#workbench[@]} == 0 ]] ||
+  quietly "$here/configure.log" cmake --preset host -B "$host" "${workbench[@]}"
+quietly "$here/build.log" cmake --build "$host" --target fogcomp fogcomp_manual
 echo "$fogcomp"
 
 step "recording: the reference paper's chamber programme, sampled at $rate Hz as the board sees it"
