@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/evidence.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::batch {
 namespace {
 
-// Fraction of clean lots with a reported gyro.
-constexpr double kFalseOutliers = 0.01;
 // The variance of ln(1.4826 MAD) of n normal values is 1.36/n, that of their standard deviation
 // 1/(2n): the spread is as uncertain as a standard deviation of kEfficiency * n values. lot_test
 // counts the reported gyros.
@@ -85,7 +84,7 @@ Lot compare_lot(const std::vector<GyroResult>& results, const std::vector<std::s
     lot.figures.push_back(std::move(figure));
   }
   if (lot.figures.empty()) return lot;
-  lot.bound = student_bound(kFalseOutliers / static_cast<double>(values),
+  lot.bound = student_bound(kFalseAlarm / static_cast<double>(values),
                             kEfficiency * static_cast<double>(gyros - 1));
   for (const LotFigure& figure : lot.figures) {
     for (const GyroResult& result : results) {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "diagnosis/forms.hpp"
-#include "fit/decision_rules.hpp"
 #include "fit/effect_change.hpp"
 #include "fit/possible_gain.hpp"
 #include "fit/turn_on_repeatability.hpp"

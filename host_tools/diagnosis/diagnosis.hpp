@@ -114,8 +114,7 @@ struct DiagnosisSettings {
   std::function<void(double)> progress{};
 };
 
-/// Whether an effect, no event, alone lowers the error of the rows by kNoticeable or
-/// more.
+/// Whether an effect, no event, alone lowers the error of the rows by kNoticeable or more.
 bool helps_clearly(const Diagnosis& diagnosis, const CandidateFinding& finding);
 
 /// Whether most of what is left is fast: a cycle, jumps.

@@ -6,7 +6,6 @@
 #include <complex>
 #include <vector>
 
-#include "diagnosis/decision_rules.hpp"
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "support/evidence.hpp"

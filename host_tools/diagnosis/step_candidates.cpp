@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "diagnosis/decision_rules.hpp"
-#include "fit/decision_rules.hpp"
 #include "fit/predict.hpp"
 #include "noise/gradual_change.hpp"
 #include "support/evidence.hpp"

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "compare/comparison.hpp"
+#include "compare/decision_rules.hpp"
 #include "findings/diagnosis_words.hpp"
 #include "findings/figures.hpp"
 #include "findings/labels.hpp"
@@ -17,12 +18,11 @@ constexpr double kSlowCycle_s = 7200;  // no laboratory machine is that slow
 }  // namespace
 
 std::string size_words(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next) {
-  constexpr double kTellsApart = 0.01;
   const compare::BoardError* const given = diagnosis.as_given ? &*diagnosis.as_given : nullptr;
   const double left_dph = given != nullptr ? given->rms_dph : diagnosis.residual_rms_dph;
   std::string text = rounded(left_dph) + format(" deg/h rms of %.3g s means", diagnosis.row_s);
-  if (next.addition &&
-      std::abs(next.addition->fitted_before_dph - left_dph) > kTellsApart * left_dph) {
+  if (next.addition && std::abs(next.addition->fitted_before_dph - left_dph) >
+                           compare::rules::kTellsApart * left_dph) {
     text += ", refitted " + rounded(next.addition->fitted_before_dph);
   }
   text += "; noise " + rounded(diagnosis.noise_floor_dph);

@@ -63,8 +63,7 @@ Offsets offsets_of(const series::Rows& rows, const NoiseWeightedFit& fit, Eigen:
   return offsets;
 }
 
-// Which of them are larger than the one that so many equal runs show with probability
-// kFalseAlarm.
+// Which of them are larger than the one that so many equal runs show with probability kFalseAlarm.
 std::vector<bool> certain_ones(const std::vector<Offset>& offsets) {
   std::vector<bool> certain;
   for (const Offset& offset : offsets) {

@@ -7,8 +7,8 @@
 
 namespace fogcomp::judge {
 
-/// What happens by chance as often as kFalseAlarm: as the logarithm of a ratio of
-/// probability densities (Markov's inequality: its mean is 1), and in standard deviations.
+/// What happens by chance as often as kFalseAlarm: as the logarithm of a ratio of probability
+/// densities (Markov's inequality: its mean is 1), and in standard deviations.
 inline const double kGain = -std::log(kFalseAlarm);
 inline constexpr double kSigmas = 2.33;
 

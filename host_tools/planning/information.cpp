@@ -10,6 +10,7 @@
 #include "model/effect_list.hpp"
 #include "model/shape_parameter.hpp"
 #include "model/typical_size.hpp"
+#include "support/evidence.hpp"
 #include "support/least_squares.hpp"
 #include "support/units.hpp"
 
@@ -20,7 +21,6 @@ constexpr double kBandsPerOctave = 6;
 constexpr double kMinWhite_dph = 1e-6;  // no gyro has less noise
 // Standard deviation of a coefficient before the recording, in its size: nearly nothing is known.
 constexpr double kWide = 10;
-constexpr double kSigmas = 3;  // of a visible effect
 
 std::vector<recording::RowRange> stretches_within(const series::Rows& rows, Eigen::Index count) {
   std::vector<recording::RowRange> within;
@@ -116,7 +116,8 @@ VisibleSize Information::visible(const model::EffectTerm& term) const {
   constexpr double kRounding = 1e-9;
   const double typical_dph = rms(measured(drift));
   const bool shows = left > kRounding * alone;
-  return {term.name, typical_dph, shows ? kSigmas / std::sqrt(left) * typical_dph : HUGE_VAL};
+  return {term.name, typical_dph,
+          shows ? kPossibleSigmas / std::sqrt(left) * typical_dph : HUGE_VAL};
 }
 
 std::vector<VisibleSize> Information::visible_of_catalogue(fog::InputMask inputs) const {

@@ -13,7 +13,7 @@ constexpr double kRareSigmas = 4;
 /// In 1 of 1.7 million: noise alone does it in no recording.
 constexpr double kCertainSigmas = 5;
 
-/// Chance of a statement about a whole recording where noise alone is.
+/// Chance of a statement about a recording, or a lot, where noise alone is.
 constexpr double kFalseAlarm = 0.01;
 
 /// Values of which a standard deviation is known to 18 %. Fewer do not tell how they scatter.
