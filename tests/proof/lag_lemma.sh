@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # lag_lemma.sh: gappa proves the lemma by which a first-order lag stays within its inputs, but for 2^-23 + 2^-40
 # (interval_numbers.hpp), for every decay, input and state. The board's step is y + s; inputs and states count from the
-# largest input so far, or from the least. Then a bound that a step
-# exceeds, by 1 LSB from y = -2^-23 to x = 0, has to fail.
+# largest input so far, or from the least. Then a bound that a step exceeds, by 1 LSB from y = -2^-23 to x = 0, has to
+# fail.
 set -euo pipefail
 command -v gappa >/dev/null || { echo "no gappa: tests/run.sh --all installs it"; exit 77; }
 
