@@ -13,7 +13,8 @@ command -v npm >/dev/null || build_packages+=(npm)
 quick_packages=(libgtest-dev ccache jq)
 # What tests/run.sh --all needs besides: the second line builds sanitized, the third compiles and runs the core for
 # another instruction set, the fourth is told how to flash a board, the fifth looks at package and manual, the sixth
-# makes the page that calculates, the seventh is another awk and another language, the last reads the core.
+# makes the page that calculates, the seventh is another awk and another language, the eighth reads the core, the last
+# runs the gyros of a lot.
 test_packages=(
   clang-format chromium
   clang libclang-rt-dev
@@ -23,6 +24,7 @@ test_packages=(
   emscripten
   gawk locales
   clang-tidy cppcheck gappa
+  parallel
 )
 
 # What tests/bench/run.sh needs beside the first.

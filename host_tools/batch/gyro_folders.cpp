@@ -18,7 +18,9 @@ bool matches(const std::string& pattern, const std::string& name) {
 }
 
 GyroFolder read_folder(const fs::path& folder, const FilePatterns& patterns) {
-  GyroFolder gyro{folder.filename().string(), {}, {}};
+  require_printable_name(folder.string());
+  const std::string parent = folder.parent_path().string();
+  GyroFolder gyro{parent.empty() ? "." : parent, folder.filename().string(), {}, {}};
   std::error_code unreadable;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, unreadable)) {
     const std::string name = entry.path().filename().string();
@@ -34,6 +36,17 @@ GyroFolder read_folder(const fs::path& folder, const FilePatterns& patterns) {
 
 }  // namespace
 
+GyroFolder find_gyro(const std::string& folder, const FilePatterns& patterns) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) {
+    throw InputError(folder, "is no folder; name the one with the gyro's recordings");
+  }
+  fs::path path = fs::path(folder).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();  // "gyros/G001/"
+  const fs::path name = path.filename();
+  return read_folder(name == "." || name == ".." ? fs::canonical(path) : path, patterns);
+}
+
 std::vector<GyroFolder> find_gyros(const std::string& parent, const FilePatterns& patterns) {
   std::error_code error;
   fs::directory_iterator entries(parent, error);
@@ -45,7 +58,6 @@ std::vector<GyroFolder> find_gyros(const std::string& parent, const FilePatterns
   for (const fs::directory_entry& entry : entries) {
     const bool hidden = entry.path().filename().string().front() == '.';
     if (!entry.is_directory() || hidden) continue;
-    require_printable_name(entry.path().string());
     gyros.push_back(read_folder(entry.path(), patterns));
   }
   if (gyros.empty()) {
@@ -55,13 +67,6 @@ std::vector<GyroFolder> find_gyros(const std::string& parent, const FilePatterns
   std::sort(gyros.begin(), gyros.end(),
             [](const GyroFolder& a, const GyroFolder& b) { return a.name < b.name; });
   return gyros;
-}
-
-std::vector<GyroFolder> shard_of(const std::vector<GyroFolder>& gyros, std::size_t index,
-                                 std::size_t count) {
-  std::vector<GyroFolder> part;
-  for (std::size_t i = index - 1; i < gyros.size(); i += count) part.push_back(gyros[i]);
-  return part;
 }
 
 }  // namespace fogcomp::batch

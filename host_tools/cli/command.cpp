@@ -46,11 +46,11 @@ std::string option_text(const Option& option) {
 std::vector<CommandPointer> all_commands() {
   std::vector<CommandPointer> commands;
   for (CommandPointer (*make)() :
-       {simulate_command,   convert_command,   info_command,   denoise_command, fit_command,
-        compare_command,    diagnose_command,  add_command,    plan_command,    history_command,
-        effects_command,    workbench_command, apply_command,  export_command,  stream_command,
-        replay_command,     load_command,      health_command, batch_command,   paper_command,
-        completion_command, man_command}) {
+       {simulate_command, convert_command,    info_command,   denoise_command,   fit_command,
+        compare_command,  diagnose_command,   add_command,    plan_command,      history_command,
+        effects_command,  workbench_command,  apply_command,  export_command,    stream_command,
+        replay_command,   load_command,       health_command, calibrate_command, batch_command,
+        paper_command,    completion_command, man_command}) {
     commands.push_back(make());
   }
   return commands;

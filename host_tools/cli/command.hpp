@@ -57,6 +57,7 @@ using CommandPointer = std::unique_ptr<Command>;
 CommandPointer add_command();
 CommandPointer apply_command();
 CommandPointer batch_command();
+CommandPointer calibrate_command();
 CommandPointer compare_command();
 CommandPointer completion_command();
 CommandPointer convert_command();

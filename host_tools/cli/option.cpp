@@ -18,7 +18,7 @@ std::vector<std::string> OptionGroup::given_words() const {
   std::vector<std::string> words;
   for (const Option* option : options_) {
     for (const std::string& value : option->values) {
-      words.push_back("--" + option->name);
+      words.push_back(dashed(option->name));
       if (!option->value_name.empty()) words.push_back(value);
     }
   }

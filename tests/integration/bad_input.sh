@@ -332,6 +332,10 @@ cp in.limits lot_out/gyros.csv
 mkdir -p lot/G1
 refuses '^lot_out/gyros\.csv: would overwrite the input lot_out/gyros\.csv' batch lot -o lot_out --effects bias \
   --limits lot_out/gyros.csv
+mkdir lot_out/G1
+cp in.limits lot_out/G1/result.txt
+refuses '^lot_out/G1/result\.txt: would overwrite the input lot_out/G1/result\.txt' calibrate lot/G1 -o lot_out \
+  --effects bias --limits lot_out/G1/result.txt
 rm -r lot lot_out
 ln -s same dangling
 for both in "same same" "./same same" "same dangling" "kept folder/../kept"; do
@@ -439,8 +443,8 @@ lot '^missing: cannot be read' missing -o results
 lot '^empty_lot: has no folder in it' empty_lot -o results
 lot '^fogcomp batch: -o OUT is missing' lot
 lot '^lot/results: lies in lot; name a folder beside it' lot -o lot/results
-lot "^--shard: '3/2' is no part of a whole; write I/N" lot -o results --shard 3/2
-lot "^--shard: 'half' is no part" lot -o results --shard half
+refuses '^lot/results: lies in lot; name a folder beside it' calibrate lot/G1 -o lot/results --effects bias
+refuses '^good\.csv: is no folder; name the one with the gyro' calibrate good.csv -o results --effects bias
 echo 'holdout_drift_dph < 0.01' >limits
 lot "^limits:1: 'holdout_drift_dph < 0.01' is no limit; write FIGURE <= NUMBER" lot -o results --limits limits
 printf '# limits\n\nholdout_drft_dph <= 0.01\n' >limits

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # batch.sh FOGCOMP SOURCE: a lot of gyros is calibrated although one has a bad recording, one has none, one crashes and
-# one hangs; finished gyros are not repeated, changed ones are; parts and a merge give the same table; Ctrl-C leaves no
-# unfinished file and no process.
+# one hangs; finished gyros are not repeated, changed ones are; gyros calibrated one by one give the same table; Ctrl-C
+# leaves no unfinished file and no process.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: batch.sh FOGCOMP SOURCE}")
@@ -117,13 +117,24 @@ mkdir blocked
 echo "in the way" >blocked/A2
 batch 1 gyros -o blocked
 says said.txt '^3 gyros: 2 pass, 0 fail, 1 without a result'
-says said.txt '^  A2 +error +its process exited with code 1; blocked/A2/result.txt: cannot be written'
+says said.txt '^  A2 +error +its process exited with code 2'
+grep -q '^blocked/A2' errors.txt || fail "$(cat errors.txt)"
 
-# Parts of the work on several computers, then the table: the same bytes.
+# One by one, as any scheduler may, then the table: the same bytes.
 batch 0 gyros -o whole
-for part in 1/2 2/2; do batch 0 gyros -o parts --shard "$part"; done
-[[ ! -e parts/gyros.csv ]] || fail "a part wrote the table"
-batch 0 gyros -o parts --merge
+for gyro in A1 A2/ A3; do
+  "$fogcomp" calibrate "gyros/$gyro" -o parts "${options[@]:0:2}" >>one_by_one.txt
+done
+[[ $(cat one_by_one.txt) == "A1: pass"$'\n'"A2: pass"$'\n'"A3: pass" ]] || fail "$(cat one_by_one.txt)"
+[[ ! -e parts/gyros.csv ]] || fail "one gyro wrote the table"
+"$fogcomp" calibrate gyros/A1 -o parts "${options[@]:0:2}" >said.txt
+says said.txt '^A1: pass \(calibrated before\)$'
+status=0
+"$fogcomp" calibrate gyros/A1 -o parts "${options[@]:0:2}" --limits limits.txt >said.txt || status=$?
+says said.txt '^A1: fail, holdout_rms_dph 0\.[0-9]+, must be <= 0\.001 \(calibrated before\)$'
+[[ $status == 1 && -s parts/A1/diagnosis.txt ]] || fail "exit code $status, or no diagnosis"
+batch 0 gyros -o parts
+says said.txt '^0 calibrated now, 3 before'
 cmp whole/gyros.csv parts/gyros.csv
 
 # The same as a job array, with an sbatch that does at once what it is given.
@@ -145,12 +156,10 @@ echo 17
 END
 chmod +x bin/sbatch
 PATH=$PWD/bin:$PATH FOGCOMP=$fogcomp SBATCH_OPTIONS="--cpus-per-task=2 --partition=lab" \
-  "$submit" 2 gyros array "${options[@]:0:2}" >said.txt 2>tasks.txt || fail "$(cat tasks.txt)"
-grep -q '^part 2/2: 1 gyro calibrated' tasks.txt || fail "$(cat tasks.txt)"
+  "$submit" 2 gyros array "${options[@]:0:2}" --jobs 2 --tables >said.txt 2>tasks.txt || fail "$(cat tasks.txt)"
+[[ $(sort tasks.txt) == "A1: pass"$'\n'"A2: pass"$'\n'"A3: pass" ]] || fail "$(cat tasks.txt)"
+says merge.txt '^0 calibrated now, 3 before'
 cmp whole/gyros.csv array/gyros.csv
-rm parts/A2/result.txt
-batch 1 gyros -o parts --merge
-says said.txt '^  A2 +error +not calibrated'
 
 # One hangs (its recording is a pipe without a writer) and is killed; one crashes: the rest continues.
 mkdir gyros/C1
@@ -162,31 +171,40 @@ says said.txt '^4 gyros: 3 pass'
 says said.txt '^1 calibrated now, 3 before'
 mv gyros/A1 gyros/Z1 # after C1
 
-# only_C1_runs FOLDER: waits until it is the last child of $pool; $child is then its number.
+# only_C1_runs FOLDER: waits until it is the last one; $child is then its process.
 only_C1_runs() {
-  until [[ -e $1/C1/log.txt && -e $1/Z1/result.txt && $(pgrep -cP "$pool") == 1 ]]; do sleep 0.05; done
-  child=$(pgrep -P "$pool")
+  until [[ -e $1/C1/log.txt && -e $1/Z1/result.txt ]]; do sleep 0.05; done
+  child=$(pgrep -f "^$fogcomp calibrate .*$1 .*gyros/C1\$")
 }
 "$fogcomp" batch "${options[@]}" gyros -o crash >said.txt 2>errors.txt &
-pool=$!
+batch=$!
 only_C1_runs crash
 kill -SEGV "$child"
-! wait "$pool" || fail "exit code 0 with a crash"
+! wait "$batch" || fail "exit code 0 with a crash"
 says said.txt '^  C1 +error +its process died of signal 11'
 says said.txt '^4 gyros: 3 pass'
+[[ $(wc -l <crash/jobs.txt) == 5 ]] || fail "$(cat crash/jobs.txt)"
 
-# Ctrl-C (env: a shell that is not interactive has it ignored in the background).
-env --default-signal=INT "$fogcomp" batch "${options[@]}" gyros -o stopped >said.txt 2>errors.txt &
-pool=$!
+# Ctrl-C ends all of its group (env: a shell that is not interactive has it ignored in the background).
+setsid env --default-signal=INT "$fogcomp" batch "${options[@]}" gyros -o stopped >said.txt 2>errors.txt &
+batch=$!
 only_C1_runs stopped
-kill -INT "$pool"
+kill -INT -- "-$batch"
 status=0
-wait "$pool" || status=$?
+wait "$batch" || status=$?
 ((status == 130)) || fail "exit code $status after SIGINT"
-! kill -0 "$child" 2>/dev/null || fail "a process is left"
-grep -q '^interrupted: 3 of 4 gyros done; the same command continues there' errors.txt || fail "$(cat errors.txt)"
+timeout 20 tail --pid="$child" -f /dev/null || fail "a process is left"
+grep -q '^interrupted; the same command continues there' errors.txt || fail "$(cat errors.txt)"
 [[ -z $(find stopped -name '*.part-*') && ! -e stopped/gyros.csv ]] || fail "half files: $(find stopped)"
 rm -r gyros/C1
 batch 0 gyros -o stopped
 says said.txt '^0 calibrated now, 3 before'
+
+# Nobody who lacks GNU parallel gets a table without gyros.
+status=0
+PATH=$PWD/bin "$fogcomp" batch "${options[@]}" gyros -o none >said.txt 2>errors.txt || status=$?
+((status == 2)) || fail "exit code $status without parallel"
+grep -q '^parallel: GNU parallel runs the gyros, and is not there; install it (apt-get install parallel)$' errors.txt ||
+  fail "$(cat errors.txt)"
+[[ ! -e none/gyros.csv ]] || fail "a table without gyros"
 echo "a lot of gyros goes through, whatever one of them does"
