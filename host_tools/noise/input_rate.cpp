@@ -14,8 +14,9 @@ constexpr Eigen::Index kNear = 3;
 
 }  // namespace
 
-Eigen::MatrixXd input_rate_columns(const Eigen::VectorXd& input_rate_dph,
-                                   const Eigen::VectorXd& temperature_degc, Eigen::Index per_row) {
+Eigen::MatrixXd input_rate_columns(const Eigen::Ref<const Eigen::VectorXd>& input_rate_dph,
+                                   const Eigen::Ref<const Eigen::VectorXd>& temperature_degc,
+                                   Eigen::Index per_row) {
   const Eigen::Index rows = input_rate_dph.size();
   if (rows == 0 || input_rate_dph.minCoeff() == input_rate_dph.maxCoeff()) return {rows, 0};
   const Eigen::ArrayXd u = input_rate_dph.array() / input_rate_dph.cwiseAbs().maxCoeff();

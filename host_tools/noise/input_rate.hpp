@@ -11,8 +11,9 @@ namespace fogcomp::noise {
 /// its change (a late record, to second order, and with temperature), and the effect of a
 /// nonlinearity on a change within a row. `per_row`: values in one row as it is fitted.
 /// Dimensionless; rows x 0 if the rate is constant.
-Eigen::MatrixXd input_rate_columns(const Eigen::VectorXd& input_rate_dph,
-                                   const Eigen::VectorXd& temperature_degc, Eigen::Index per_row);
+Eigen::MatrixXd input_rate_columns(const Eigen::Ref<const Eigen::VectorXd>& input_rate_dph,
+                                   const Eigen::Ref<const Eigen::VectorXd>& temperature_degc,
+                                   Eigen::Index per_row);
 /// Of rows as they are fitted.
 Eigen::MatrixXd input_rate_columns(const series::Rows& rows);
 

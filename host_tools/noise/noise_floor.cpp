@@ -35,20 +35,27 @@ std::vector<double> scaled_differences(const std::vector<double>& bias,
                                        std::size_t samples) {
   constexpr std::size_t kStartsPerMean = 8;
   const std::size_t step = std::max<std::size_t>(1, samples / kStartsPerMean);
+  const std::size_t span = kMeans * samples;
   const double scale = 1 / (std::sqrt(6.0) * static_cast<double>(samples));
   std::vector<double> differences;
-  std::vector<double> sums;
+  std::vector<double> sums(span + 1);  // of the last rows of a stretch, from its first on; a ring
   for (const recording::RowRange& stretch : stretches) {
-    sums.clear();
-    sums.reserve(stretch.size() + 1);
-    sums.push_back(0);
-    for (std::size_t i = stretch.first; i < stretch.end; ++i) {
-      sums.push_back(sums.back() + (bias[i] - bias[stretch.first]));
-    }
-    for (std::size_t i = 0; i + kMeans * samples <= stretch.size(); i += step) {
-      const double first = sums[i + samples] - sums[i];
-      const double second = sums[i + 2 * samples] - sums[i + samples];
-      const double third = sums[i + 3 * samples] - sums[i + 2 * samples];
+    double sum = 0;
+    std::size_t next = step;  // rows until the next difference, once there are enough
+    std::size_t at = 0;
+    sums[0] = 0;
+    for (std::size_t row = stretch.first; row < stretch.end; ++row) {
+      sum += bias[row] - bias[stretch.first];
+      at = at < span ? at + 1 : 0;
+      sums[at] = sum;
+      if (row - stretch.first + 1 < span || ++next < step) continue;
+      next = 0;
+      const auto before = [&](std::size_t rows) {
+        return sums[at >= rows ? at - rows : at + span + 1 - rows];
+      };
+      const double first = before(2 * samples) - before(span);
+      const double second = before(samples) - before(2 * samples);
+      const double third = sum - before(samples);
       differences.push_back(scale * (third - 2 * second + first));
     }
   }

@@ -25,7 +25,7 @@ std::uint32_t elapsed_us(double passed_s) {
 }
 
 std::int32_t raw_of(double value, int fractional_bits) {
-  const double raw = std::ldexp(value, fractional_bits);
+  const double raw = value * static_cast<double>(std::int64_t{1} << fractional_bits);
   return static_cast<std::int32_t>(
       std::llround(std::clamp(raw, double{INT32_MIN}, double{INT32_MAX})));
 }
