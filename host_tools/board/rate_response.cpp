@@ -39,6 +39,11 @@ double minus_3db_cycles(const fog::DenoiseParameters& denoise) {
 
 }  // namespace
 
+std::string delay_text(double seconds) {
+  constexpr double kInMillisecondsBelowS = 10;
+  return seconds < kInMillisecondsBelowS ? format("%.4g ms", 1e3 * seconds) : time_text(seconds);
+}
+
 RateResponse denoised_response(const fog::ModelParameters& parameters) {
   const fog::DenoiseParameters& denoise = parameters.denoise;
   if (denoise.levels() == 0) return {0, 0, std::numeric_limits<double>::infinity()};
@@ -56,9 +61,9 @@ std::string rate_words(const fog::ModelParameters& parameters) {
   if (chosen || response.delay_samples == 0) return frames + undelayed;
   return frames + (sends_kvh ? "" : undelayed + ", and ") +
          format(
-             "denoised, %.4g ms late (%zu samples), -3 dB at %.3g Hz for what is below its "
+             "denoised, %s late (%zu samples), -3 dB at %.3g Hz for what is below its "
              "thresholds",
-             1e3 * response.delay_s, response.delay_samples, response.minus_3db_hz);
+             delay_text(response.delay_s).c_str(), response.delay_samples, response.minus_3db_hz);
 }
 
 }  // namespace fogcomp::board

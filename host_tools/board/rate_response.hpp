@@ -23,6 +23,9 @@ struct RateResponse {
 /// 1993, section 4.2).
 RateResponse denoised_response(const fog::ModelParameters& parameters);
 
+/// A delay as users of a board read it: "2325 ms"; from 10 s on "15.5 s", "77.5 min", "2.6 h".
+std::string delay_text(double seconds);
+
 /// Which rate the frames have, one line: "KVH frames: denoised, 2325 ms late (465 samples), ...".
 std::string rate_words(const fog::ModelParameters& parameters);
 

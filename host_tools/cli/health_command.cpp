@@ -7,6 +7,7 @@
 #include "board/health_query.hpp"
 #include "board/health_verdict.hpp"
 #include "board/identity.hpp"
+#include "board/rate_response.hpp"
 #include "board/status_names.hpp"
 #include "cli/board_options.hpp"
 #include "cli/command.hpp"
@@ -47,8 +48,8 @@ double period_s(const fog::HealthRecord& r) {
 std::string delay_in_words(const fog::HealthRecord& r) {
   const std::uint32_t samples = r[Word::rate_delay];
   if (samples == 0) return "undelayed";
-  return format("%.4g ms late (%u samples of %.4g ms)", 1e3 * samples * period_s(r), samples,
-                1e3 * period_s(r));
+  return format("%s late (%u samples of %s)", board::delay_text(samples * period_s(r)).c_str(),
+                samples, board::delay_text(period_s(r)).c_str());
 }
 
 // Empty if the board does not know it.

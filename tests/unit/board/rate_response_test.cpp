@@ -177,6 +177,14 @@ TEST(RateResponse, WordsSayWhichRateTheFramesHave) {
   EXPECT_EQ(words(OutputSelection::compact, 0, 0), "compact frames: " + undelayed);
 }
 
+TEST(RateResponse, LongDelay_InItsOwnUnit) {
+  EXPECT_EQ(delay_text(0.0875), "87.5 ms");
+  EXPECT_EQ(delay_text(2.325), "2325 ms");
+  EXPECT_EQ(delay_text(46.5), "46.5 s");
+  EXPECT_EQ(delay_text(4650), "77.5 min");
+  EXPECT_EQ(delay_text(46500), "12.9 h");
+}
+
 // What is in the table is measured by the tests above. It is made anew from what this one says.
 TEST(RateResponse, TableOfTheReadmeIsRight) {
   std::string table =
