@@ -25,7 +25,8 @@ using Pipeline =
                 FOG_MODEL_LEVELS, static_cast<OutputSelection>(FOG_MODEL_OUTPUT),
                 FOG_MODEL_OUTPUT_OPTIONS,
                 kHasUsualLines ? usual_lines_error<static_cast<OutputSelection>(FOG_MODEL_OUTPUT)>
-                               : lines_error>;
+                               : lines_error,
+                ModelTable::is_loaded ? is_affordable : was_affordable>;
 
 /// The model of the image, checked once and sealed: it is in RAM and must not change any more.
 struct Model : ModelTable {

@@ -11,6 +11,7 @@
 #include "core/acquisition/extension_monitor.hpp"
 #include "core/bytes/crc.hpp"
 #include "core/frames/sensor_frame.hpp"
+#include "core/pipeline/sample_cost.hpp"
 #include "model/catalogue.hpp"
 #include "model/drift_model.hpp"
 #include "model/model_file.hpp"
@@ -315,6 +316,13 @@ void write_output(TableWriter& out, const BoardSettings& settings) {
   write_line("output line: ", settings.output_line);
 }
 
+void finish(BoardTable& table, TableWriter& out, std::size_t size_word) {
+  table.words[size_word] = static_cast<std::int32_t>(table.words.size() + 1);
+  out.note("CRC-32 of the words above");
+  out.integer(0, "CRC");
+  table.words.back() = as_signed(fog::model_table_crc(table.span()));
+}
+
 // The sum behind "do not fit": what a sample has on a line against its period.
 std::string line_time_text(const char* what, std::size_t bytes, fog::SerialLine line,
                            std::int64_t period_us) {
@@ -333,20 +341,49 @@ std::string output_time_text(fog::OutputSelection output, fog::SerialLine line,
                 1'000'000 / line.us_of(bytes));
 }
 
+// Details of the error "sample too dear" of `read_model`.
+std::string cost_text(const fog::ModelParameters& parameters) {
+  const std::uint32_t cost = fog::sample_cost(parameters);
+  const std::uint32_t shortest_us = (cost - 1) / fog::kInstructionsPerUs + 1;
+  return format(
+      "a sample may take %u instructions (itself %u, inputs %u, denoiser %u, the end of a block %u "
+      "with %s of the drift model), and half a sample period of %u us has time for %llu; take "
+      "fewer effects, shorter expressions, a smaller network or at most %u Hz",
+      cost, fog::kSampleCost, fog::inputs_cost(parameters), fog::denoiser_cost(parameters.denoise),
+      fog::block_cost(parameters), counted(parameters.catch_up_steps(), "step").c_str(),
+      parameters.acquisition.sample_period_us,
+      static_cast<unsigned long long>(fog::affordable_cost(parameters)), 1'000'000 / shortest_us);
+}
+
+[[noreturn]] void refuse_rate(const BoardSettings& settings, const std::string& reason) {
+  throw InputError("--sample-rate",
+                   format("%g Hz is too fast: ", settings.sample_rate_hz) + reason);
+}
+
 void require_line_time(const BoardSettings& settings, const Timing& timing) {
   const auto period_us = static_cast<std::uint32_t>(timing.period_us);
-  const auto refuse = [&](const std::string& reason) {
-    throw InputError("--sample-rate",
-                     format("%g Hz is too fast: ", settings.sample_rate_hz) + reason);
-  };
   if (!settings.output_line.carries(fog::output_bytes(settings.output), period_us)) {
-    refuse(output_time_text(settings.output, settings.output_line, timing.period_us));
+    refuse_rate(settings,
+                output_time_text(settings.output, settings.output_line, timing.period_us));
   }
   if (!settings.sensor_line.carries(fog::kSensorFrameBytes, period_us)) {
-    refuse(line_time_text("a sample of the sensor stream is", fog::kSensorFrameBytes,
-                          settings.sensor_line, timing.period_us) +
-           "; take a faster line (--sensor-line)");
+    refuse_rate(settings, line_time_text("a sample of the sensor stream is", fog::kSensorFrameBytes,
+                                         settings.sensor_line, timing.period_us) +
+                              "; take a faster line (--sensor-line)");
   }
+}
+
+// The table as an image takes it that does not ask what a sample costs.
+fog::ModelError read_at_any_cost(const BoardTable& table, fog::ModelParameters& parameters) {
+  fog::ModelShape capacity = fog::kAnyModel;
+  capacity.is_affordable = fog::was_affordable;
+  return fog::read_model(table.span(), capacity, parameters);
+}
+
+void require_compute_time(const BoardSettings& settings, const BoardTable& table) {
+  fog::ModelParameters parameters;
+  if (read_at_any_cost(table, parameters) != fog::ModelError::none) return;  // its reader says why
+  if (!fog::is_affordable(parameters)) refuse_rate(settings, cost_text(parameters));
 }
 
 }  // namespace
@@ -397,10 +434,8 @@ BoardTable make_board_table(const model::Model& whole, const BoardSettings& sett
   write_denoise(out, model, timing.period_s);
   check_noise_fits(table, denoise_word, model.denoise);
   write_output(out, settings);
-  table.words[size_word] = static_cast<std::int32_t>(table.words.size() + 1);
-  out.note("CRC-32 of the words above");
-  out.integer(0, "CRC");
-  table.words.back() = as_signed(fog::model_table_crc(table.span()));
+  finish(table, out, size_word);
+  require_compute_time(settings, table);
   return table;
 }
 
@@ -414,6 +449,10 @@ fog::ModelParameters read_board_table(const BoardTable& table, const std::string
     const fog::SerialLine line(static_cast<std::uint32_t>(end[-2]));
     throw InputError(
         file, "model table refused: " + output_time_text(output, line, table.words[kPeriodAt]));
+  }
+  if (error == fog::ModelError::sample_too_dear) {
+    read_at_any_cost(table, parameters);
+    throw InputError(file, "model table refused: " + cost_text(parameters));
   }
   if (error != fog::ModelError::none) {
     throw InputError(

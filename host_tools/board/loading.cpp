@@ -81,6 +81,8 @@ std::string reason(LoadRefusal refusal, const Words& slot, const fog::LoadTarget
       return "the board's image has no room for it (firmware/SPEC.md, Model slots)";
     case LoadRefusal::frames_too_long:
       return "its frames take longer on the output line than a sample period";
+    case LoadRefusal::sample_too_dear:
+      return "a sample may take longer to compute than half a sample period; export it again";
     case LoadRefusal::not_newer:
       return "the board has a newer one by now; try again";
     default:

@@ -208,6 +208,15 @@ class Loading : public testing::Test {
     EXPECT_EQ(boot(flash_).error, fog::ModelError::none);
     EXPECT_EQ(boot(flash_).used().sequence, 1U);
   }
+  /// Other words in the table of a slot, and its CRC and seal.
+  static Words with(std::map<std::size_t, std::uint32_t> words, Words slot) {
+    for (const auto& [at, word] : words) slot[at] = word;
+    const std::size_t crc = slot.size() - 2;
+    const auto* const table = reinterpret_cast<const std::int32_t*>(slot.data());
+    slot[crc] =
+        fog::model_table_crc({table + fog::kSlotHeaderWords, crc + 1 - fog::kSlotHeaderWords});
+    return sealed(slot);
+  }
   static Words sealed(Words slot) {
     auto* const bytes = reinterpret_cast<std::uint8_t*>(slot.data());
     const std::size_t size = 4 * slot.size() - 4;
@@ -318,15 +327,15 @@ TEST_F(Loading, RefusesWhatTurnsOutToBeNoGoodTableBeforeItIsOne) {
   expect_refused(LoadRefusal::not_in_image, sealed(large), true);
 }
 
-TEST_F(Loading, FramesTooLongForTheLine_Refused) {
-  Words slot = slot_of(2);
-  const std::size_t period = fog::kSlotHeaderWords + fog::kProcessorAt + fog::kProcessorWords;
-  slot[period] = 100;  // us
-  const std::size_t crc = slot.size() - 2;
-  const auto* const table = reinterpret_cast<const std::int32_t*>(slot.data());
-  slot[crc] =
-      fog::model_table_crc({table + fog::kSlotHeaderWords, crc + 1 - fog::kSlotHeaderWords});
-  expect_refused(LoadRefusal::frames_too_long, sealed(slot), true);
+TEST_F(Loading, PeriodTooShortForFramesOrCost_Refused) {
+  constexpr std::size_t kPeriodAt =
+      fog::kSlotHeaderWords + fog::kProcessorAt + fog::kProcessorWords;
+  const Words slot = slot_of(2);
+  const std::size_t output_line_at = slot.size() - 3;
+  constexpr std::uint32_t kShortUs = 100;
+  expect_refused(LoadRefusal::frames_too_long, with({{kPeriodAt, kShortUs}}, slot), true);
+  expect_refused(LoadRefusal::sample_too_dear,
+                 with({{kPeriodAt, kShortUs}, {output_line_at, 4'147'200}}, slot), true);
 }
 
 TEST_F(Loading, RefusesATableThatEndsEarlyAndBlocksThatDoNotFollow) {

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 import flags
 from arithmetic import INT32_MAX, INT32_MIN, crc32, i16
+from cost import INSTRUCTIONS_PER_US, sample_cost
 from denoiser import DenoiserTable, noise_shift
 from effects import FOLLOWING, FOR_A_BLOCK
 from expressions import BadProgram, decode
@@ -16,7 +17,8 @@ TABLE_LAYOUT = 9
 SLOT_MAGIC = 0x53474F46
 SLOT_LAYOUT = 1
 
-MISSING, OTHER_LAYOUT, DAMAGED, OUT_OF_RANGE, FRAMES_TOO_LONG = 1, 2, 3, 4, 8      # why a table is refused
+# why a table is refused
+MISSING, OTHER_LAYOUT, DAMAGED, OUT_OF_RANGE, FRAMES_TOO_LONG, SAMPLE_TOO_DEAR = 1, 2, 3, 4, 8, 9
 
 BYTES_OF_FRAMES = (36, 28, 64)         # of a sample: KVH, compact, both
 FASTEST_SENSOR_LINE, FASTEST_OUTPUT_LINE = 2_000_000, 4_147_200         # bits per second
@@ -144,6 +146,9 @@ def read(words):
     bits = table.output_line.bits_per_byte * BYTES_OF_FRAMES[table.frames]
     if bits * 10**6 > table.period * table.output_line.bits_per_second:
         raise Refused(FRAMES_TOO_LONG, f"{bits} bits do not fit into a sample period of {table.period} us")
+    cost = sample_cost(table)
+    if cost > INSTRUCTIONS_PER_US * table.period:
+        raise Refused(SAMPLE_TOO_DEAR, f"{cost} instructions are too many for a sample period of {table.period} us")
     return table
 
 

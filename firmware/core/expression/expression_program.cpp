@@ -89,6 +89,7 @@ bool expressions_fit(ExpressionParameters& expressions) {
   std::size_t outputs = 0;
   std::size_t at = 0;
   expressions.used = 0;
+  expressions.waves = 0;
   while (at < program.size) {
     const ExpressionOp op = op_of(program[at]);
     if (static_cast<std::size_t>(op) >= kExpressionOps) return false;
@@ -101,6 +102,7 @@ bool expressions_fit(ExpressionParameters& expressions) {
     if (depth < effect.takes) return false;
     depth = depth - effect.takes + effect.leaves;
     states += op == ExpressionOp::lag || op == ExpressionOp::play ? 1 : 0;
+    expressions.waves += op == ExpressionOp::sine || op == ExpressionOp::cosine ? 1 : 0;
     outputs += op == ExpressionOp::output ? 1 : 0;
     if (depth > kMaxExpressionStack || states > kMaxExpressionStates) return false;
     at += words_of(op);

@@ -77,7 +77,9 @@ struct ExpressionParameters {
   Span<const std::int32_t> program;
   Span<const std::int32_t> coefficients;  ///< deg/h, EffectsParameters::coefficient_fraction bits
 
-  ExpressionMask used = 0;  ///< by the program; set by the check
+  // Set by the check:
+  ExpressionMask used = 0;  ///< by the program
+  std::uint32_t waves = 0;  ///< sines and cosines, the dearest operations
 };
 
 /// Checks whether this image can run a program. Sets `used`.

@@ -31,6 +31,7 @@ enum class LoadRefusal : std::uint8_t {
   not_expected,     ///< a step that does not follow the last one
   frames_too_long,  ///< for the table's sample period
   no_owner,         ///< the board's first table binds it to a gyro: that must be meant
+  sample_too_dear,  ///< to compute, for the table's sample period
 };
 
 constexpr std::size_t kMaxLoadWords = 32;

@@ -56,10 +56,12 @@ class Rotation<true> {
 /// shows the order of the stages. Template parameters limit the model, so that an image contains
 /// only what it needs: effects `kEffects`, expressions `kExpressions`, a network of
 /// `kNetworkInputs`, filters up to `kTaps` x `kLevels`, frames `kOutput` (with both: any selection)
-/// and their options `kOptions`, lines that pass `kLinesError`.
+/// and their options `kOptions`, lines that pass
+/// `kLinesError`, a cost that passes `kIsAffordable`.
 template <EffectMask kEffects, ExpressionMask kExpressions, NetworkInputMask kNetworkInputs,
           std::size_t kTaps, std::size_t kLevels, OutputSelection kOutput = OutputSelection::both,
-          OutputOptions kOptions = kAllOutputOptions, LinesCheck kLinesError = lines_error>
+          OutputOptions kOptions = kAllOutputOptions, LinesCheck kLinesError = lines_error,
+          CostCheck kIsAffordable = is_affordable>
 class Compensator {
   using Drift = DriftModel<kEffects, kExpressions, kNetworkInputs>;
 
@@ -73,7 +75,8 @@ class Compensator {
                                        expression_check<kExpressions>(),
                                        kOutput,
                                        kOptions,
-                                       kLinesError};
+                                       kLinesError,
+                                       kIsAffordable};
 
   /// `parameters` must have been read with this class's capacity. Parameters of a refused table
   /// make a pipeline that answers every sample and marks none valid. `token`: result of the image
@@ -94,7 +97,7 @@ class Compensator {
         pending_(parameters.needs()),
         drift_model_(parameters.thermal, parameters.effects, parameters.expressions,
                      parameters.network, parameters.policy),
-        catch_up_steps_(steps_per_sample(parameters)),
+        catch_up_steps_(parameters.catch_up_steps()),
         denoiser_(parameters.denoise) {}
 
   /// Takes one byte of the sensor stream. If it completes a sample, writes the frames that answer
@@ -256,14 +259,6 @@ class Compensator {
     pending_.clear();
     finish_blocks(block_clock_.advance(1));
     for (std::uint32_t i = 0; i < catch_up_steps_; ++i) drift_model_.catch_up();
-  }
-
-  // Steps of the drift model per sample, so that it has caught up with any hold before the next
-  // block ends. One, if a block has more samples than a hold has blocks.
-  static std::uint32_t steps_per_sample(const ModelParameters& parameters) {
-    constexpr std::uint32_t kMax = 64;
-    const std::uint32_t steps = parameters.policy.hold_blocks / parameters.samples_per_block;
-    return steps < kMax ? steps + 1 : kMax;
   }
 
   // A rate that is refused although it was measured well is not replaced in the denoiser. So the

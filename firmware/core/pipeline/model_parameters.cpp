@@ -186,7 +186,7 @@ ModelError read_body(Span<const std::int32_t> words, const ModelShape& capacity,
       (parameters.output_options & ~capacity.output_options) != 0U) {
     return ModelError::not_in_image;
   }
-  return ModelError::none;
+  return capacity.is_affordable(parameters) ? ModelError::none : ModelError::sample_too_dear;
 }
 
 // In place: a second object would take a fifth of the stack.
@@ -255,6 +255,8 @@ const char* describe(ModelError error) {
       return "of another gyro";
     case ModelError::frames_too_long:
       return "frames too long";
+    case ModelError::sample_too_dear:
+      return "sample too dear";
   }
   return "unknown";
 }

@@ -39,6 +39,7 @@ constexpr std::size_t output_bytes(OutputSelection output) {
 constexpr std::int32_t kModelMagic = 0x464F474D;  ///< "FOGM"
 constexpr std::int32_t kModelLayout = 9;          ///< of the table; SPEC.md, "Model table"
 constexpr std::size_t kMaxModelWords = 4096;
+constexpr std::uint32_t kMaxCatchUpSteps = 64;
 
 struct ModelParameters;
 enum class ModelError : std::uint8_t;
@@ -47,6 +48,14 @@ enum class ModelError : std::uint8_t;
 /// period.
 using LinesCheck = ModelError (*)(const ModelParameters& parameters);
 ModelError lines_error(const ModelParameters& parameters);
+
+/// Whether the board can compute a sample of a table in time (sample_cost.hpp).
+using CostCheck = bool (*)(const ModelParameters& parameters);
+bool is_affordable(const ModelParameters& parameters);
+/// Stub for an image of one table: `fogcomp export`, which wrote it, has checked its cost.
+inline bool was_affordable(const ModelParameters& /*parameters*/) {
+  return true;
+}
 
 /// Capacity of an image, fixed by the header that it is built with.
 struct ModelShape {
@@ -60,6 +69,7 @@ struct ModelShape {
   OutputSelection output = OutputSelection::both;  ///< these frames; both: whatever
   OutputOptions output_options = kAllOutputOptions;
   LinesCheck lines_error = fog::lines_error;
+  CostCheck is_affordable = fog::is_affordable;
 };
 
 /// Capacity for any model.
@@ -110,6 +120,13 @@ struct ModelParameters {
   SerialLine sensor_line() const { return line(0); }
   SerialLine output_line() const { return line(1); }
 
+  /// Steps of the drift model per sample, so that it has caught up with any hold before the next
+  /// block ends. One, if a block has more samples than a hold has blocks.
+  std::uint32_t catch_up_steps() const {
+    const std::uint32_t steps = policy.hold_blocks / samples_per_block;
+    return steps < kMaxCatchUpSteps ? steps + 1 : kMaxCatchUpSteps;
+  }
+
   /// Inputs that the model needs beside the coil temperature.
   InputMask needs() const {
     return beside_temperature(needs_of(effects.enabled()) |
@@ -135,6 +152,7 @@ enum class ModelError : std::uint8_t {
   other_board,      ///< bound to another processor
   other_gyro,       ///< in the older slot, of another gyro than the newer one
   frames_too_long,  ///< the frames of a sample take longer on the output line than a sample period
+  sample_too_dear,  ///< a sample may take longer to compute than half a sample period
 };
 
 /// The check of an image whose header has the usual lines, 921600 8N1: it takes less flash.

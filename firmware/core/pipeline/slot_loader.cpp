@@ -4,8 +4,9 @@ namespace fog {
 namespace {
 
 LoadRefusal refusal_of(ModelError error) {
-  return error == ModelError::frames_too_long ? LoadRefusal::frames_too_long
-                                              : static_cast<LoadRefusal>(error);
+  if (error == ModelError::frames_too_long) return LoadRefusal::frames_too_long;
+  if (error == ModelError::sample_too_dear) return LoadRefusal::sample_too_dear;
+  return static_cast<LoadRefusal>(error);
 }
 static_assert(static_cast<int>(LoadRefusal::other_gyro) ==
               static_cast<int>(ModelError::other_gyro));

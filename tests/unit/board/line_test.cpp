@@ -14,6 +14,7 @@
 #include "board/line_text.hpp"
 #include "support/input_error.hpp"
 #include "support/sample_models.hpp"
+#include "support/typical_effects.hpp"
 
 // Linux' own settings of a terminal, which know bit rates without a name (asm/termbits.h, whose
 // other names are those of termios.h). TCGETS2 wants it by this name.
@@ -82,9 +83,10 @@ TEST(BoardPort, Line_OfASerialDevice_IsSet) {
   close(master);
 }
 
-std::string refusal(const fogcomp::board::BoardSettings& settings) {
+std::string refusal(const fogcomp::board::BoardSettings& settings,
+                    const fogcomp::model::Model& model = fog::test::paper_like_model()) {
   try {
-    fogcomp::board::make_board_table(fog::test::paper_like_model(), settings);
+    fogcomp::board::make_board_table(model, settings);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -105,6 +107,28 @@ TEST(BoardTable, FramesThatDoNotFit_RefusedWithTheSum) {
   EXPECT_NE(refusal(settings).find("16 bytes of 12 bits, which take 209 us at 921600 Bd"),
             std::string::npos)
       << refusal(settings);
+}
+
+// At 5000 Hz half a sample period is 14,000 instructions.
+TEST(BoardTable, DearModel_HighRateRefusedWithTheSum) {
+  fogcomp::model::Model model = fog::test::paper_like_model();
+  fogcomp::board::BoardSettings settings;
+  settings.output_line = parse("4147200");
+  settings.sample_rate_hz = 5000;
+  EXPECT_EQ(refusal(settings, model), "");
+  model.terms.push_back(fog::test::written_term("x = sin(T/3)*sin(T/4)*sin(T/5)*sin(T/6)*exp(-t)"));
+  model.terms.push_back(fog::test::written_term("y = cos(T/3)*cos(T/4)*cos(T/5)*cos(T/6)*exp(-t)"));
+  const std::string said = refusal(settings, model);
+  EXPECT_NE(said.find("5000 Hz is too fast: a sample may take "), std::string::npos) << said;
+  EXPECT_NE(said.find("half a sample period of 200 us has time for 14000"), std::string::npos)
+      << said;
+  const std::size_t at = said.find("at most ");
+  ASSERT_NE(at, std::string::npos) << said;
+  settings.sample_rate_hz = std::stod(said.substr(at + 8));
+  EXPECT_GT(settings.sample_rate_hz, 1000);
+  EXPECT_EQ(refusal(settings, model), "") << "what the refusal proposes";
+  settings.sample_rate_hz += 20;  // more than a us
+  EXPECT_NE(refusal(settings, model), "");
 }
 
 }  // namespace

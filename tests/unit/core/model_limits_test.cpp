@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/pipeline/model_parameters.hpp"
+#include "core/pipeline/sample_cost.hpp"
 
 namespace {
 
@@ -330,6 +331,12 @@ TEST(SerialLine, FormatsAndTimes_AsTheirWordSays) {
   EXPECT_EQ(fog::SerialLine().us_of(36), 391U) << "rounded up";
 }
 
+fog::ModelShape at_any_cost() {
+  fog::ModelShape shape = fog::kAnyModel;
+  shape.is_affordable = fog::was_affordable;
+  return shape;
+}
+
 // 36, 28 and 64 bytes: of 12 bits at 9600 Bd, of 10 at 4,147,200 Bd.
 TEST(ModelLimits, Period_OnAnotherLine_ShortestThatCarriesItsFrames) {
   const struct {
@@ -342,9 +349,10 @@ TEST(ModelLimits, Period_OnAnotherLine_ShortestThatCarriesItsFrames) {
       table["output line"] = each.line;
       table["output"] = output;
       table["period"] = each.shortest_us[output];
-      EXPECT_EQ(table.read(), ModelError::none) << each.line << " " << output;
+      EXPECT_EQ(table.read(at_any_cost()), ModelError::none) << each.line << " " << output;
       --table["period"];
-      EXPECT_EQ(table.read(), ModelError::frames_too_long) << each.line << " " << output;
+      EXPECT_EQ(table.read(at_any_cost()), ModelError::frames_too_long)
+          << each.line << " " << output;
     }
   }
 }
@@ -363,6 +371,76 @@ TEST(ModelLimits, UsualLines_CheckOfTheirOwn_Agrees) {
       EXPECT_EQ(other.read(usual), ModelError::not_in_image) << line;
     }
   }
+}
+
+// Cost by SPEC.md, "Cost of a sample". 70 instructions pass in 1 us.
+struct Costly {
+  const char* what;
+  Table table;
+  std::int32_t cost;
+};
+
+// A program of so many sines, which are one word each. Behind it are no network and no denoiser.
+Table table_of_sines(std::int32_t sines) {
+  Table table = table_begun();
+  table.put("effects", 0).put("expressions", 1).put("factor", 5).put("program", sines + 4);
+  table.put("signal", 0).put("least", INT32_MIN).put("most", INT32_MAX);
+  for (std::int32_t i = 0; i < sines; ++i) table.put("sine " + std::to_string(i), 14 + (16 << 8));
+  table.put("result", 20);
+  for (const char* name : {"inputs", "neurons", "levels", "taps", "rule", "mode"}) {
+    table.put(name, 0);
+  }
+  table.put("output", 1);
+  put_end(table);
+  return table;
+}
+
+std::vector<Costly> costly_tables() {
+  constexpr std::int32_t kAlways = 4600;
+  constexpr std::int32_t kHaar = 180 + 10 * 2;
+  constexpr std::int32_t kStep = 400 + 800 + 2 * 100 + 6 * 6;
+  constexpr std::int32_t kKeep = 3400;
+  const auto amended = [](const char* name, std::int32_t value, std::int32_t neurons = 1) {
+    Table table = good_table(neurons);
+    table[name] = value;
+    return table;
+  };
+  return {
+      {"a step is less than keeping", amended("block", 62), kAlways + kHaar + kKeep},
+      {"2 steps are less", amended("block", 61), kAlways + kHaar + kKeep},
+      {"3 steps of a hold", amended("block", 30), kAlways + kHaar + 3 * kStep},
+      {"a block a sample", amended("block", 1), kAlways + kHaar + 62 * kStep + kKeep},
+      {"needs light", amended("T signal", 7), kAlways + kHaar + kKeep + 1300},
+      {"32 neurons, 3 steps", amended("block", 30, 32), kAlways + kHaar + 3 * (kStep + 31 * 36)},
+      {"64 steps at most",
+       [&] {
+         Table table = amended("block", 2);
+         table["hold"] = INT32_MAX;
+         return table;
+       }(),
+       kAlways + kHaar + 64 * kStep},
+      {"sines", table_of_sines(100), kAlways + 400 + 104 * 100 + 100 * 100},
+  };
+}
+
+TEST(ModelLimits, Period_ShorterThanTwiceItsCost_Refused) {
+  for (Costly& each : costly_tables()) {
+    each.table["output line"] = 4'147'200;
+    each.table["output"] = 1;
+    each.table["period"] = (each.cost + 69) / 70;
+    ModelParameters got;
+    EXPECT_EQ(each.table.read(got), ModelError::none) << each.what;
+    EXPECT_EQ(fog::sample_cost(got), static_cast<std::uint32_t>(each.cost)) << each.what;
+    --each.table["period"];
+    EXPECT_EQ(each.table.read(), ModelError::sample_too_dear) << each.what;
+  }
+}
+
+TEST(ModelLimits, DearTable_ImageOfItsOwn_IsTheExportersConcern) {
+  Table table = table_of_sines(100);
+  table["period"] = 304;  // what its frames take
+  EXPECT_EQ(table.read(at_any_cost()), ModelError::none);
+  EXPECT_EQ(table.read(), ModelError::sample_too_dear);
 }
 
 TEST(ModelLimits, SignalsOfTheNetworkAreTheInputsAndTheLaggedTemperature) {

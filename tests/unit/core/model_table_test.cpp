@@ -98,10 +98,10 @@ TEST(ModelTable, SaysWhyItIsRefused) {
 
 TEST(ModelTable, HasASentenceForEveryRefusal) {
   std::set<std::string> sentences;
-  for (int error = 0; error <= static_cast<int>(ModelError::frames_too_long); ++error) {
+  for (int error = 0; error <= static_cast<int>(ModelError::sample_too_dear); ++error) {
     sentences.insert(fog::describe(static_cast<ModelError>(error)));
   }
-  EXPECT_EQ(sentences.size(), 9U);
+  EXPECT_EQ(sentences.size(), 10U);
   EXPECT_EQ(sentences.count("unknown"), 0U);
 }
 
