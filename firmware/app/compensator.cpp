@@ -143,6 +143,7 @@ void start() {
   announce(platform::describe_board(), reset);
   resume_state(reset.cause);
   start_own_thermometer();
+  if constexpr (kKvhCommands) report_start_tests();
   start_loop_watchdog();
 }
 

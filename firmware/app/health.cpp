@@ -6,6 +6,7 @@
 #include "app/pipeline.hpp"
 #include "build_identity.h"
 #include "core/frames/health_request.hpp"
+#include "core/frames/kvh_bit.hpp"
 #include "core/frames/kvh_command.hpp"
 #include "hal/clock.hpp"
 #include "hal/processor.hpp"
@@ -49,8 +50,6 @@ HealthRecord health_now() {
   return record;
 }
 
-constexpr bool kKvhCommands = (FOG_MODEL_OUTPUT_OPTIONS & kAnswersKvhCommands) != 0;
-
 // A loaded model selects the commands itself.
 [[maybe_unused]] bool answers_kvh_commands() {
   return !ModelTable::is_loaded || (model().parameters.output_options & kAnswersKvhCommands) != 0U;
@@ -80,12 +79,20 @@ void end_configuration() {
   }
 }
 
+// What the tests have found: at the start, and with the last sample.
+Status test_status() {
+  const SelfTest& test = self_test();
+  const bool good = test.start_crc() == kIntactImage && test.memory_good();
+  return pipeline().last().status | status_if(!good, Status::self_test_failed) |
+         status_if(model().error != ModelError::none, Status::model_refused);
+}
+
 void answer_kvh_command(std::uint8_t byte) {
   if constexpr (kKvhCommands) {
     if (!answers_kvh_commands()) return;
     last_command_ms = hal::milliseconds();
     std::array<std::uint8_t, KvhCommands::kMaxAnswer> answer;
-    const std::size_t size = kvh_commands().feed(byte, answer.data());
+    const std::size_t size = kvh_commands().feed(byte, answer.data(), test_status());
     if (size > 0) hal::write_output_stream(answer.data(), size);
   }
 }
@@ -121,6 +128,13 @@ bool sends_frames() {
 
 void count_health(const OutputSample& sample) {
   counted.count(sample);
+}
+
+void report_start_tests() {
+  if (!answers_kvh_commands()) return;
+  std::array<std::uint8_t, kKvhExtendedBitBytes> message;
+  const std::size_t size = encode_kvh_bit(test_status(), false, message.data());
+  hal::write_output_stream(message.data(), size);
 }
 
 void answer_requests() {

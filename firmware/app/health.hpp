@@ -11,6 +11,9 @@ void count_health(const OutputSample& sample);
 /// header selects them, KVH commands.
 void answer_requests();
 
+/// Sends the results of the tests at the start as a KVH gyro does, if its commands are answered.
+void report_start_tests();
+
 /// Whether frames are sent: not in the configuration mode of the KVH commands.
 bool sends_frames();
 

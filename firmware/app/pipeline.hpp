@@ -19,6 +19,9 @@ static_assert(FOG_MODEL_LAYOUT == kModelLayout,
 constexpr bool kHasUsualLines = SerialLine(FOG_MODEL_SENSOR_LINE).word() == SerialLine().word() &&
                                 SerialLine(FOG_MODEL_OUTPUT_LINE).word() == SerialLine().word();
 
+/// Whether the image has the code for KVH's commands.
+constexpr bool kKvhCommands = (FOG_MODEL_OUTPUT_OPTIONS & kAnswersKvhCommands) != 0;
+
 /// The pipeline with the capacity that the generated header needs.
 using Pipeline =
     Compensator<FOG_MODEL_EFFECTS, FOG_MODEL_EXPRESSIONS, FOG_MODEL_NETWORK_INPUTS, FOG_MODEL_TAPS,

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # kvh_commands.sh MACHINE PLATFORM IMAGES FOGCOMP MAKE_MODEL IN.bin DIR: an image whose header says so answers the
-# lines that drivers of KVH's gyros send, and sends no frames in the configuration mode.
+# lines that drivers of KVH's gyros send, sends no frames in the configuration mode, and reports its built-in tests.
 set -euo pipefail
 source "$(dirname "$0")/../integration/common.sh"
 machine=$1 platform=$2 images=$3 fogcomp=$4 make_model=$5 input=$6 folder=$7
@@ -37,11 +37,23 @@ say() {
     fail "to $1: $(tail -c 40 "$scratch/sent")"
 }
 frames() { wait_for has_sent $((bytes += 36 * $1)); }
+# tests MESSAGE: the hexadecimal digits that come next, of the built-in tests.
+tests() {
+  wait_for has_sent $((bytes += ${#1} / 2))
+  [[ $(tail -c $((${#1} / 2)) "$scratch/sent" | od -An -v -t x1 | tr -d ' \n') == "$1" ]] ||
+    fail "tests: $(tail -c 40 "$scratch/sent" | od -An -v -t x1)"
+}
+
+tests fe8100aa7f7f7f7f7f7f23
 
 samples 0
 frames 20
+printf '?bit\r\n' >&7
+tests fe8100aa7f7f7f7f7f7f23
 say '=CONFIG,1' CONFIG,1
 samples 20
+printf '?BIT,2\n' >&7
+tests fe8100ab7f7f7f7f7f7f7f7f22
 say '?TEMPUNITS' TEMPUNITS,C
 say '?ROTFMT' ROTFMT,DELTA
 say '=dr,100' DR,100

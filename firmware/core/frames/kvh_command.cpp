@@ -1,5 +1,7 @@
 #include "core/frames/kvh_command.hpp"
 
+#include "core/frames/kvh_bit.hpp"
+
 namespace fog {
 namespace {
 
@@ -43,14 +45,14 @@ char upper_case(std::uint8_t byte) {
 
 }  // namespace
 
-std::size_t KvhCommands::feed(std::uint8_t byte, std::uint8_t* out) {
+std::size_t KvhCommands::feed(std::uint8_t byte, std::uint8_t* out, Status status) {
   if (byte == '=' || byte == '?') {
     size_ = 0;  // starts a command; these characters do not occur within one
   } else if (byte == '\r' || byte == '\n') {
     const bool whole = size_ > 1 && size_ < kMaxLine;
     line_[whole ? size_ : 0] = '\0';
     size_ = 0;
-    return whole ? answer(out) : 0;
+    return whole ? answer(out, status) : 0;
   } else if (size_ == 0 || size_ == kMaxLine) {
     return 0;
   }
@@ -62,10 +64,13 @@ std::size_t KvhCommands::feed(std::uint8_t byte, std::uint8_t* out) {
   return 0;
 }
 
-// A command is answered by itself without its first character, a query by that and its value.
-std::size_t KvhCommands::answer(std::uint8_t* out) {
+// A command is answered by itself without its first character, a query by that and its value. The
+// built-in tests are asked for in both modes.
+std::size_t KvhCommands::answer(std::uint8_t* out, Status status) {
   Line line(out);
   const char* const command = line_.data();
+  const bool extended = equal(command, "?BIT,2");
+  if (extended || equal(command, "?BIT")) return encode_kvh_bit(status, extended, out);
   if (equal(command, "=CONFIG,1")) {
     configuring_ = true;
     return line.text(command + 1).end();

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/signal/status.hpp"
+
 namespace fog {
 
 /// Settings that a board reports to the KVH query commands.
@@ -20,8 +22,9 @@ class KvhCommands {
   explicit KvhCommands(const KvhSettings& settings) : settings_(settings) {}
 
   /// Takes a byte. If it completes a line that has an answer, writes the answer to `out` (at least
-  /// kMaxAnswer bytes) and returns its size; else returns 0.
-  std::size_t feed(std::uint8_t byte, std::uint8_t* out);
+  /// kMaxAnswer bytes) and returns its size; else returns 0. `status` is what the built-in tests
+  /// have found.
+  std::size_t feed(std::uint8_t byte, std::uint8_t* out, Status status);
 
   /// Whether the user has entered the configuration mode, in which no frames are sent.
   bool configuring() const { return configuring_; }
@@ -31,7 +34,7 @@ class KvhCommands {
   static constexpr std::size_t kMaxAnswer = kMaxLine + 16;
 
  private:
-  std::size_t answer(std::uint8_t* out);
+  std::size_t answer(std::uint8_t* out, Status status);
 
   KvhSettings settings_;
   bool configuring_ = false;

@@ -12,6 +12,7 @@
 #include "board/replay.hpp"
 #include "core/bytes/crc.hpp"
 #include "core/frames/delta_angle.hpp"
+#include "core/frames/kvh_bit.hpp"
 #include "core/frames/kvh_command.hpp"
 #include "support/sample_models.hpp"
 
@@ -152,12 +153,13 @@ struct Terminal {
     std::string answers;
     for (const char character : text) {
       std::uint8_t out[KvhCommands::kMaxAnswer];
-      const std::size_t size = commands.feed(static_cast<std::uint8_t>(character), out);
+      const std::size_t size = commands.feed(static_cast<std::uint8_t>(character), out, status);
       answers.append(reinterpret_cast<const char*>(out), size);
     }
     return answers;
   }
   KvhCommands commands;
+  Status status = Status::none;
 };
 
 TEST(KvhCommands, AnswerWhatDriversSendAtStartUp) {
@@ -178,6 +180,54 @@ TEST(KvhCommands, AnswerWhatDriversSendAtStartUp) {
             "INVALID,=DR,2000\r\n");
   EXPECT_EQ(user.send("=CONFIG,0\n"), "");
   EXPECT_FALSE(user.commands.configuring());
+}
+
+std::string message(std::initializer_list<int> bytes) {
+  std::string text;
+  for (const int byte : bytes) text += static_cast<char>(byte);
+  return text;
+}
+
+// As KVH's manual has it of a gyro without a fault.
+TEST(KvhBit, NoFault_MessageOfTheManual) {
+  Terminal user({200, false});
+  const std::string good = message({0xFE, 0x81, 0, 0xAA, 127, 127, 127, 127, 127, 127, 0x23});
+  EXPECT_EQ(user.send("?BIT\r\n"), good) << "outside the configuration mode";
+  EXPECT_EQ(user.send("?bit,2\n"),
+            message({0xFE, 0x81, 0, 0xAB, 127, 127, 127, 127, 127, 127, 127, 127, 0x22}));
+  user.send("=CONFIG,1\n");
+  EXPECT_EQ(user.send("?bit\n"), good);
+  EXPECT_EQ(user.send("?BIT,3\n=BIT\n?BITS\n"),
+            "INVALID,?BIT,3\r\nINVALID,=BIT\r\nINVALID,?BITS\r\n");
+}
+
+TEST(KvhBit, EachFlag_ClearsItsTest) {
+  const struct {
+    Status flag;
+    int test;  // -1: none
+  } flags[] = {{Status::gyro_invalid, 11},     {Status::rate_out_of_range, 11},
+               {Status::gyro_stuck, 11},       {Status::rate_jump, 11},
+               {Status::model_refused, 12},    {Status::temperature_invalid, 21},
+               {Status::self_test_failed, 42}, {Status::sequence_gap, 44},
+               {Status::sample_rate, 44},      {Status::no_samples, 44},
+               {Status::thermal_settling, -1}, {Status::drift_held, -1},
+               {Status::denoised_refused, -1}};
+  for (const auto& each : flags) {
+    Terminal user({200, false});
+    user.status = each.flag;
+    const std::string said = user.send("?BIT,2\n");
+    ASSERT_EQ(said.size(), kKvhExtendedBitBytes);
+    int sum = 0;
+    for (std::size_t i = 0; i < kKvhExtendedBitBytes - 1; ++i) {
+      const auto byte = static_cast<std::uint8_t>(said[i]);
+      sum += byte;
+      const int in_byte = each.test - 8 * (static_cast<int>(i) - 4);
+      const int failed = in_byte >= 0 && in_byte < 8 ? 1 << in_byte : 0;
+      if (i < 4) continue;
+      EXPECT_EQ(byte, 0x7F - failed) << each.test << " " << i;
+    }
+    EXPECT_EQ(static_cast<std::uint8_t>(said.back()), sum % 256);
+  }
 }
 
 // Lower case, all at once, and with whatever was in the buffer behind the line's end.
