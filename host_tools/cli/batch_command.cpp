@@ -36,7 +36,7 @@ struct Work {
 };
 
 struct BatchCommand : Command {
-  LotOptions lot{this};
+  LotOptions common{this};
   Integer<std::size_t> jobs{
       this, {"jobs", "N", "gyros at a time (default: one per processor)"}, 1, 1024};
   Number time_limit{
@@ -49,8 +49,8 @@ struct BatchCommand : Command {
       : Command("batch", {"DIR", 1, 1},
                 "fit, compare, export every gyro of a folder; one table and page",
                 "fogcomp batch gyros -o results --effects bias,temperature_rate") {
-    const FitOptions& fit = lot.calibration.fit;
-    needs = {{&lot.output}, {&fit.effects, {&fit.model}, model::kFirstEffects}};
+    const FitOptions& fit = common.calibration.fit;
+    needs = {{&common.output}, {&fit.effects, {&fit.model}, model::kFirstEffects}};
   }
   int run() const override;
 
@@ -64,7 +64,7 @@ struct BatchCommand : Command {
 std::string BatchCommand::calibrate_line(const GyroFolder& gyro) const {
   std::vector<std::string> line{std::filesystem::read_symlink("/proc/self/exe").string(),
                                 "calibrate"};
-  const std::vector<std::string> options = lot.given_words();
+  const std::vector<std::string> options = common.given_words();
   line.insert(line.end(), options.begin(), options.end());
   // The other processors are other gyros'.
   if (jobs.text() != "1") line.insert(line.end(), {"--threads", "1"});
@@ -78,7 +78,7 @@ std::vector<std::string> BatchCommand::run_all(const std::vector<GyroFolder>& gy
   std::vector<std::string> lines;
   for (const GyroFolder& gyro : gyros) lines.push_back(calibrate_line(gyro));
   const batch::ParallelSettings settings{jobs.find().value_or(0), time_limit.value(),
-                                         lot.output.value()};
+                                         common.output.value()};
   if (!json.given()) {
     std::printf("%s by %s\n", counted(gyros.size(), "gyro").c_str(),
                 batch::parallel_line(settings).c_str());
@@ -151,17 +151,17 @@ batch::Summary summary_of(const GyroCalibration& calibration, const std::vector<
 
 int BatchCommand::run() const {
   const std::string& input = arguments[0];
-  const std::string& output = lot.output.required();
-  const GyroCalibration calibration(lot, input);
+  const std::string& output = common.output.required();
+  const GyroCalibration calibration(common, input);
   for (const char* name : kTables) check_output(*this, output + name);
-  const std::vector<GyroFolder> gyros = batch::find_gyros(input, lot.patterns());
+  const std::vector<GyroFolder> gyros = batch::find_gyros(input, common.patterns());
   make_folder(output);
   const Work work = calibrate_all(calibration, gyros);
   const batch::Summary summary = summary_of(calibration, gyros, work);
   write_file(output + kTables[0], csv_text(summary));
   if (tables.given()) batch::write_tables(summary, output);
   const findings::Document document =
-      findings::batch_findings(summary, input, output, lot.reports.given());
+      findings::batch_findings(summary, input, output, common.reports.given());
   write_file(output + kTables[1], report::page(document));
   if (json.given()) {
     std::puts(findings::batch_json(summary, output, work.done, work.already).text().c_str());

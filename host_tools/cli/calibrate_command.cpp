@@ -15,7 +15,7 @@ namespace fogcomp::cli {
 namespace {
 
 struct CalibrateCommand : Command {
-  LotOptions lot{this};
+  LotOptions common{this};
   Integer<std::size_t> threads{
       this, {"threads", "N", "processors to use (default: all)", "", kRare}, 1, 1024};
 
@@ -23,15 +23,15 @@ struct CalibrateCommand : Command {
       : Command("calibrate", {"DIR/SERIAL", 1, 1},
                 "fit, compare, export one gyro of a folder; why it fails",
                 "fogcomp calibrate gyros/G1 -o results --effects bias,temperature_rate") {
-    const FitOptions& fit = lot.calibration.fit;
-    needs = {{&lot.output}, {&fit.effects, {&fit.model}, model::kFirstEffects}};
+    const FitOptions& fit = common.calibration.fit;
+    needs = {{&common.output}, {&fit.effects, {&fit.model}, model::kFirstEffects}};
   }
   int run() const override;
 };
 
 int CalibrateCommand::run() const {
-  const batch::GyroFolder gyro = batch::find_gyro(arguments[0], lot.patterns());
-  const GyroCalibration calibration(lot, gyro.parent);
+  const batch::GyroFolder gyro = batch::find_gyro(arguments[0], common.patterns());
+  const GyroCalibration calibration(common, gyro.parent);
   const std::string folder = calibration.folder_of(gyro);
   check_output(*this, batch::result_path(folder));
   if (threads.given()) set_max_threads(threads.value());

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "recording/columns.hpp"
-#include "recording/fixed_decimal.hpp"
+#include "recording/decimal.hpp"
 #include "series/complete_rows.hpp"
 #include "support/text.hpp"
 

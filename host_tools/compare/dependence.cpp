@@ -7,8 +7,8 @@
 #include "compare/branches.hpp"
 #include "compare/decision_rules.hpp"
 #include "noise/autocorrelation.hpp"
-#include "support/chi_square.hpp"
 #include "support/decompositions.hpp"
+#include "support/distributions.hpp"
 #include "support/evidence.hpp"
 
 namespace fogcomp::compare {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "diagnosis/evidence_space.hpp"
-#include "recording/cut.hpp"
+#include "recording/mask.hpp"
 
 namespace fogcomp::diagnosis {
 

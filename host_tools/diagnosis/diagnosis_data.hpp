@@ -7,8 +7,8 @@
 
 #include "model/model.hpp"
 #include "noise/noise_model.hpp"
-#include "recording/cut.hpp"
 #include "recording/data_hash.hpp"
+#include "recording/mask.hpp"
 #include "recording/recording.hpp"
 #include "runs/run.hpp"
 #include "series/signal_series.hpp"

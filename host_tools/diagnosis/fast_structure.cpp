@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "support/chi_square.hpp"
+#include "support/distributions.hpp"
+#include "support/fourier.hpp"
 #include "support/median.hpp"
-#include "support/periodogram.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {

@@ -11,7 +11,7 @@
 #include "fit/fit_model.hpp"
 #include "fit/known_regressors.hpp"
 #include "fit/out_of_sample.hpp"
-#include "recording/cut.hpp"
+#include "recording/mask.hpp"
 
 namespace fogcomp::fit {
 

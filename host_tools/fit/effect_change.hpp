@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/model.hpp"
-#include "recording/cut.hpp"
+#include "recording/mask.hpp"
 
 namespace fogcomp::fit {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "support/cosine_transform.hpp"
+#include "support/fourier.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp::judge {

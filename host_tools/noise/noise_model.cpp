@@ -10,8 +10,8 @@
 #include "noise/decision_rules.hpp"
 #include "noise/jumps.hpp"
 #include "support/evidence.hpp"
+#include "support/fourier.hpp"
 #include "support/median.hpp"
-#include "support/periodogram.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp::noise {

@@ -10,7 +10,7 @@
 #include "recording/held_rate.hpp"
 #include "recording/row_range.hpp"
 #include "recording/stretches.hpp"
-#include "support/chi_square.hpp"
+#include "support/distributions.hpp"
 #include "support/evidence.hpp"
 #include "support/median.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "recording/scan_decimal.hpp"
+#include "recording/decimal.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 

@@ -13,7 +13,6 @@
 #include "recording/columns.hpp"
 #include "recording/csv_lines.hpp"
 #include "recording/csv_row.hpp"
-#include "recording/dwell_table.hpp"
 #include "recording/held_rate.hpp"
 #include "recording/long_recording.hpp"
 #include "recording/plausibility.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "recording/scan_decimal.hpp"
+#include "recording/decimal.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::recording {

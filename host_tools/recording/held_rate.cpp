@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "recording/decision_rules.hpp"
-#include "support/chi_square.hpp"
+#include "support/distributions.hpp"
 #include "support/evidence.hpp"
 #include "support/median.hpp"
 

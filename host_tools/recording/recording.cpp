@@ -6,7 +6,6 @@
 
 #include "recording/csv_reader.hpp"
 #include "recording/decision_rules.hpp"
-#include "recording/dwell_table.hpp"
 #include "recording/foreign_format.hpp"
 #include "recording/joined_file.hpp"
 #include "recording/line_numbers.hpp"

@@ -10,7 +10,6 @@
 
 #include "core/signal/inputs.hpp"
 #include "recording/board_limits.hpp"
-#include "recording/cut.hpp"
 #include "recording/mask.hpp"
 
 namespace fogcomp::recording {
@@ -56,7 +55,7 @@ struct Recording {
   };
   std::vector<Label> labels;
   bool temperature_given = false;  ///< none was measured: one value for all rows
-  bool is_table = false;           ///< of means at steady temperatures (dwell_table.hpp)
+  bool is_table = false;           ///< of means at steady temperatures (stretches.hpp)
   /// time_s starts at the first row, because the file has calendar times.
   bool power_on_unknown = false;
   /// With power_on_unknown: the first row's time, seconds since 1970 if its calendar is known.

@@ -29,7 +29,7 @@ struct BlockSeries {
     double time_s = 0;      ///< mean of its samples
     double rate_dph = 0;    ///< measured
     bool restarts = false;  ///< the power was off before one of its samples
-    bool cut = false;       ///< within it the bias begins anew (recording/cut.hpp)
+    bool cut = false;       ///< within it the bias begins anew (recording/mask.hpp)
     bool masked = false;    ///< its rate is not used, its means are (recording/mask.hpp)
     fog::BlockMeans<model::RealNumbers> means;
   };

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "recording/fixed_decimal.hpp"
+#include "recording/decimal.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::simulation {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "judge/prediction.hpp"
-#include "support/chi_square.hpp"
+#include "support/distributions.hpp"
 #include "support/random.hpp"
 #include "support/units.hpp"
 

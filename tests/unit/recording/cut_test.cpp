@@ -1,4 +1,4 @@
-#include "recording/cut.hpp"
+#include "recording/mask.hpp"
 
 #include <gtest/gtest.h>
 

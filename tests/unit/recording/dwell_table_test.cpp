@@ -1,5 +1,5 @@
 // Tables of means at steady temperatures.
-#include "recording/dwell_table.hpp"
+#include "recording/stretches.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 #include <complex>
 
 #include "support/decompositions.hpp"
+#include "support/fourier.hpp"
 #include "support/least_squares.hpp"
-#include "support/periodogram.hpp"
 
 namespace fogcomp {
 namespace {

@@ -1,4 +1,4 @@
-#include "recording/scan_decimal.hpp"
+#include "recording/decimal.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
-#include "recording/scan_decimal.hpp"
+#include "recording/decimal.hpp"
 
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 #include <system_error>
 
 namespace fogcomp::recording {
@@ -53,6 +54,20 @@ const char* scan_decimal(const char* first, const char* last, double& value) {
   }
   value = negative ? -magnitude : magnitude;
   return end;
+}
+
+char* print_fixed(double value, int decimals, char* out) {
+  constexpr double kMaxFixed = 1e18;  // with nine decimals it takes 29 characters
+  char* const max = out + kLongestDecimal;
+  if (!(std::fabs(value) < kMaxFixed)) return std::to_chars(out, max, value).ptr;
+  char* end = std::to_chars(out, max, value, std::chars_format::fixed, decimals).ptr;
+  if (decimals > 0) {
+    while (end[-1] == '0') --end;
+    if (end[-1] == '.') --end;
+  }
+  if (std::string_view(out, static_cast<std::size_t>(end - out)) != "-0") return end;
+  *out = '0';
+  return out + 1;
 }
 
 }  // namespace fogcomp::recording

@@ -1,4 +1,4 @@
-#include "support/variance_ratio.hpp"
+#include "support/distributions.hpp"
 
 #include <gtest/gtest.h>
 
