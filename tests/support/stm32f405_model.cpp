@@ -179,6 +179,11 @@ void Stm32F405Model::write(std::uint32_t address, std::uint32_t value) {
     need_clock(kAhb1Enable, (address - kGpio) / 0x400, "GPIO");
     const bool strap = address == kGpioB + 0x0C && (stored(address) ^ value) >> 24U & 3U;
     if (strap) strap_pulled_up_at_ = accesses_ + kPullUp;
+    if ((address & 0x3FFU) == 0x18) {  // 8.4.7: the lower half sets, and wins
+      std::uint32_t& output = registers_[address - 0x04];
+      output = (output & ~(value >> 16U)) | (value & 0xFFFFU);
+      return;
+    }
   }
   for (unsigned i = 0; i < 32; ++i) {
     if (!bit(value, i)) continue;
@@ -373,6 +378,11 @@ double Stm32F405Model::watchdog_timeout_s(double lsi_hz) const {
   return (stored(kWatchdog + 0x08) + 1) * divider / lsi_hz;
 }
 
+bool Stm32F405Model::is_driven_high(char port, unsigned pin) const {
+  const std::uint32_t gpio = kGpio + 0x400U * static_cast<std::uint32_t>(port - 'A');
+  return (stored(gpio) >> (2 * pin) & 3U) == 1 && bit(stored(gpio + 0x14), pin);
+}
+
 // ---- serial ports: chapter 30 ----
 
 void Stm32F405Model::receive(int number, std::uint8_t byte) {
@@ -382,14 +392,23 @@ void Stm32F405Model::receive(int number, std::uint8_t byte) {
     return;
   }
   usart.received = true;
+  usart.idle_may_be_noted = true;
   usart.data = byte;
+}
+
+void Stm32F405Model::fall_idle(int number) {
+  UsartState& usart = usarts_[number];
+  if (usart.idle_may_be_noted) usart.idle = true;
+  usart.idle_may_be_noted = false;
 }
 
 // An overrun interrupts like a byte (30.4).
 bool Stm32F405Model::interrupt_pending(int number) const {
   const UsartState& usart = usarts_.at(number);
-  return enabled_interrupts_.count(usart.interrupt) != 0 && bit(stored(usart.base + 0x0C), 5) &&
-         (usart.received || usart.overrun);
+  const std::uint32_t control = stored(usart.base + 0x0C);
+  return enabled_interrupts_.count(usart.interrupt) != 0 &&
+         ((bit(control, 5) && (usart.received || usart.overrun)) ||
+          (bit(control, 4) && usart.idle));
 }
 
 std::uint32_t Stm32F405Model::baud(int number) const {
@@ -401,14 +420,16 @@ std::uint32_t Stm32F405Model::baud(int number) const {
 std::uint32_t Stm32F405Model::read_usart(UsartState& usart, std::uint32_t offset) {
   if (offset == 0x00) {
     usart.overrun_seen = usart.overrun;
+    usart.idle_seen = usart.idle;
     const bool ready = !faults.transmitters_stuck && accesses_ >= usart.transmit_ready_at;
     const bool complete = ready && accesses_ >= usart.transmit_complete_at;
     return (ready ? 0x80U : 0U) | (complete ? 0x40U : 0U) | (usart.received ? 1U << 5U : 0U) |
-           (usart.overrun ? 1U << 3U : 0U);
+           (usart.idle ? 1U << 4U : 0U) | (usart.overrun ? 1U << 3U : 0U);
   }
   if (offset != 0x04) return stored(usart.base + offset);
   usart.received = false;
   if (usart.overrun_seen) usart.overrun = false;
+  if (usart.idle_seen) usart.idle = false;
   return usart.data;
 }
 

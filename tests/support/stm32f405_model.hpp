@@ -78,6 +78,8 @@ class Stm32F405Model : public RegisterModel {
 
   Stm32BackupDomain backup_domain{[this](const std::string& what) { violate(what); }};
   Stm32Flash flash{[this](const std::string& what) { violate(what); }};
+  /// Level at a pin that is an output; false at any other.
+  bool is_driven_high(char port, unsigned pin) const;
   std::function<bool()> strap_closed = [] { return false; };  ///< of PB12 to ground
 
   std::uint32_t core_hz() const;
@@ -85,6 +87,8 @@ class Stm32F405Model : public RegisterModel {
 
   /// A serial port by its number: 1, 2, 3, 6.
   void receive(int usart, std::uint8_t byte);
+  /// Its line has been idle for the time of a byte. Behind a byte only (30.6.1).
+  void fall_idle(int usart);
   bool interrupt_pending(int usart) const;  ///< and enabled at the interrupt controller
   const std::set<std::uint32_t>& enabled_interrupts() const { return enabled_interrupts_; }
   const std::set<std::uint32_t>& pending_interrupts() const { return pending_interrupts_; }
@@ -106,6 +110,9 @@ class Stm32F405Model : public RegisterModel {
     bool received = false;
     bool overrun = false;
     bool overrun_seen = false;
+    bool idle_may_be_noted = false;  // a byte has come since the last time
+    bool idle = false;
+    bool idle_seen = false;
     std::uint8_t data = 0;
     std::uint64_t transmit_ready_at = 0;     // the data register is empty
     std::uint64_t transmit_complete_at = 0;  // ... and so is the shift register

@@ -3,15 +3,15 @@
 # that keeps the rules, and the default image holds nothing of those it did not choose. What the emulator lacks (DMA,
 # converter) must not stop a board: without its sensor it answers every sample, and marks none valid. A DS18B20 at
 # USART 6 it believes. Another board with the same chip, and with a clock for resets, sends the same bytes, on its
-# own port; a board that is not there is refused.
+# own port, and with a pin of validity; a board that is not there is refused.
 set -euo pipefail
 source "$(dirname "$0")/../integration/common.sh"
 source=$1 images=$2 fogcomp=$3 ds18b20=$4 input=$5 folder=$6
 mkdir -p "$folder"
 
 symbols=$(arm-none-eabi-nm -C "$images/stm32f405/fogcomp.elf")
-if grep -iE 'thermometer|ds18b20|platinum|crc8|lasting' <<<"$symbols"; then
-  fail "the default image holds a thermometer or a clock"
+if grep -iE 'thermometer|ds18b20|platinum|crc8|lasting|of_sample' <<<"$symbols"; then
+  fail "the default image holds a thermometer, a clock or a pin of validity"
 fi
 
 # build OUTPUT TEMPERATURE: an image with these choices.
@@ -40,7 +40,7 @@ done
 
 image=$folder/pyboard.elf
 "$source/tests/target/build_variant.sh" "$images" stm32f405 fogcomp "$image" -DFOG_BOARD=pyboard_v11 \
-  -DFOG_RESET_CLOCK=lse
+  -DFOG_RESET_CLOCK=lse -DFOG_SYNC=tov
 FOG_OUTPUT_PORT=5 "$source/tests/target/run_uart.sh" netduinoplus2 "$image" "$input" "$folder/out.bin" $((36 * frames))
 cmp "$folder/expected.bin" "$folder/out.bin"
 
@@ -58,6 +58,11 @@ if cmake -S "$source" -B "$folder/refused" --preset mps2_an386 -DFOG_OUTPUT=dma 
   fail "a board without DMA was built for it"
 fi
 grep -q "has no output_dma" "$folder/refused.log"
+if cmake -S "$source" -B "$folder/refused" --preset mps2_an386 -DFOG_OUTPUT=polled -DFOG_SYNC=tov \
+  >"$folder/refused.log" 2>&1; then
+  fail "a board without a pin of validity was built for it"
+fi
+grep -q "has no sync_tov" "$folder/refused.log"
 
 for platform in stm32f405 mps2_an386; do
   if cmake -S "$source" -B "$folder/refused_$platform" --preset "$platform" -DFOG_BOARD=none >"$folder/refused.log" \

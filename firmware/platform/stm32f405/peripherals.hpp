@@ -130,16 +130,19 @@ struct Gpio {
   Register output_speed;
   Register pull;
   Register input;
-  std::array<Register, 3> unused_14;
+  Register unused_14;
+  Register set_reset;  ///< lower half: pins to set; upper half: to reset (8.4.7)
+  Register unused_1c;
   std::array<Register, 2> alternate_function;
 
   // mode (8.4.1), pull (8.4.4): two bits a pin
   static constexpr std::uint32_t kInput = 0;
+  static constexpr std::uint32_t kOutput = 1;
   static constexpr std::uint32_t kAlternateFunction = 2;
   static constexpr std::uint32_t kAnalog = 3;
   static constexpr std::uint32_t kPullUp = 1;
 };
-static_assert(offsetof(Gpio, alternate_function) == 0x20);
+static_assert(offsetof(Gpio, set_reset) == 0x18 && offsetof(Gpio, alternate_function) == 0x20);
 
 /// Serial ports: 30.6.
 struct Usart {
@@ -150,13 +153,15 @@ struct Usart {
   Register control2;
   Register control3;
 
-  // status (30.6.1)
+  // status (30.6.1): idle is cleared by reading it, then data
+  static constexpr std::uint32_t kIdle = 1U << 4U;
   static constexpr std::uint32_t kReceived = 1U << 5U;
   static constexpr std::uint32_t kTransmitComplete = 1U << 6U;
   static constexpr std::uint32_t kTransmitReady = 1U << 7U;
   // control1 (30.6.4)
   static constexpr std::uint32_t kReceiver = 1U << 2U;
   static constexpr std::uint32_t kTransmitter = 1U << 3U;
+  static constexpr std::uint32_t kIdleInterrupt = 1U << 4U;
   static constexpr std::uint32_t kReceiveInterrupt = 1U << 5U;
   static constexpr std::uint32_t kOddParity = 1U << 9U;
   static constexpr std::uint32_t kParity = 1U << 10U;

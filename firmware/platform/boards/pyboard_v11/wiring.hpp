@@ -24,6 +24,9 @@ constexpr Pin kConsoleTx{Port::kB, 10, 7};  ///< Y9
 
 constexpr Pin kServiceStrap{Port::kB, 12, 0};  ///< Y5, to ground: a model may be loaded
 
+// Only with FOG_SYNC=tov: Y6, rises when a sample is whole.
+constexpr Pin kTimeOfValidity{Port::kB, 13, 0};
+
 // Only in images built with FOG_TEMPERATURE=ds18b20: X9, 4.7 kOhm to 3.3 V.
 constexpr UsartPort kOneWireUsart = kUsart1;
 constexpr Pin kOneWire{Port::kB, 6, 7};
