@@ -41,7 +41,7 @@ void add_rows(Document& document, const FitOutcome& fit) {
   Text text = "noise of a row " + number(noise.white_dph()) + " white";
   if (!noise.components.empty()) text += ", " + number(noise.wander_dph()) + " slow";
   document.sentence(text + " deg/h (" +
-                    (identified.prior         ? "from all rows"
+                    (identified.prior         ? "as known before, or more"
                      : noise.from_quiet_parts ? "from the soaks"
                                               : "from neighbouring rows: no soak") +
                     words(format("); misfit %.2f", identified.birge_ratio)));

@@ -15,11 +15,14 @@ namespace fogcomp::fit {
 struct InformedFit {
   NoiseWeightedFit fit;               ///< its prior is as wide as the rows made it
   std::vector<Departure> departures;  ///< of each of the prior's unknowns, by the gyro's reading
+  Seen seen;                          ///< what the rows alone say of them, by the same reading
+  /// Of each: its value for a board less the gyro's own.
+  Eigen::VectorXd board_less_gyro;
 };
 
 /// Fits the prior's terms, as fit_determined() fits others, and the nuisance columns. The noise is
-/// that of all rows (predict.hpp), so that rows and prior have their true weights. An unknown that
-/// the rows show to be unlike the prior is let go of (departure.hpp).
+/// the prior's, or more if the rows have more: a short run hardly tells slow noise from effects. An
+/// unknown that the rows show to be unlike the prior is let go of (departure.hpp).
 InformedFit fit_with_prior(const KnownRegressors& known, const Prior& prior,
                            const Eigen::MatrixXd& nuisance,
                            const std::function<void(double)>& progress = {});

@@ -12,22 +12,6 @@ namespace fogcomp::fit {
 
 namespace {
 
-noise::NoiseModel noise_model(const judge::NoiseLevels& levels, double row_s, double longest_s) {
-  constexpr double kStep = 4;    // of the time constants, whose spectra sum to 1/f
-  constexpr double kLonger = 4;  // so many recordings: a component that walks
-  constexpr double kMinWhite = 1e-15;
-  noise::NoiseModel noise;
-  noise.row_s = row_s;
-  noise.white_variance = std::pow(std::max(levels.white_dph, kMinWhite), 2);
-  const double each = std::pow(levels.flicker_dph, 2) * std::log(kStep) / kPi;
-  for (double tau_s = 2 * row_s; tau_s <= longest_s; tau_s *= kStep) {
-    noise.components.push_back({tau_s, each});
-  }
-  const double walk_per_s = std::pow(levels.walk_dph_per_rth, 2) / kSecondsPerHour;
-  noise.components.push_back({kLonger * longest_s, walk_per_s * kLonger * longest_s / 2});
-  return noise;
-}
-
 // Before the shapes, which are found already. Without them what a coil's lag leaves of each ramp is
 // taken for a random walk, whose slow part no row shows.
 void add_inexact_rate(const series::Rows& rows, const NoiseWeightedFit& fit, judge::Rows& judged) {
@@ -80,6 +64,23 @@ judge::Prediction prediction(judge::Rows judged, const NoiseWeightedFit& fit,
 
 }  // namespace
 
+noise::NoiseModel noise_model(const judge::NoiseLevels& levels, const series::Rows& rows) {
+  constexpr double kStep = 4;    // of the time constants, whose spectra sum to 1/f
+  constexpr double kLonger = 4;  // so many recordings: a component that walks
+  constexpr double kMinWhite = 1e-15;
+  const double longest_s = rows.longest_run_s();
+  noise::NoiseModel noise;
+  noise.row_s = rows.row_s;
+  noise.white_variance = std::pow(std::max(levels.white_dph, kMinWhite), 2);
+  const double each = std::pow(levels.flicker_dph, 2) * std::log(kStep) / kPi;
+  for (double tau_s = 2 * rows.row_s; tau_s <= longest_s; tau_s *= kStep) {
+    noise.components.push_back({tau_s, each});
+  }
+  const double walk_per_s = std::pow(levels.walk_dph_per_rth, 2) / kSecondsPerHour;
+  noise.components.push_back({kLonger * longest_s, walk_per_s * kLonger * longest_s / 2});
+  return noise;
+}
+
 noise::NoiseModel noise_beside(const PossibleDrift& possible, const series::Rows& rows,
                                const Eigen::VectorXd& drift_dph, const Eigen::VectorXd& weights) {
   judge::Rows judged;
@@ -90,7 +91,7 @@ noise::NoiseModel noise_beside(const PossibleDrift& possible, const series::Rows
   judged.first_found = possible.first_found;
   judged.weights = weights;
   judged.stretches = rows.stretches();
-  return noise_model(judge::Prediction(judged).noise(), rows.row_s, rows.longest_run_s());
+  return noise_model(judge::Prediction(judged).noise(), rows);
 }
 
 judge::Rows judged_rows(const series::Rows& rows, const NoiseWeightedFit& fit,
@@ -111,7 +112,7 @@ judge::Rows judged_rows(const series::Rows& rows, const NoiseWeightedFit& fit,
 }
 
 noise::NoiseModel noise_beside(const series::Rows& rows, const NoiseWeightedFit& fit) {
-  return noise_model(predict(rows, fit).noise(), rows.row_s, rows.longest_run_s());
+  return noise_model(predict(rows, fit).noise(), rows);
 }
 
 judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit,

@@ -17,6 +17,8 @@ struct PossibleDrift {
   const Eigen::VectorXd& prior_sigma;  ///< of each unknown; 0: nothing is known
   Eigen::Index first_found;            ///< as in judge::Rows
 };
+/// Levels of noise as Gauss-Markov components; white: of one of the rows.
+noise::NoiseModel noise_model(const judge::NoiseLevels& levels, const series::Rows& rows);
 /// Noise of rows beside that (white, flicker and a random walk, by judge::Prediction) as
 /// Gauss-Markov components. `weights`: 0 for excluded rows.
 noise::NoiseModel noise_beside(const PossibleDrift& possible, const series::Rows& rows,

@@ -21,19 +21,6 @@ Eigen::MatrixXd positive_definite(const Eigen::MatrixXd& covariance) {
   return scaled * axes.values.cwiseMax(kMinEigenvalue).asDiagonal() * scaled.transpose();
 }
 
-// Coefficients and positions of the terms as they are.
-Eigen::VectorXd unknowns_in(const std::vector<model::EffectTerm>& terms,
-                            const std::vector<model::ShapeParameter>& shapes) {
-  std::vector<double> values;
-  for (const model::EffectTerm& term : terms) {
-    for (const model::Estimate& coefficient : term.coefficients_dph)
-      values.push_back(coefficient.value);
-  }
-  for (const model::ShapeParameter& shape : shapes)
-    values.push_back(shape.unit_in(terms[shape.term]));
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
 void add_turn_on(const model::Model& model, Eigen::MatrixXd& covariance) {
   Eigen::Index at = 0;
   for (const model::EffectTerm& term : model.terms) {
@@ -55,6 +42,28 @@ Eigen::Index Prior::coefficients() const {
   return count;
 }
 
+Eigen::VectorXd unknowns_in(const std::vector<model::EffectTerm>& terms) {
+  std::vector<double> values;
+  for (const model::EffectTerm& term : terms) {
+    for (const model::Estimate& coefficient : term.coefficients_dph)
+      values.push_back(coefficient.value);
+  }
+  for (const model::ShapeParameter& shape : model::shape_parameters(terms))
+    values.push_back(shape.unit_in(terms[shape.term]));
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+Eigen::VectorXd own_unknowns_in(const std::vector<model::EffectTerm>& terms) {
+  std::vector<model::EffectTerm> own;
+  for (const model::EffectTerm& term : terms) own.push_back(model::of_gyro(term));
+  return unknowns_in(own);
+}
+
+judge::NoiseLevels noise_of(const model::Model& model) {
+  const model::Model::Uncertainty& known = *model.uncertainty;
+  return {known.white_dph, known.flicker_dph, known.walk_dph_per_rth, known.turn_on_dph};
+}
+
 Prior prior_of(const model::Model& model, const std::string& file) {
   model::refuse_events(model.terms);
   if (!model.uncertainty || !(model.uncertainty->covariance.diagonal().minCoeff() > 0)) {
@@ -67,16 +76,16 @@ Prior prior_of(const model::Model& model, const std::string& file) {
   Prior prior;
   prior.file = file;
   prior.terms = model.terms;
+  prior.noise = noise_of(model);
+  prior.row_s = model.average_s;
   const std::vector<model::ShapeParameter> shapes = model::shape_parameters(model.terms);
-  std::vector<model::EffectTerm> own;
-  for (const model::EffectTerm& term : model.terms) own.push_back(model::of_gyro(term));
-  prior.board_mean = unknowns_in(model.terms, shapes);
-  prior.gyro_mean = unknowns_in(own, shapes);
+  prior.board_mean = unknowns_in(model.terms);
+  prior.gyro_mean = own_unknowns_in(model.terms);
   Eigen::VectorXd unit = Eigen::VectorXd::Ones(prior.board_mean.size());  // values -> positions
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const model::ShapeParameter& shape = shapes[i];
     unit[prior.coefficients() + static_cast<Eigen::Index>(i)] =
-        1 / shape.slope(own[shape.term].parameters[shape.index].value);
+        1 / shape.slope(model::shape_value(model.terms[shape.term], shape.index).value);
   }
   Eigen::MatrixXd covariance = model.uncertainty->covariance;
   add_turn_on(model, covariance);
