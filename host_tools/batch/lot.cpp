@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/evidence.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "batch/gyro_result.hpp"
+#include "support/evidence.hpp"
 
 namespace fogcomp::batch {
 
@@ -44,9 +45,6 @@ struct Lot {
   double bound = 0;
   std::vector<Outlier> outliers;  ///< worst first; a gyro once per value
 };
-
-/// Smallest lot with a useful median.
-constexpr std::size_t kMinLot = 8;
 
 /// `compared`: names of the values; `EFFECT.COEFFICIENT` is compared by differences, others by
 /// ratios. Values that fewer than kMinLot gyros have, or that are equal for most of them, are left

@@ -12,6 +12,7 @@
 #include "cli/gyro_calibration.hpp"
 #include "findings/findings.hpp"
 #include "findings/json.hpp"
+#include "fit/lot_file.hpp"
 #include "model/effect_list.hpp"
 #include "report/page.hpp"
 #include "report/terminal.hpp"
@@ -19,6 +20,7 @@
 #include "support/output_file.hpp"
 #include "support/progress.hpp"
 #include "support/text.hpp"
+#include "workflow/lot.hpp"
 
 namespace fogcomp::cli {
 namespace {
@@ -28,6 +30,7 @@ using batch::GyroResult;
 using batch::Outcome;
 
 constexpr const char* kTables[] = {"/gyros.csv", "/index.html"};  // in the folder of results
+constexpr const char* kLotFile = "/gyros.lot";
 
 struct Work {
   std::size_t already = 0;                    // calibrated before
@@ -41,6 +44,7 @@ struct BatchCommand : Command {
       this, {"jobs", "N", "gyros at a time (default: one per processor)"}, 1, 1024};
   Number time_limit{
       this, {"time-limit", "S", "ends a gyro that takes longer; 0: none", "0", kRare}, {0, 1e7}};
+  Flag lot{this, "lot", "OUT/gyros.lot: what they teach a further gyro (fit --lot)"};
   Flag tables{this, "tables", "OUT/tables: one for every gyro that passes, and a sheet of them",
               kRare};
   Flag json{this, "json", "one JSON object on stdout"};
@@ -149,26 +153,48 @@ batch::Summary summary_of(const GyroCalibration& calibration, const std::vector<
   return summary;
 }
 
+// What the gyros with a result teach a further one. Returns their number.
+std::size_t write_lot(const GyroCalibration& calibration, const std::vector<GyroFolder>& gyros,
+                      const batch::Summary& summary, const std::string& file) {
+  std::vector<workflow::FittedGyro> fitted;
+  for (std::size_t i = 0; i < gyros.size(); ++i) {
+    if (summary.gyros[i].outcome == Outcome::error) continue;
+    fitted.push_back(
+        {gyros[i].recordings, calibration.folder_of(gyros[i]) + "/" + gyros[i].name + ".model"});
+  }
+  write_file(file, fit::lot_text(workflow::learn_lot(calibration.fit(), fitted)));
+  return fitted.size();
+}
+
 int BatchCommand::run() const {
   const std::string& input = arguments[0];
   const std::string& output = common.output.required();
   const GyroCalibration calibration(common, input);
   for (const char* name : kTables) check_output(*this, output + name);
   const std::vector<GyroFolder> gyros = batch::find_gyros(input, common.patterns());
+  if (lot.given()) workflow::check_lot(calibration.fit(), gyros.size());  // before hours of work
   make_folder(output);
   const Work work = calibrate_all(calibration, gyros);
   const batch::Summary summary = summary_of(calibration, gyros, work);
   write_file(output + kTables[0], csv_text(summary));
   if (tables.given()) batch::write_tables(summary, output);
+  const std::string lot_file = output + kLotFile;
+  const std::size_t sisters = lot.given() ? write_lot(calibration, gyros, summary, lot_file) : 0;
   const findings::Document document =
       findings::batch_findings(summary, input, output, common.reports.given());
   write_file(output + kTables[1], report::page(document));
   if (json.given()) {
-    std::puts(findings::batch_json(summary, output, work.done, work.already).text().c_str());
+    Json result = findings::batch_json(summary, output, work.done, work.already);
+    result.set("lot_file", lot.given() ? Json(lot_file) : Json());
+    std::puts(result.text().c_str());
   } else {
     std::printf("%s%zu calibrated now, %zu before\nwritten: %s/gyros.csv, %s/index.html\n",
                 report::terminal(document).c_str(), work.done, work.already, output.c_str(),
                 output.c_str());
+    if (lot.given()) {
+      std::printf("%s: what %s teach a further one; next: fogcomp fit RUN -o MODEL --lot %s\n",
+                  lot_file.c_str(), counted(sisters, "gyro").c_str(), lot_file.c_str());
+    }
   }
   return summary.count(Outcome::pass) == summary.gyros.size() ? 0 : 1;
 }

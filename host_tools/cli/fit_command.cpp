@@ -17,8 +17,10 @@
 namespace fogcomp::cli {
 
 workflow::FitRequest FitCommand::request() const {
-  workflow::FitRequest request = fit.request(arguments, recording.value(arguments), prior.given());
+  workflow::FitRequest request =
+      fit.request(arguments, recording.value(arguments), prior.given() || lot.given());
   request.prior = prior.find();
+  request.lot = lot.find();
   request.serial = serial.value();
   board::serial_words(request.serial);  // throws if no board can hold it
   return request;

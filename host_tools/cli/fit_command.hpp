@@ -13,6 +13,7 @@ struct FitCommand : Command {
   Text output{this, {"o", "MODEL", "model file to write"}};
   FitOptions fit{this};
   Text prior{this, {"prior", "MODEL", "an older model of this gyro, which the recordings update"}};
+  Text lot{this, {"lot", "FILE", "what its sisters teach (batch --lot), without this gyro"}};
   ReportOption report{this};
   Flag json{this, "json", "one JSON object on stdout"};
   MaskedRecordingOptions recording{this};
@@ -24,7 +25,7 @@ struct FitCommand : Command {
                 "identifies the effects, then trains the network on what they leave",
                 "fogcomp fit run.csv -o gyro.model --effects bias,temperature_rate") {
     recording.make_rare();
-    needs = {{&output}, {&fit.effects, {&fit.model, &prior}, model::kFirstEffects}};
+    needs = {{&output}, {&fit.effects, {&fit.model, &prior, &lot}, model::kFirstEffects}};
   }
 
   /// The request of the options. Throws InputError for values out of range.

@@ -73,8 +73,8 @@ void add_outliers(Document& document, const Summary& summary) {
   const batch::Lot& lot = summary.lot;
   document.heading("Unlike the others");
   if (lot.figures.empty()) {
-    document.sentence(words(format(
-        "fewer than %zu gyros have figures: none is compared with the others", batch::kMinLot)));
+    document.sentence(words(
+        format("fewer than %zu gyros have figures: none is compared with the others", kMinLot)));
     return;
   }
   document.sentence(words(format(

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "findings/figures.hpp"
@@ -5,6 +6,7 @@
 #include "findings/json.hpp"
 #include "model/catalogue.hpp"
 #include "model/shape_parameter.hpp"
+#include "support/evidence.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::findings {
@@ -17,6 +19,11 @@ struct Moved {
   model::Estimate before;
   model::Estimate after;
   fit::Departure departure;
+
+  /// Share of what was known before in what is known now.
+  double from_before() const {
+    return departure.is_certain() ? 0 : std::min(1.0, std::pow(after.sigma / before.sigma, 2));
+  }
 };
 
 std::vector<Moved> moved(const model::Model& model, const fit::Identification& identified) {
@@ -57,6 +64,28 @@ Text estimate(const model::Estimate& value) {
   return words(format("%.4g +- %.2g", value.value, value.sigma));
 }
 
+std::vector<std::string> names_of(const std::vector<Moved>& all, bool (*wanted)(const Moved&)) {
+  std::vector<std::string> names;
+  for (const Moved& one : all) {
+    if (wanted(one)) names.push_back(one.name);
+  }
+  return names;
+}
+
+// Of an older model what has moved, of a lot in what the gyro is unlike it.
+Text departure_words(const fit::Prior& prior, const std::vector<std::string>& certain) {
+  const Text file = verbatim(prior.file);
+  const Text names = verbatim(join(certain, ", "));
+  if (prior.gyros == 0) {
+    return certain.empty() ? file + ": nothing has moved"
+                           : names + " moved from " + file + ": the recordings alone tell it";
+  }
+  const Text lot = words(counted(prior.gyros, "gyro")) + " of " + file;
+  return certain.empty() ? "like the " + lot
+                         : names + (certain.size() == 1 ? " is" : " are") + " unlike the " + lot +
+                               ": the recordings alone tell it";
+}
+
 }  // namespace
 
 void add_prior(Document& document, const workflow::FitOutcome& fit) {
@@ -66,16 +95,20 @@ void add_prior(Document& document, const workflow::FitOutcome& fit) {
   Table table;
   table.columns = {"unknown", "before", "now", "unit", "moved, sigma"};
   table.notes = "sigma: of such a change, by noise and by what was known before";
-  std::vector<std::string> certain;
-  for (const Moved& one : moved(fit.model, identified)) {
+  const std::vector<Moved> all = moved(fit.model, identified);
+  for (const Moved& one : all) {
     table.rows.push_back({verbatim(one.name), estimate(one.before), estimate(one.after),
                           verbatim(one.unit), words(format("%+.1f", one.departure.sigmas))});
-    if (one.departure.is_certain()) certain.push_back(one.name);
   }
-  const Text older = verbatim(identified.prior->file);
-  document.sentence(certain.empty() ? older + ": nothing has moved"
-                                    : verbatim(join(certain, ", ")) + " moved from " + older +
-                                          ": the recordings alone tell it");
+  document.sentence(departure_words(*identified.prior, names_of(all, [](const Moved& one) {
+    return one.departure.is_certain();
+  })));
+  const std::vector<std::string> from_before =
+      names_of(all, [](const Moved& one) { return one.from_before() >= kMost; });
+  if (!from_before.empty()) {
+    document.sentence("these recordings tell less than was known before of " +
+                      verbatim(join(from_before, ", ")));
+  }
   document.table(std::move(table));
 }
 
@@ -84,6 +117,7 @@ Json prior_json(const workflow::FitOutcome& fit) {
   if (!identified.prior) return {};
   return Json::object()
       .set("file", identified.prior->file)
+      .set("gyros", identified.prior->gyros)
       .set("unknowns", json_array(moved(fit.model, identified), [](const Moved& one) {
              return Json::object()
                  .set("name", one.name)
@@ -92,6 +126,7 @@ Json prior_json(const workflow::FitOutcome& fit) {
                  .set("before_sigma", one.before.sigma)
                  .set("after", one.after.value)
                  .set("after_sigma", one.after.sigma)
+                 .set("from_before", one.from_before())
                  .set("moved_sigma", one.departure.sigmas)
                  .set("moved", one.departure.is_certain());
            }));

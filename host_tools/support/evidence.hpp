@@ -16,6 +16,8 @@ constexpr double kCertainSigmas = 5;
 /// Chance of a statement about a recording, or a lot, where noise alone is.
 constexpr double kFalseAlarm = 0.01;
 
+/// Gyros of which a median, and how they scatter about it, is known well enough to compare another.
+constexpr std::size_t kMinLot = 8;
 /// Values of which a standard deviation is known to 18 %. Fewer do not tell how they scatter.
 constexpr std::size_t kFewValues = 16;
 /// To 13 %. For what others are measured by.

@@ -37,7 +37,7 @@ struct Plan {
   fit::FitSettings settings;
   model::Model model;  // without coefficients, or with those of its prior
   recording::ReadOptions reading;
-  std::optional<model::Model> older;  // of the same gyro, which goes on
+  std::optional<KnownBefore> before;  // which goes on
 };
 
 Plan plan_of(const FitRequest& request) {
@@ -49,22 +49,21 @@ Plan plan_of(const FitRequest& request) {
   settings.network = plan.wanted.network;
   settings.force_network = plan.wanted.network_is_the_model || request.force_network;
   settings.network_inputs = network::parse_network_inputs(request.network_inputs);
-  plan.older = older_model(request);
-  const model::Model before = plan.older.value_or(model::Model());
-  if (plan.older) settings.identify.prior = fit::prior_of(before, *request.prior);
+  plan.before = known_before(request);
+  const model::Model before = plan.before ? plan.before->model : model::Model();
   plan.model.history = before.history;
   plan.model.serial = request.serial.empty() ? before.serial : request.serial;
-  plan.model.terms = plan.older ? before.terms : wanted_terms(request);
+  plan.model.terms = plan.before ? before.terms : wanted_terms(request);
   plan.model.average_s = request.average_s;
   plan.model.derivative_tau_s =
-      plan.older ? before.derivative_tau_s : request.derivative_tau_s.value_or(kDerivativeTau_s);
+      plan.before ? before.derivative_tau_s : request.derivative_tau_s.value_or(kDerivativeTau_s);
   plan.model.denoise = request.board_denoiser;
   // needed for reading the runs
   if (plan.wanted.network.hidden > 0) plan.model.network.inputs = settings.network_inputs;
   // The scale factor is also the board's: it is stored for recordings in deg/h as well.
   plan.reading = request.reading;
-  if (plan.older && plan.reading.columns.empty()) plan.reading.columns = before.columns;
-  if (plan.older && !plan.reading.scale_factor) plan.reading.scale_factor = before.scale_factor;
+  if (plan.before && plan.reading.columns.empty()) plan.reading.columns = before.columns;
+  if (plan.before && !plan.reading.scale_factor) plan.reading.scale_factor = before.scale_factor;
   plan.reading.model_limits = before.limits;
   plan.model.limits = plan.reading.limits.over(before.limits);
   remember_reading(plan.reading, plan.model);
@@ -159,7 +158,8 @@ FitOutcome fit(const FitRequest& request, const Observer& observer) {
 
 FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& observer,
                const fit::KnownRegressors* kept) {
-  auto [wanted, settings, wanted_terms, reading, older] = plan_of(request);
+  auto [wanted, settings, wanted_terms, reading, before] = plan_of(request);
+  if (before) settings.identify.prior = before->prior(request, runs.training);
   FitOutcome outcome;
   model::Model& model = outcome.model;
   model = std::move(wanted_terms);
@@ -178,7 +178,7 @@ FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& obser
     if (wanted.order_by_validation) choose_order(model.terms, rows);
     observer.tell(kFittingEffects, 0);
     outcome.result = fit_effects(model, known, settings.identify, training, observer, turn_on);
-    if (older) unite_ranges(*older, model);
+    if (before) unite_ranges(before->model, model);
     if (observer.progress) {
       settings.network.training.go_on = [&](double done) {
         return observer.should_continue(kTraining, done);
@@ -193,7 +193,8 @@ FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& obser
   const bool is_known = turn_on && !model.network.present();
   outcome.turn_on = is_known ? std::move(*turn_on) : fit::turn_on_biases(model, training);
   write_history(outcome, request, wanted, runs,
-                older ? rms_of(*older, training, model.average_s) : outcome.result.raw_std_dph);
+                request.prior ? rms_of(before->model, training, model.average_s)
+                              : outcome.result.raw_std_dph);
   outcome.runs = std::move(runs.training);
   return outcome;
 }

@@ -29,6 +29,9 @@ struct FitRequest {
   std::vector<std::string> expressions;  ///< `NAME = EXPRESSION`
   /// A model file of the same gyro, whose effects and values are what is known before the fit.
   std::optional<std::string> prior{};
+  /// A lot file (learn_lot()): what its gyros teach is what is known before the fit, but for this
+  /// gyro itself, by `serial` or by its recordings.
+  std::optional<std::string> lot{};
   double average_s = 10;  ///< rows of the fit, > 0
   /// Of each of the two lags of dT/dt, > 0; nothing: the prior's, or kDerivativeTau_s.
   std::optional<double> derivative_tau_s{};

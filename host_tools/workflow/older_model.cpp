@@ -4,16 +4,25 @@
 #include <cmath>
 
 #include "compare/comparison.hpp"
+#include "fit/lot_file.hpp"
 #include "model/model_file.hpp"
 #include "series/block_series.hpp"
 #include "support/input_error.hpp"
+#include "support/output_file.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::workflow {
 namespace {
 
-void refuse_beside_prior(const char* option, bool given) {
-  if (given) throw InputError(option, "is determined by --prior; leave one of the two out");
+void refuse_beside(const char* known, const char* option, bool given) {
+  if (given)
+    throw InputError(option, format("is determined by %s; leave one of the two out", known));
+}
+
+void refuse_gyro_of(const model::Model& older, const FitRequest& request) {
+  if (request.serial.empty() || older.serial.empty() || request.serial == older.serial) return;
+  throw InputError(*request.prior, "is of gyro " + older.serial + ", not of " + request.serial +
+                                       "; give the older model of this gyro");
 }
 
 void unite(const std::optional<model::Range>& older, std::optional<model::Range>& range) {
@@ -23,18 +32,40 @@ void unite(const std::optional<model::Range>& older, std::optional<model::Range>
 
 }  // namespace
 
-std::optional<model::Model> older_model(const FitRequest& request) {
-  if (!request.prior) return std::nullopt;
-  refuse_beside_prior("--effects", request.effects.has_value());
-  refuse_beside_prior("--effect-expr", !request.expressions.empty());
-  refuse_beside_prior("--model", request.preset.has_value());
-  refuse_beside_prior("--derivative-tau", request.derivative_tau_s.has_value());
-  model::Model older = model::load_model(*request.prior);
-  if (!request.serial.empty() && !older.serial.empty() && request.serial != older.serial) {
-    throw InputError(*request.prior, "is of gyro " + older.serial + ", not of " + request.serial +
-                                         "; give the older model of this gyro");
+fit::Prior KnownBefore::prior(const FitRequest& request,
+                              const std::vector<runs::Run>& recordings) const {
+  if (!lot) return fit::prior_of(model, *request.prior);
+  return fit::prior_of(fit::without_gyro(*lot, request.serial, hashes_of(recordings)),
+                       *request.lot);
+}
+
+std::optional<KnownBefore> known_before(const FitRequest& request) {
+  if (!request.prior && !request.lot) return std::nullopt;
+  const char* known = request.prior ? "--prior" : "--lot";
+  refuse_beside(known, "--lot", request.prior && request.lot);
+  refuse_beside(known, "--effects", request.effects.has_value());
+  refuse_beside(known, "--effect-expr", !request.expressions.empty());
+  refuse_beside(known, "--model", request.preset.has_value());
+  refuse_beside(known, "--derivative-tau", request.derivative_tau_s.has_value());
+  KnownBefore before;
+  if (request.lot) {
+    before.lot = fit::parse_lot(read_file(*request.lot), *request.lot);
+    before.model = before.lot->model;
+  } else {
+    before.model = model::load_model(*request.prior);
+    refuse_gyro_of(before.model, request);
   }
-  return older;
+  before.prior(request, {});  // throws what it has to before a recording is read
+  return before;
+}
+
+std::vector<std::uint64_t> hashes_of(const std::vector<runs::Run>& runs) {
+  std::vector<std::uint64_t> hashes;
+  for (const runs::Run& run : runs) {
+    const auto& own = run.blocks.recordings;
+    hashes.insert(hashes.end(), own.begin(), own.end());
+  }
+  return hashes;
 }
 
 std::string prior_words(const fit::Identification& identified) {
@@ -43,6 +74,7 @@ std::string prior_words(const fit::Identification& identified) {
   for (const model::EffectTerm& term : prior.terms) effects.push_back(term.name);
   const std::vector<std::string> names = fit::names_of_unknowns(prior.terms);
   std::string words = join(effects, ",") + "; prior: " + prior.file;
+  if (prior.gyros > 0) words += " (" + counted(prior.gyros, "gyro") + ")";
   for (std::size_t i = 0; i < names.size(); ++i) {
     const fit::Departure& departure = identified.departures[i];
     if (!departure.is_certain()) continue;

@@ -8,13 +8,13 @@
 namespace fogcomp::fit {
 namespace {
 
-const Eigen::Vector2d kMean{3, -1};
-constexpr double kSigma = 0.2;  // from gyro to gyro, of both unknowns
-constexpr double kRho = 0.8;    // between them
+const Eigen::Vector2d kMeanOfTwo{3, -1};
+constexpr double kSigmaOfTwo = 0.2;  // from gyro to gyro, of both unknowns
+constexpr double kRhoOfTwo = 0.8;    // between them
 
 // What the rows of gyros say, which see the sum with this standard deviation, the difference with
 // `others`.
-std::vector<Seen> lot(std::size_t count, std::uint64_t seed, double of_sum, double others) {
+std::vector<Seen> gyros_of(std::size_t count, std::uint64_t seed, double of_sum, double others) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   Eigen::Matrix2d axes;
@@ -25,33 +25,35 @@ std::vector<Seen> lot(std::size_t count, std::uint64_t seed, double of_sum, doub
   std::vector<Seen> gyros;
   for (std::size_t i = 0; i < count; ++i) {
     const double first = normal(random);
-    const double second = kRho * first + std::sqrt(1 - kRho * kRho) * normal(random);
+    const double second = kRhoOfTwo * first + std::sqrt(1 - kRhoOfTwo * kRhoOfTwo) * normal(random);
     const Eigen::Vector2d error(of_sum * normal(random), others * normal(random));
-    const Eigen::Vector2d values = kMean + kSigma * Eigen::Vector2d(first, second) + axes * error;
+    const Eigen::Vector2d values =
+        kMeanOfTwo + kSigmaOfTwo * Eigen::Vector2d(first, second) + axes * error;
     gyros.push_back({information, information * values});
   }
   return gyros;
 }
 
 TEST(Spread, IsThatOfTheGyrosWithoutTheirRowsOwnErrors) {
-  const Spread found = spread_of(lot(400, 1, 0.1, 0.4));
+  const Spread found = spread_of(gyros_of(200, 1, 0.1, 0.4));
   for (Eigen::Index i = 0; i < 2; ++i) {
-    EXPECT_NEAR(found.mean[i], kMean[i], 4 * std::sqrt(found.mean_covariance(i, i)));
-    EXPECT_NEAR(found.covariance(i, i), kSigma * kSigma, 4 * found.variance_sigma[i]);
-    EXPECT_LT(found.variance_sigma[i], kSigma * kSigma / 2);
+    EXPECT_NEAR(found.mean[i], kMeanOfTwo[i], 4 * std::sqrt(found.mean_covariance(i, i)));
+    EXPECT_NEAR(found.covariance(i, i), kSigmaOfTwo * kSigmaOfTwo, 4 * found.variance_sigma[i]);
+    EXPECT_LT(found.variance_sigma[i], kSigmaOfTwo * kSigmaOfTwo / 2);
   }
-  EXPECT_NEAR(found.covariance(0, 1), kRho * kSigma * kSigma, 0.3 * kSigma * kSigma);
+  EXPECT_NEAR(found.covariance(0, 1), kRhoOfTwo * kSigmaOfTwo * kSigmaOfTwo,
+              0.3 * kSigmaOfTwo * kSigmaOfTwo);
 }
 
 // The share of lots whose further gyro lies within one, and within two, standard deviations.
 TEST(Spread, OfASmallLotPromisesWhatAFurtherGyroHolds) {
-  constexpr int kLots = 150;
+  constexpr int kLots = 80;
   int within_one = 0;
   int within_two = 0;
   for (int seed = 0; seed < kLots; ++seed) {
-    const Spread found = spread_of(lot(15, static_cast<std::uint64_t>(seed), 0.02, 0.3));
+    const Spread found = spread_of(gyros_of(15, static_cast<std::uint64_t>(seed), 0.02, 0.3));
     std::mt19937_64 random(static_cast<std::uint64_t>(seed) + 10'000);
-    const double next = kMean[0] + kSigma * std::normal_distribution<double>()(random);
+    const double next = kMeanOfTwo[0] + kSigmaOfTwo * std::normal_distribution<double>()(random);
     const double sigma = std::sqrt(found.of_next_gyro()(0, 0));
     within_one += std::abs(next - found.mean[0]) < sigma ? 1 : 0;
     within_two += std::abs(next - found.mean[0]) < 2 * sigma ? 1 : 0;
@@ -62,23 +64,24 @@ TEST(Spread, OfASmallLotPromisesWhatAFurtherGyroHolds) {
 }
 
 TEST(Spread, OfWhatNoGyroShowsWellStaysWide) {
-  const Spread found = spread_of(lot(15, 1, 0.02, 3));
+  const Spread found = spread_of(gyros_of(15, 1, 0.02, 3));
   const Eigen::Vector2d difference = Eigen::Vector2d(1, -1) / std::sqrt(2.0);
   const double variance = difference.dot(found.of_next_gyro() * difference);
   EXPECT_GT(variance, std::pow(3, 2) / 15);
 }
 
 TEST(Spread, IsNotWidenedByAGyroThatDeparts) {
-  std::vector<Seen> gyros = lot(15, 2, 0.02, 0.02);
+  std::vector<Seen> gyros = gyros_of(15, 2, 0.02, 0.02);
   const Spread before = spread_of(gyros);
-  gyros[3].towards = gyros[3].information * (kMean + 10 * kSigma * Eigen::Vector2d::UnitX());
+  gyros[3].towards =
+      gyros[3].information * (kMeanOfTwo + 10 * kSigmaOfTwo * Eigen::Vector2d::UnitX());
   const Spread found = spread_of(gyros);
   EXPECT_LT(found.covariance(0, 0), 1.5 * before.covariance(0, 0));
-  EXPECT_NEAR(found.mean[0], before.mean[0], kSigma / 2);
+  EXPECT_NEAR(found.mean[0], before.mean[0], kSigmaOfTwo / 2);
 }
 
 TEST(Spread, TakesGyrosThatSayNothingOfAnUnknown) {
-  std::vector<Seen> gyros = lot(15, 3, 0.02, 0.02);
+  std::vector<Seen> gyros = gyros_of(15, 3, 0.02, 0.02);
   const Spread before = spread_of(gyros);
   for (std::size_t i = 0; i < 3; ++i) {
     gyros[i].information.row(1).setZero();
@@ -86,7 +89,7 @@ TEST(Spread, TakesGyrosThatSayNothingOfAnUnknown) {
     gyros[i].towards[1] = 0;
   }
   const Spread found = spread_of(gyros);
-  EXPECT_NEAR(found.mean[1], before.mean[1], kSigma / 2);
+  EXPECT_NEAR(found.mean[1], before.mean[1], kSigmaOfTwo / 2);
   EXPECT_NEAR(found.covariance(1, 1), before.covariance(1, 1), 0.5 * before.covariance(1, 1));
 }
 
