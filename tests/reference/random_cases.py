@@ -2,6 +2,8 @@
 
 random_cases.py FOLDER FIRST LAST    NNN_table.bin (a slot) and NNN_stream.bin of each seed
 random_cases.py --damage STREAM OUT  a recording's stream with faults in it
+random_cases.py --cost FOLDER SEED   NNN_fits.bin and NNN_dear.bin: the table of a seed with the shortest sample period
+                                     that its cost allows, and with 1 us less; neither where its frames take longer
 """
 
 import os
@@ -9,6 +11,7 @@ import random
 import struct
 import sys
 
+import cost
 import pipeline
 import table
 from arithmetic import crc16, crc32
@@ -338,6 +341,23 @@ def damaged(stream):
     return b"".join(out)
 
 
+def at_period(words, period):
+    changed = [*words[:11], period, *words[12:-1]]
+    return [*changed, i32(crc32(pack(changed)))]
+
+
+def at_its_cost(seed):
+    """(fits, dear), or None."""
+    words, _ = table_words(random.Random(seed), BIG)
+    shortest = -(-cost.sample_cost(table.read(words)) // cost.INSTRUCTIONS_PER_US)
+    try:
+        table.read(at_period(words, shortest - 1))
+    except table.Refused as error:
+        if error.reason != table.SAMPLE_TOO_DEAR:
+            return None
+    return slot(at_period(words, shortest)), slot(at_period(words, shortest - 1))
+
+
 def write(path, data):
     with open(path, "wb") as file:
         file.write(data)
@@ -347,6 +367,10 @@ def main(arguments):
     if arguments[0] == "--damage":
         with open(arguments[1], "rb") as file:
             write(arguments[2], damaged(file.read()))
+        return
+    if arguments[0] == "--cost":
+        for name, data in zip(("fits", "dear"), at_its_cost(int(arguments[2])) or ()):
+            write(os.path.join(arguments[1], f"{int(arguments[2]):03}_{name}.bin"), data)
         return
     for seed in range(int(arguments[1]), int(arguments[2]) + 1):
         slot_bytes, stream = case(seed)

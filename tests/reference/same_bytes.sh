@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # same_bytes.sh FOGCOMP SOURCE: the reference and the core (`fogcomp replay`) send the same bytes: on the
-# golden vectors, a simulated recording with faults in it, and random models on random streams full of faults.
+# golden vectors, a simulated recording with faults in it, and random models on random streams full of faults. And they
+# refuse the same tables for their cost.
 set -euo pipefail
 source "$(dirname "$0")/../integration/common.sh"
 usage="usage: same_bytes.sh FOGCOMP SOURCE"
@@ -34,4 +35,17 @@ same recording
 
 python3 "$here/random_cases.py" . 1 20
 for seed in $(seq -f %03.0f 20); do same "$seed"; done
+# refuses TABLE: both, for what a sample costs.
+refuses() {
+  ! "$fogcomp" replay "$1" 001_stream.bin -o core.bin >said.txt 2>&1 || fail "$1: the core takes it"
+  grep -q 'a sample may take [0-9]* instructions' said.txt || fail "$1: $(cat said.txt)"
+  ! python3 "$here/reference.py" "$1" 001_stream.bin -o reference.bin 2>said.txt || fail "$1: the reference takes it"
+  grep -q 'instructions are too many' said.txt || fail "$1: $(cat said.txt)"
+}
+for seed in $(seq 20); do python3 "$here/random_cases.py" --cost . "$seed"; done
+for table in ???_dear.bin; do
+  refuses "$table"
+  "$fogcomp" replay "${table/dear/fits}" 001_stream.bin -o core.bin >said.txt 2>&1 || fail "$table: $(cat said.txt)"
+done
+
 echo "the same bytes on the golden vectors, a recording with faults, and 20 random models"

@@ -24,7 +24,7 @@ import worst_instructions as search  # noqa: E402
 BIG = cases.BIG
 PERIOD = 2000                          # us; a temperature is confirmed after 250 samples
 SAMPLES = 400
-DRAWS = 3
+DRAWS = 2
 RHYTHM = [PERIOD, 50, 1, 2**30, 30, BIG, BIG, 0, 0, 2**27, 2**25, -70 << 16, 130 << 16, 0, 60, 6]
 OUTPUT = [2 | 4, 0x00432487, 921600, 921600]
 ANY_SIGNAL = [0, -2**31, BIG]
