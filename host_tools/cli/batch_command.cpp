@@ -44,7 +44,7 @@ struct BatchCommand : Command {
       this, {"jobs", "N", "gyros at a time (default: one per processor)"}, 1, 1024};
   Number time_limit{
       this, {"time-limit", "S", "ends a gyro that takes longer; 0: none", "0", kRare}, {0, 1e7}};
-  Flag lot{this, "lot", "OUT/gyros.lot: what they teach a further gyro (fit --lot)"};
+  Flag lot{this, "lot", "OUT/gyros.lot: what they teach a further gyro (fit --lot)", kRare};
   Flag tables{this, "tables", "OUT/tables: one for every gyro that passes, and a sheet of them",
               kRare};
   Flag json{this, "json", "one JSON object on stdout"};
