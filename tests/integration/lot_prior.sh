@@ -76,10 +76,6 @@ refused 'is not a fogcomp lot; fogcomp batch --lot makes one' --lot now.csv
 refused 'out/gyros.lot: is not a fogcomp model' --prior out/gyros.lot
 refused 'determined by --lot' --lot out/gyros.lot --effects bias
 refused 'determined by --prior' --lot out/gyros.lot --prior new.model
-status=0
-"$fogcomp" batch gyros -o part --effects $effects --lot --shard 1/2 >said.txt 2>part.txt || status=$?
-((status == 2)) || fail "--lot of a shard: exit code $status"
-says part.txt '--lot needs all gyros; give it with --merge'
 rm -r gyros/S8 gyros/S9
 status=0
 "$fogcomp" batch gyros -o few --effects $effects --jobs 2 --lot >said.txt 2>few.txt || status=$?
