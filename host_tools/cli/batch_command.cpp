@@ -33,7 +33,7 @@ constexpr const char* kTables[] = {"/gyros.csv", "/index.html"};  // in the fold
 constexpr const char* kLotFile = "/gyros.lot";
 
 struct Work {
-  std::size_t already = 0;                    // calibrated before
+  std::map<std::string, GyroResult> before;   // results of an earlier call
   std::size_t done = 0;                       // now, or in vain
   std::map<std::string, std::string> deaths;  // of gyros, and how
 };
@@ -106,11 +106,11 @@ Work BatchCommand::calibrate_all(const GyroCalibration& calibration,
       result = calibration.result_of(gyros[i]);
     } catch (const InputError&) {  // its own process will report it
     }
-    if (result) ++work.already;
     if (!result || calibration.lacks_diagnosis(gyros[i], *result)) to_do.push_back(gyros[i]);
+    if (result) work.before.emplace(gyros[i].name, std::move(*result));
     progress.update(static_cast<double>(i + 1) / static_cast<double>(gyros.size()));
   }
-  work.done = gyros.size() - work.already;
+  work.done = gyros.size() - work.before.size();
   const std::vector<std::string> deaths = run_all(to_do);
   for (std::size_t i = 0; i < to_do.size(); ++i) {
     if (!deaths[i].empty()) work.deaths[to_do[i].name] = deaths[i];
@@ -118,14 +118,16 @@ Work BatchCommand::calibrate_all(const GyroCalibration& calibration,
   return work;
 }
 
-// Without a result: why.
-GyroResult result_of(const GyroCalibration& calibration, const GyroFolder& gyro,
+// Without a result: why. A process that has ended by itself left one.
+GyroResult result_of(const GyroCalibration& calibration, const GyroFolder& gyro, const Work& work,
                      const std::string& death) {
+  const auto before = work.before.find(gyro.name);
+  if (before != work.before.end()) return before->second;
   GyroResult missing{gyro.name, "", death, {}};
   try {
-    if (const auto result = calibration.result_of(gyro)) return *result;
-    const auto failed = batch::load_result(gyro.name, calibration.folder_of(gyro));
-    if (death.empty() && failed && !failed->error.empty()) return *failed;
+    const auto result = death.empty() ? batch::load_result(gyro.name, calibration.folder_of(gyro))
+                                      : calibration.result_of(gyro);
+    if (result) return *result;
   } catch (const InputError& error) {
     missing.error = error.what();
   }
@@ -140,7 +142,7 @@ batch::Summary summary_of(const GyroCalibration& calibration, const std::vector<
   for (const GyroFolder& gyro : gyros) {
     const auto death = work.deaths.find(gyro.name);
     deaths.push_back(death == work.deaths.end() ? "" : death->second);
-    results.push_back(result_of(calibration, gyro, deaths.back()));
+    results.push_back(result_of(calibration, gyro, work, deaths.back()));
   }
   batch::Summary summary = batch::summarise(std::move(results), calibration.limits(),
                                             workflow::compared_figures(calibration.fit()));
@@ -184,12 +186,12 @@ int BatchCommand::run() const {
       findings::batch_findings(summary, input, output, common.reports.given());
   write_file(output + kTables[1], report::page(document));
   if (json.given()) {
-    Json result = findings::batch_json(summary, output, work.done, work.already);
+    Json result = findings::batch_json(summary, output, work.done, work.before.size());
     result.set("lot_file", lot.given() ? Json(lot_file) : Json());
     std::puts(result.text().c_str());
   } else {
     std::printf("%s%zu calibrated now, %zu before\nwritten: %s/gyros.csv, %s/index.html\n",
-                report::terminal(document).c_str(), work.done, work.already, output.c_str(),
+                report::terminal(document).c_str(), work.done, work.before.size(), output.c_str(),
                 output.c_str());
     if (lot.given()) {
       std::printf("%s: what %s teach a further one; next: fogcomp fit RUN -o MODEL --lot %s\n",

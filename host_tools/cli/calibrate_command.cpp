@@ -1,7 +1,6 @@
 // fogcomp calibrate: one gyro of a production line.
 
 #include <cstdio>
-#include <filesystem>
 
 #include "batch/summary.hpp"
 #include "cli/arguments.hpp"

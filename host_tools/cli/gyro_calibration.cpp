@@ -1,6 +1,5 @@
 #include "cli/gyro_calibration.hpp"
 
-#include <cstdio>
 #include <filesystem>
 #include <new>
 

@@ -74,3 +74,14 @@ random_awk() {
 '"${arguments[program]}"
   awk "${arguments[@]}"
 }
+
+# refuses_fit RUN PATTERN WORDS...: `fogcomp fit RUN WORDS...` ends with code 2, one line, no file.
+refuses_fit() {
+  local run=$1 pattern=$2 status=0
+  shift 2
+  "$fogcomp" fit "$run" -o refused.model "$@" >refused.out 2>refused.txt || status=$?
+  ((status == 2)) || fail "fit $*: exit code $status"
+  [[ ! -s refused.out && ! -e refused.model ]] || fail "fit $*: an output"
+  (($(wc -l <refused.txt) == 1)) || fail "fit $*: $(cat refused.txt)"
+  says refused.txt "$pattern" "fit $*"
+}

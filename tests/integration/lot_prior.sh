@@ -59,23 +59,13 @@ cp gyros/S3/run.csv copy.csv
 "$fogcomp" fit copy.csv -o own.model --lot out/gyros.lot --json >own.json
 holds own.json '.prior.gyros == 8'
 
-# refused PATTERN WORDS...: exit code 2, one line, no file.
-refused() {
-  local pattern=$1 status=0
-  shift
-  "$fogcomp" fit now.csv -o refused.model "$@" >refused.out 2>refused.txt || status=$?
-  ((status == 2)) || fail "fit $*: exit code $status"
-  [[ ! -s refused.out && ! -e refused.model ]] || fail "fit $*: an output"
-  (($(wc -l <refused.txt) == 1)) || fail "fit $*: $(cat refused.txt)"
-  says refused.txt "$pattern" "fit $*"
-}
 sed 's/^gyro S1 /gyro S2 /' out/gyros.lot >damaged.lot
-refused 'damaged.lot: is damaged' --lot damaged.lot
-refused 'new.model: is a model, not a lot; --prior takes' --lot new.model
-refused 'is not a fogcomp lot; fogcomp batch --lot makes one' --lot now.csv
-refused 'out/gyros.lot: is not a fogcomp model' --prior out/gyros.lot
-refused 'determined by --lot' --lot out/gyros.lot --effects bias
-refused 'determined by --prior' --lot out/gyros.lot --prior new.model
+refuses_fit now.csv 'damaged.lot: is damaged' --lot damaged.lot
+refuses_fit now.csv 'new.model: is a model, not a lot; --prior takes' --lot new.model
+refuses_fit now.csv 'is not a fogcomp lot; fogcomp batch --lot makes one' --lot now.csv
+refuses_fit now.csv 'out/gyros.lot: is not a fogcomp model' --prior out/gyros.lot
+refuses_fit now.csv 'determined by --lot' --lot out/gyros.lot --effects bias
+refuses_fit now.csv 'determined by --prior' --lot out/gyros.lot --prior new.model
 rm -r gyros/S8 gyros/S9
 status=0
 "$fogcomp" batch gyros -o few --effects $effects --jobs 2 --lot >said.txt 2>few.txt || status=$?

@@ -45,18 +45,8 @@ says history.txt 'temperature_rate.K by [+][0-9.]* sigma'
 below "$(error repaired.model unseen_repaired.csv)" \
   "$(awk -v e="$(error alone.model unseen_repaired.csv)" 'BEGIN { print 1.1 * e }')" 'after a repair'
 
-# refused PATTERN WORDS...: exit code 2, one line, no file.
-refused() {
-  local pattern=$1 status=0
-  shift
-  "$fogcomp" fit now.csv -o refused.model "$@" >refused.out 2>refused.txt || status=$?
-  ((status == 2)) || fail "fit $*: exit code $status"
-  [[ ! -s refused.out && ! -e refused.model ]] || fail "fit $*: an output"
-  (($(wc -l <refused.txt) == 1)) || fail "fit $*: $(cat refused.txt)"
-  says refused.txt "$pattern" "fit $*"
-}
-refused 'determined by --prior' --prior old.model --effects bias
-refused 'determined by --prior' --prior old.model --derivative-tau 60
-refused 'is of gyro G1, not of G2' --prior old.model --serial G2
+refuses_fit now.csv 'determined by --prior' --prior old.model --effects bias
+refuses_fit now.csv 'determined by --prior' --prior old.model --derivative-tau 60
+refuses_fit now.csv 'is of gyro G1, not of G2' --prior old.model --serial G2
 "$fogcomp" fit year_ago.csv -o network.model --effects bias --network 2 --force-network >said.txt
-refused 'has a network' --prior network.model
+refuses_fit now.csv 'has a network' --prior network.model
