@@ -20,7 +20,7 @@ struct FollowsRate<Effect, std::void_t<decltype(std::declval<const Effect&>().at
     : std::true_type {};
 
 template <template <class> class Effect>
-class RealInstance : public RealEffect {
+class RealInstance final : public RealEffect {
  public:
   explicit RealInstance(const std::vector<double>& constants) : effect_(constants.data()) {}
   std::size_t regressor_count() const override { return effect_.regressor_count(); }
@@ -38,6 +38,11 @@ class RealInstance : public RealEffect {
     } else {
       effect_.step(signals, regressors);
     }
+  }
+  void run(const fog::Signals<RealNumbers>* signals, std::size_t count,
+           double* regressors) override {
+    const std::size_t size = regressor_count();
+    for (std::size_t i = 0; i < count; ++i) step(signals[i], regressors + i * size);
   }
 
  private:

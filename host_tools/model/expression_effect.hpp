@@ -29,7 +29,7 @@ struct ExpressionTerm {
 };
 
 /// The regressor of an expression, in double.
-class ExpressionEffect : public RealEffect {
+class ExpressionEffect final : public RealEffect {
  public:
   /// `parameters` in the order of Expression::parameters.
   ExpressionEffect(ExpressionTerm term, const std::vector<double>& parameters, double block_s);
@@ -39,14 +39,26 @@ class ExpressionEffect : public RealEffect {
   void step(const fog::Signals<RealNumbers>& signals, double* regressors) override {
     regressors[0] = evaluate(signals, false);
   }
+  void run(const fog::Signals<RealNumbers>* signals, std::size_t count,
+           double* regressors) override {
+    for (std::size_t i = 0; i < count; ++i) regressors[i] = evaluate(signals[i], false);
+  }
 
  private:
+  // A node that is no constant.
+  struct Varying {
+    std::size_t node = 0;
+    double decay = 0;  // of a lag, per block
+    double state = 0;  // of lags, plays and highest values
+  };
+
   double evaluate(const fog::Signals<RealNumbers>& signals, bool restart);
 
   ExpressionTerm term_;
   double block_s_;
+  double unit_;                 // of the regressor: expression / 2^scale_log2
   std::vector<double> values_;  // of all nodes; constants never change
-  std::vector<double> states_;  // of lags, plays and highest values, by node
+  std::vector<Varying> varying_;
   bool started_ = false;
 };
 

@@ -16,6 +16,9 @@ class RealEffect {
   virtual void reset(const fog::Signals<RealNumbers>& signals) = 0;
   /// Advances by one block; writes regressor_count() values.
   virtual void step(const fog::Signals<RealNumbers>& signals, double* regressors) = 0;
+  /// Advances by `count` blocks; writes the values of each, one block after the other.
+  virtual void run(const fog::Signals<RealNumbers>* signals, std::size_t count,
+                   double* regressors) = 0;
 };
 
 }  // namespace fogcomp::model

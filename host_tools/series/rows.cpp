@@ -32,16 +32,6 @@ void add_weighted(double weight, const Signals& signals, Signals& sum) {
   add_weighted(weight, signals.block, sum.block);
 }
 
-std::vector<recording::RowRange> ranges_from(const std::vector<std::size_t>& starts,
-                                             std::size_t rows) {
-  std::vector<recording::RowRange> ranges;
-  for (const std::size_t start : starts) {
-    if (!ranges.empty()) ranges.back().end = start;
-    ranges.push_back({start, rows});
-  }
-  return ranges;
-}
-
 std::vector<std::size_t> united(const std::vector<std::size_t>& a,
                                 const std::vector<std::size_t>& b) {
   std::vector<std::size_t> all;
@@ -52,18 +42,18 @@ std::vector<std::size_t> united(const std::vector<std::size_t>& a,
 }  // namespace
 
 std::vector<recording::RowRange> Rows::runs() const {
-  return ranges_from(run_starts, static_cast<std::size_t>(size()));
+  return recording::ranges_from(run_starts, static_cast<std::size_t>(size()));
 }
 
 std::vector<recording::RowRange> Rows::power_ons() const {
-  return ranges_from(united(run_starts, restart_rows), static_cast<std::size_t>(size()));
+  return recording::ranges_from(united(run_starts, restart_rows), static_cast<std::size_t>(size()));
 }
 
 std::vector<recording::RowRange> Rows::bias_ranges() const {
   if (bias_of == BiasOf::all && cut_rows.empty()) return {{0, static_cast<std::size_t>(size())}};
   const std::vector<std::size_t> starts = united(run_starts, cut_rows);
-  return ranges_from(bias_of == BiasOf::power_on ? united(starts, restart_rows) : starts,
-                     static_cast<std::size_t>(size()));
+  return recording::ranges_from(bias_of == BiasOf::power_on ? united(starts, restart_rows) : starts,
+                                static_cast<std::size_t>(size()));
 }
 
 Eigen::VectorXd Rows::about_biases(Eigen::VectorXd values, const Eigen::VectorXd& counted) const {

@@ -36,7 +36,7 @@ void run_without_noise(const BlockSeries& series, const MeasuredTemperature& own
 void SignalSeries::Run::keep(const Signals& signals, bool restart) {
   const fog::BlockMeans<model::RealNumbers>& means = signals.block;
   blocks.push_back({{signals.temperature, signals.temperature_rate}, means.elapsed, kNoRow, 0});
-  restarts.push_back(restart);
+  if (restart) restarts.push_back(blocks.size() - 1);
   if (means.power_on.at != 0 || !power_on.empty()) {
     power_on.resize(blocks.size() - 1);
     power_on.push_back(means.power_on);
@@ -76,6 +76,19 @@ SignalSeries::Signals SignalSeries::Run::signals(std::size_t block) const {
   Signals signals{};
   read(block, Reading::of_sensor, {}, signals);
   return signals;
+}
+
+// Column by column: adding each block's values as soon as they are stored would wait for the store.
+void SignalSeries::Run::add(std::size_t first, std::size_t count, const double* values,
+                            Eigen::MatrixXd& sums) const {
+  const auto size = static_cast<std::size_t>(sums.cols());
+  for (std::size_t k = 0; k < size; ++k) {
+    double* const sum = sums.col(static_cast<Eigen::Index>(k)).data();
+    for (std::size_t i = 0; i < count; ++i) {
+      const Block& block = blocks[first + i];
+      if (block.row != kNoRow) sum[block.row] += block.samples * values[size * i + k];
+    }
+  }
 }
 
 // Stands for the drift model in run_blocks and passes its inputs to keep(signals, whether the
@@ -119,6 +132,10 @@ void SignalSeries::add(const BlockSeries& series) {
     add_without_delay(series, rows);
   }
   rows.finish();
+  samples_.conservativeResizeLike(Eigen::VectorXd::Zero(rows_.size()));
+  for (const Block& block : run.blocks) {
+    if (block.row != kNoRow) samples_[block.row] += block.samples;
+  }
 }
 
 void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows) {
@@ -173,42 +190,35 @@ fog::Signals<model::RealNumbers> at_rest(fog::Signals<model::RealNumbers> signal
 template <class Make>
 Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading, bool follows_rate,
                                         const TemperatureChange& change) const {
-  // A few blocks at a time, and column by column: adding each block's values as soon as they are
-  // stored would wait for the store.
   constexpr std::size_t kTogether = 64;
   Eigen::MatrixXd means;
-  Eigen::VectorXd samples = Eigen::VectorXd::Zero(rows_.size());
   std::vector<double> values;
   for (const Run& run : runs_) {
+    std::vector<Signals> signals(kTogether);
+    const auto read = [&](std::size_t block, Signals& now) {
+      run.read(block, reading, change, now);
+      if (follows_rate && !run.input_rate.empty()) {
+        now.block.input_rate = run.input_rate[block].dph;
+      }
+    };
     std::optional part(make(run.block_s));
     const std::size_t size = part->size();
     if (means.size() == 0) means.setZero(rows_.size(), static_cast<Eigen::Index>(size));
     values.resize(size * kTogether);
-    Signals signals{};
-    for (std::size_t first = 0; first < run.blocks.size(); first += kTogether) {
-      const std::size_t end = std::min(first + kTogether, run.blocks.size());
-      for (std::size_t i = first; i < end; ++i) {
-        run.read(i, reading, change, signals);
-        if (follows_rate && !run.input_rate.empty()) {
-          signals.block.input_rate = run.input_rate[i].dph;
-        }
-        if (run.restarts[i] && run.is_table) part.emplace(make(run.block_s));
-        if (run.restarts[i]) part->reset(at_rest(signals));
-        part->step(signals, &values[size * (i - first)]);
-      }
-      for (std::size_t k = 0; k < size; ++k) {
-        double* const sum = means.col(static_cast<Eigen::Index>(k)).data();
-        for (std::size_t i = first; i < end; ++i) {
-          const Block& block = run.blocks[i];
-          if (block.row != kNoRow) sum[block.row] += block.samples * values[size * (i - first) + k];
-        }
-      }
-      for (std::size_t i = first; i < end; ++i) {
-        if (run.blocks[i].row != kNoRow) samples[run.blocks[i].row] += run.blocks[i].samples;
+    for (const recording::RowRange& stretch :
+         recording::ranges_from(run.restarts, run.blocks.size())) {
+      if (run.is_table) part.emplace(make(run.block_s));
+      read(stretch.first, signals[0]);
+      part->reset(at_rest(signals[0]));
+      for (std::size_t first = stretch.first; first < stretch.end; first += kTogether) {
+        const std::size_t count = std::min(kTogether, stretch.end - first);
+        for (std::size_t i = 0; i < count; ++i) read(first + i, signals[i]);
+        part->run(signals.data(), count, values.data());
+        run.add(first, count, values.data(), means);
       }
     }
   }
-  means.array().colwise() *= samples.array().inverse();
+  means.array().colwise() *= samples_.array().inverse();
   return means;
 }
 
@@ -243,8 +253,8 @@ Eigen::MatrixXd SignalSeries::regressors(const model::EffectTerm& term, Reading 
     std::unique_ptr<model::RealEffect> effect;
     std::size_t size() const { return effect->regressor_count(); }
     void reset(const fog::Signals<model::RealNumbers>& signals) { effect->reset(signals); }
-    void step(const fog::Signals<model::RealNumbers>& signals, double* values) {
-      effect->step(signals, values);
+    void run(const fog::Signals<model::RealNumbers>* signals, std::size_t count, double* values) {
+      effect->run(signals, count, values);
     }
   };
   const auto part = [&](double block_s) {
@@ -285,9 +295,11 @@ model::SignalRanges SignalSeries::signal_ranges() const {
 Eigen::MatrixXd SignalSeries::network_inputs(const std::vector<model::RealInput>& inputs) const {
   struct Part : model::NetworkSignals {
     using NetworkSignals::NetworkSignals;
-    void step(const fog::Signals<model::RealNumbers>& signals, double* values) {
-      const Eigen::VectorXd& now = NetworkSignals::step(signals);
-      std::copy(now.begin(), now.end(), values);
+    void run(const fog::Signals<model::RealNumbers>* signals, std::size_t count, double* values) {
+      for (std::size_t i = 0; i < count; ++i) {
+        const Eigen::VectorXd& now = step(signals[i]);
+        values = std::copy(now.begin(), now.end(), values);
+      }
     }
   };
   return row_means([&](double block_s) { return Part(inputs, block_s); });

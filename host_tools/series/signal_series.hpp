@@ -102,7 +102,7 @@ class SignalSeries {
     fog::InputMask inputs = 0;  ///< of the recording
     std::vector<std::uint64_t> recordings;
     std::vector<Block> blocks;
-    std::vector<bool> restarts;         ///< per block
+    std::vector<std::size_t> restarts;  ///< blocks before which the model begins anew
     std::vector<PowerOn> power_on;      ///< per block; empty if it is time 0 for all
     std::vector<InputRate> input_rate;  ///< per block; empty if the recording lacks it
     std::vector<Extension> extension;   ///< the same
@@ -114,14 +114,17 @@ class SignalSeries {
     void read(std::size_t block, Reading reading, const TemperatureChange& change,
               Signals& signals) const;
     Signals signals(std::size_t block) const;
+    /// Adds what the blocks from `first` on add to row sums; `values`: of each, columns of `sums`.
+    void add(std::size_t first, std::size_t count, const double* values,
+             Eigen::MatrixXd& sums) const;
   };
   template <class Keep>
   class Recorder;
 
   void add_as_the_board(const BlockSeries& series, RowAverager& rows);
   void add_without_delay(const BlockSeries& series, RowAverager& rows);
-  // Row means of make(block_s) block by block: an object with size(), reset(signals) and
-  // step(signals, values). `follows_rate`: for effects of the samples' own input rate.
+  // Row means of make(block_s): an object with size(), reset(signals) and run(signals, count,
+  // values), block by block. `follows_rate`: for effects of the samples' own input rate.
   template <class Make>
   Eigen::MatrixXd row_means(const Make& make, Reading reading = Reading::of_sensor,
                             bool follows_rate = false, const TemperatureChange& change = {}) const;
@@ -130,6 +133,7 @@ class SignalSeries {
   Phase phase_;
   std::vector<Run> runs_;
   Rows rows_;
+  Eigen::VectorXd samples_;  // of each row
   Thermometer thermometer_;
 };
 
