@@ -25,13 +25,14 @@ class SetScan {
   }
 
   void add(double floor, Evidence& of_shapes) const {
-    if (!reaches(floor)) return;
+    const Eigen::ArrayXd least_left = left_of_any_sizes();
+    if (likelihood_(setting_.log_density, least_left.minCoeff()) < floor) return;
     const std::vector<Sized> all = all_sizes();
     const auto likely = [&](const Sized& set) { return likelihood_(set.log_density, set.left); };
     double best = -HUGE_VAL;
     for (const Sized& set : all) best = std::max(best, likely(set));
     for (const Sized& set : all) {
-      if (likely(set) >= best - kHopeless) add_to(set, floor, of_shapes);
+      if (likely(set) >= best - kHopeless) add_to(set, least_left, floor, of_shapes);
     }
   }
 
@@ -44,13 +45,6 @@ class SetScan {
     double log_density = 0;
     double left = 0;
   };
-  // What it leaves.
-  struct Rest {
-    Eigen::VectorXd with_drift;
-    Eigen::MatrixXd in_effects;  // of the set's directions, orthonormal, with all columns
-    Eigen::ArrayXd gain;         // of each column, of any size
-  };
-
   std::vector<Sized> all_sizes() const {
     const std::vector<double>& values = likelihood_.sizes();
     std::size_t count = 1;
@@ -89,48 +83,45 @@ class SetScan {
             setting_.left - with_drift_.dot(coefficients)};
   }
 
-  Rest without(const Sized& set) const {
-    Rest rest;
-    rest.with_drift = setting_.with_drift - cross_.transpose().lazyProduct(set.coefficients);
-    rest.in_effects = set.inverse_root.lazyProduct(cross_);
+  // What the set and each shape more leave at least, as with the largest sizes: columns together
+  // explain at most a half more than each alone.
+  Eigen::ArrayXd left_of_any_sizes() const {
+    const double least = likelihood_.least_precision();
+    const Sized set = sized(Eigen::VectorXd::Constant(own_.cols(), least), 0, 0);
+    const Eigen::VectorXd with_drift =
+        setting_.with_drift - cross_.transpose().lazyProduct(set.coefficients);
+    const Eigen::MatrixXd in_effects = set.inverse_root.lazyProduct(cross_);
     const Eigen::ArrayXd square =
-        setting_.square.array() - rest.in_effects.colwise().squaredNorm().transpose().array();
-    rest.gain = rest.with_drift.array().square() / (square.max(0) + likelihood_.least_precision());
-    return rest;
+        setting_.square.array() - in_effects.colwise().squaredNorm().transpose().array();
+    const Eigen::ArrayXd gain = with_drift.array().square() / (square.max(0) + least);
+    Eigen::ArrayXd left(static_cast<Eigen::Index>(rivals_.shapes().size()));
+    for (Eigen::Index i = 0; i < left.size(); ++i) {
+      const auto [first, count] = rivals_.shapes()[static_cast<std::size_t>(i)];
+      left[i] = set.left - (count == 1 ? 1 : 1.5) * gain.segment(first, count).sum();
+    }
+    return left;
   }
 
-  // At most, of any size: of columns together at most by a half more than of each alone.
-  static double gain_of(const Rest& rest, const Place& place) {
-    if (place.count == 1) return rest.gain[place.first];
-    return 1.5 * rest.gain.segment(place.first, place.count).sum();
-  }
-
-  // Whether any effect more may reach a likelihood, sizes being free.
-  bool reaches(double floor) const {
-    const Sized set =
-        sized(Eigen::VectorXd::Constant(own_.cols(), likelihood_.least_precision()), 0, 0);
-    const Rest rest = without(set);
-    double most = 0;
-    for (const Place& place : rivals_.shapes()) most = std::max(most, gain_of(rest, place));
-    return likelihood_(setting_.log_density, set.left - most) >= floor;
-  }
-
-  void add_to(const Sized& set, double floor, Evidence& of_shapes) const {
-    const Rest rest = without(set);
+  void add_to(const Sized& set, const Eigen::ArrayXd& least_left, double floor,
+              Evidence& of_shapes) const {
     const double log_density =
         set.log_density - static_cast<double>(places_.size()) *
                               std::log(static_cast<double>(likelihood_.sizes().size()));
     const double most_left = likelihood_.left_for(log_density, floor);
     const std::vector<Beside> priors =
         likelihood_.priors_of_sizes(setting_.smooth_number, set.largest);
+    Eigen::MatrixXd in_set;
     Eigen::MatrixXd own;
+    Eigen::VectorXd with_drift;
     for (std::size_t i = 0; i < of_shapes.size(); ++i) {
+      if (least_left[static_cast<Eigen::Index>(i)] > most_left) continue;
       const Place& place = rivals_.shapes()[i];
-      if (set.left - gain_of(rest, place) > most_left) continue;
-      const auto in_set = rest.in_effects.middleCols(place.first, place.count);
+      const auto cross = cross_.middleCols(place.first, place.count);
+      in_set = set.inverse_root.lazyProduct(cross);
       own = place.within(setting_.own) - in_set.transpose().lazyProduct(in_set);
-      likelihood_.add_average(priors, log_density, set.left, own,
-                              rest.with_drift.segment(place.first, place.count), of_shapes[i]);
+      with_drift = setting_.with_drift.segment(place.first, place.count) -
+                   cross.transpose().lazyProduct(set.coefficients);
+      likelihood_.add_average(priors, log_density, set.left, own, with_drift, of_shapes[i]);
     }
   }
 
