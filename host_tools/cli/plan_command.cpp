@@ -82,7 +82,7 @@ int PlanCommand::run() const {
   if (!arguments.empty()) wanted.model = arguments.front();
   const workflow::PlanOutcome found = workflow::plan(wanted, Watch().observer());
   const findings::Document document = findings::plan_findings(found, output.value());
-  profile.write("# " + document.found().plain() + "\n# box of use " +
+  profile.write("# " + document.found.plain() + "\n# box of use " +
                 planning::box_text(found.question.use) + "\n" + planning::profile_text(found.plan));
   page.fill(document);
   profile.commit();

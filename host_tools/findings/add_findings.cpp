@@ -13,7 +13,7 @@ Text remark(const fit::Addition::RunError& run) {
   return run.holdout ? " (holdout)" : "";
 }
 
-void add_errors(Document& document, const fit::Addition& addition) {
+Table error_table(const fit::Addition& addition) {
   Table table;
   table.caption =
       words(format("what is left of each run, means of %g s, the model refitted to the same runs "
@@ -45,29 +45,27 @@ void add_errors(Document& document, const fit::Addition& addition) {
                           dph(run.noise_floor_dph),
                           words(join(remarks, ", "))});
   }
-  document.heading("Before and after");
-  document.table(std::move(table));
+  return table;
 }
 
 // For several effects: each alone, and beside the others.
-void add_parts(Document& document, const fit::Addition& addition) {
-  const auto add_judged = [](const std::optional<fit::OutOfSample>& one, Table::Row& row) {
-    row.cells.emplace_back(one ? number(one->rms_before_dph) + " -> " + number(one->rms_after_dph)
-                               : Text("not determined"));
-    row.cells.emplace_back(
-        one ? words(format("%.1f +- %.1f", one->score.gain, one->score.standard_error)) : Text());
+Table part_table(const fit::Addition& addition) {
+  const auto errors = [](const std::optional<fit::OutOfSample>& one) {
+    return one ? number(one->rms_before_dph) + " -> " + number(one->rms_after_dph)
+               : Text("not determined");
+  };
+  const auto gain = [](const std::optional<fit::OutOfSample>& one) {
+    return one ? words(format("%.1f +- %.1f", one->score.gain, one->score.standard_error)) : Text();
   };
   Table table;
   table.caption = "out of sample, deg/h rms, " + words(addition.out_of_sample->how) +
                   words(format("; gain needed %.1f", judge::kGain));
   table.columns = {"effect", "alone", "gain", "beside the others", "gain"};
   for (const fit::Addition::Part& part : addition.parts) {
-    Table::Row row{verbatim(part.effect)};
-    add_judged(part.alone, row);
-    add_judged(part.beside, row);
-    table.rows.push_back(std::move(row));
+    table.rows.push_back({verbatim(part.effect), errors(part.alone), gain(part.alone),
+                          errors(part.beside), gain(part.beside)});
   }
-  document.table(std::move(table));
+  return table;
 }
 
 Text before_and_after(const fit::Addition::RunError& run) {
@@ -75,67 +73,72 @@ Text before_and_after(const fit::Addition::RunError& run) {
          " after.";
 }
 
-void add_run(Document& document, const fit::Addition::RunError& run, const std::string& group) {
+Parts run_section(const fit::Addition::RunError& run, const std::string& group) {
   const std::vector<double> degc = run.after.rows.temperatures_degc();
   const std::vector<double> before = run.before.residuals_dph();
   const std::vector<double> after = run.after.residuals_dph();
   const TimeAxis axis = time_axis(run.after, group);
-  document.file_heading(run.file, remark(run));
   Plot residual = time_plot("Residual.", "residual, deg/h", axis,
                             {{"before", "measured", before}, {"after", "residual", after}});
   residual.caption = before_and_after(run);
-  document.plot(residual);
-  document.plot(temperature_plot(axis, degc));
+  Parts parts = file_heading(run.file, remark(run)) + residual + temperature_plot(axis, degc);
   const std::vector<compare::Branch> branch = compare::branches(degc);
-  if (!ever_moves(branch)) return;
+  if (!ever_moves(branch)) return parts;
   const auto over_temperature = [&](const Text& title, const std::vector<double>& values) {
-    document.plot(branch_plot(title, "temperature, degC", "residual, deg/h", degc, values, branch));
+    return branch_plot(title, "temperature, degC", "residual, deg/h", degc, values, branch);
   };
-  over_temperature("Residual over temperature, before.", before);
-  over_temperature("Residual over temperature, after.", after);
+  parts += over_temperature("Residual over temperature, before.", before);
+  return parts + over_temperature("Residual over temperature, after.", after);
+}
+
+// `names`: of the effects.
+Parts remarks(const fit::Addition& addition, const std::vector<std::string>& names) {
+  Parts parts;
+  if (addition.row_s != addition.model.average_s) {
+    parts +=
+        Sentence{words(format("judged in rows of %g s, so that the verdict does not depend on "
+                              "the model's %g s",
+                              addition.row_s, addition.model.average_s))};
+  }
+  for (const std::string& warning : addition.fit.identified.warnings) {
+    parts += Sentence{"note: " + words(warning, names)};
+  }
+  parts += sentences(own_bias_words(addition.fit.identified));
+  const std::string settling = addition.accepted ? board::settling_words(addition.model) : "";
+  if (!settling.empty()) parts += Sentence{"note: " + words(settling, names)};
+  return parts + Sentence{words(network_verdict(addition.fit))};
+}
+
+Listing changed_terms(const fit::Addition& addition) {
+  model::Model changed;
+  for (const std::size_t i : addition.changed) changed.terms.push_back(addition.model.terms[i]);
+  return {model::describe(changed)};
 }
 
 }  // namespace
 
 Document add_findings(const fit::Addition& addition, const std::string& model,
                       const std::string& written) {
-  model::Model changed;
-  for (const std::size_t i : addition.changed) changed.terms.push_back(addition.model.terms[i]);
   std::vector<std::string> names;
   for (const model::EffectTerm& one : addition.model.terms) names.push_back(one.name);
   std::vector<std::string> runs;
   for (const fit::Addition::RunError& run : addition.runs) {
     if (!run.holdout) runs.insert(runs.end(), run.before.files.begin(), run.before.files.end());
   }
-  Document document(
+  Document document{
       "fogcomp add " + model + " " +
           (addition.cuts.empty() ? join(addition.names(), " ") + " " : "") + join(runs, " "),
-      words(std::string(addition.accepted ? "accepted: " : "refused: ") + addition.reason, names));
-  if (written.empty()) {
-    document.next("nothing was written; ask what else it could be", diagnose_command(model, runs));
-  } else {
-    document.next("look again at what the new model leaves", diagnose_command(written, runs));
-  }
-  if (addition.row_s != addition.model.average_s) {
-    document.sentence(
-        words(format("judged in rows of %g s, so that the verdict does not depend on "
-                     "the model's %g s",
-                     addition.row_s, addition.model.average_s)));
-  }
-  for (const std::string& warning : addition.fit.identified.warnings) {
-    document.sentence("note: " + words(warning, names));
-  }
-  for (Text& bias : own_bias_words(addition.fit.identified)) document.sentence(std::move(bias));
-  if (addition.accepted) {
-    const std::string settling = board::settling_words(addition.model);
-    if (!settling.empty()) document.sentence("note: " + words(settling, names));
-  }
-  if (addition.fit.network_judged) document.sentence(words(network_verdict(addition.fit)));
-  if (!addition.parts.empty()) add_parts(document, addition);
-  if (!changed.terms.empty()) document.listing(model::describe(changed));
-  add_errors(document, addition);
+      words(std::string(addition.accepted ? "accepted: " : "refused: ") + addition.reason, names)};
+  document.next =
+      written.empty()
+          ? Next("nothing was written; ask what else it could be", diagnose_command(model, runs))
+          : Next("look again at what the new model leaves", diagnose_command(written, runs));
+  document.parts = remarks(addition, names);
+  if (!addition.parts.empty()) document.parts += part_table(addition);
+  if (!addition.changed.empty()) document.parts += changed_terms(addition);
+  document.parts += Heading{"Before and after"} + error_table(addition);
   for (std::size_t i = 0; i < addition.runs.size(); ++i) {
-    add_run(document, addition.runs[i], format("run %zu", i));
+    document.parts += run_section(addition.runs[i], format("run %zu", i));
   }
   return document;
 }

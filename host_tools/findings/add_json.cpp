@@ -14,18 +14,6 @@ Json judged_json(const std::optional<fit::OutOfSample>& judged) {
       .set("gain_sigma", judged->score.standard_error);
 }
 
-Json parameters_json(const model::EffectTerm& term) {
-  Json parameters = Json::object();
-  set_parameters(parameters, term);
-  return parameters;
-}
-
-Json coefficients_json(const model::EffectTerm& term) {
-  Json coefficients = Json::object();
-  set_coefficients(coefficients, term);
-  return coefficients;
-}
-
 // All added terms; for several, each alone and beside the others.
 Json added_terms_json(const fit::Addition& addition) {
   Json terms = Json::array();
@@ -59,18 +47,22 @@ Json runs_json(const std::vector<fit::Addition::RunError>& runs) {
 
 }  // namespace
 
-void set_parameters(Json& object, const model::EffectTerm& term) {
+Json parameters_json(const model::EffectTerm& term) {
   const model::TermInfo info = model::info_of(term);
+  Json object = Json::object();
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
     object.set(info.parameters[i].name, model::shape_value(term, i).value);
   }
+  return object;
 }
 
-void set_coefficients(Json& object, const model::EffectTerm& term) {
+Json coefficients_json(const model::EffectTerm& term) {
   const model::TermInfo info = model::info_of(term);
+  Json object = Json::object();
   for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
     object.set(info.coefficients[i].symbol, model::natural_coefficient(term, i).value);
   }
+  return object;
 }
 
 Json cuts_json(const std::vector<recording::Cut>& cuts) {

@@ -44,18 +44,18 @@ Text limits_of(const std::string& figure, const std::vector<Limit>& limits) {
 }
 
 // Proposes the command for the first failed gyro that has one.
-void add_next(Document& document, const Summary& summary) {
+Next next_of(const Summary& summary) {
   for (const Summary::Gyro& gyro : summary.gyros) {
     if (!gyro.diagnosis || gyro.diagnosis->next.empty()) continue;
-    document.next_line("give " + verbatim(gyro.result.gyro) +
-                           " the effect that it has and the model has not; it is kept only if it "
-                           "helps out of sample",
-                       gyro.diagnosis->next);
-    return;
+    return {"give " + verbatim(gyro.result.gyro) +
+                " the effect that it has and the model has not; it is kept only if it helps out of "
+                "sample",
+            gyro.diagnosis->next};
   }
+  return {};
 }
 
-void add_rejected(Document& document, const Summary& summary, bool reports) {
+Table rejected_table(const Summary& summary, bool reports) {
   Table table;
   table.columns = {"gyro", "outcome", "reason", "why"};
   for (const Summary::Gyro& gyro : summary.gyros) {
@@ -64,34 +64,32 @@ void add_rejected(Document& document, const Summary& summary, bool reports) {
                           words(gyro.why(), {gyro.result.gyro})});
     table.rows.back().link = link_of(gyro, reports);
   }
-  document.heading("Not passed");
-  document.table(std::move(table));
+  return table;
 }
 
 // Gyros that differ from the others, independent of limits.
-void add_outliers(Document& document, const Summary& summary) {
+Parts outliers_section(const Summary& summary) {
   const batch::Lot& lot = summary.lot;
-  document.heading("Unlike the others");
+  const Heading heading{"Unlike the others"};
   if (lot.figures.empty()) {
-    document.sentence(words(
-        format("fewer than %zu gyros have figures: none is compared with the others", kMinLot)));
-    return;
+    return heading +
+           Sentence{words(format(
+               "fewer than %zu gyros have figures: none is compared with the others", kMinLot))};
   }
-  document.sentence(words(format(
+  const Sentence rule{words(format(
       "of %s each, a gyro is named from %.1f spreads off the median on (spread: 1.4826 times the "
       "median distance); a lot without outliers has one in 1 of 100 cases",
-      counted(lot.figures.size(), "figure").c_str(), lot.bound)));
+      counted(lot.figures.size(), "figure").c_str(), lot.bound))};
   Table table;
   table.columns = {"gyro", "figure that is off"};
   for (const Summary::Gyro& gyro : summary.gyros) {
     const std::string text = summary.stands_out(gyro.result.gyro);
     if (!text.empty()) table.rows.push_back({verbatim(gyro.result.gyro), words(text)});
   }
-  if (table.rows.empty()) document.sentence("no gyro is");
-  document.table(std::move(table));
+  return heading + rule + Sentence{table.rows.empty() ? "no gyro is" : ""} + table;
 }
 
-void add_notes(Document& document, const Summary& summary) {
+Table notes_table(const Summary& summary) {
   Table table;
   table.columns = {"gyro", "note"};
   for (const Summary::Gyro& gyro : summary.gyros) {
@@ -99,9 +97,7 @@ void add_notes(Document& document, const Summary& summary) {
     for (const std::string& note : gyro.result.notes)
       table.rows.push_back({verbatim(gyro.result.gyro), words(note)});
   }
-  if (table.rows.empty()) return;
-  document.heading("Passed, with a note");
-  document.table(std::move(table));
+  return table;
 }
 
 std::vector<double> values_of(const Summary& summary, const std::string& figure) {
@@ -117,7 +113,7 @@ double median_of(const std::vector<double>& sorted) {
   return sorted[sorted.size() / 2];
 }
 
-void add_spread(Document& document, const Summary& summary) {
+Table spread_table(const Summary& summary) {
   Table table;
   table.columns = {"figure", "limit", "median", "min", "max", "gyros", "what it is"};
   for (const std::string& figure : summary.figures) {
@@ -127,8 +123,7 @@ void add_spread(Document& document, const Summary& summary) {
                           significant(values.back()), verbatim(std::to_string(values.size())),
                           figure_label(figure)});
   }
-  document.heading("Figures over the gyros");
-  document.table(std::move(table), Shown::on_page);
+  return table;
 }
 
 // First the limited values, then the compared ones; without either, the usual ones.
@@ -258,17 +253,18 @@ double end_of_band(const Limit& limit, const std::vector<Place>& places, Plot::K
   return limit.is_max ? max + more : min - more;
 }
 
-// Extends the axis to a value without drawing a dot.
-void show_on_axis(double value, Plot& plot) {
+// With an axis that includes `value`, without drawing a dot.
+Plot with_on_axis(double value, Plot plot) {
   const auto at = std::lower_bound(plot.x.begin(), plot.x.end(), value) - plot.x.begin();
   plot.x.insert(plot.x.begin() + at, value);
   plot.names.insert(plot.names.begin() + at, Text());
   for (Curve& curve : plot.curves) curve.y.insert(curve.y.begin() + at, kNothing);
+  return plot;
 }
 
-void add_histogram(Document& document, const Summary& summary, const std::string& figure) {
+Plot histogram_of(const Summary& summary, const std::string& figure) {
   const std::vector<Place> places = places_of(summary, figure);
-  if (places.empty()) return;
+  if (places.empty()) return {};
   const Text label = figure_label(figure).empty() ? verbatim(figure) : figure_label(figure);
   Plot plot = histogram(places, label);
   plot.caption = "Median " + significant(places[places.size() / 2].value) + ".";
@@ -277,20 +273,15 @@ void add_histogram(Document& document, const Summary& summary, const std::string
   for (const Limit& limit : summary.limits) {
     if (limit.figure != figure) continue;
     const double end = end_of_band(limit, places, plot.kind);
-    if (is_near(limit.value, places)) show_on_axis(end, plot);
+    if (is_near(limit.value, places)) plot = with_on_axis(end, std::move(plot));
     plot.bands.push_back(
         {"beyond the limit", std::min(limit.value, end), std::max(limit.value, end), "mark"});
     plot.caption += words(format(" Limit: %s %g.", limit.is_max ? "≤" : "≥", limit.value));
   }
-  document.plot(std::move(plot));
+  return plot;
 }
 
-void add_plots(Document& document, const Summary& summary) {
-  for (const std::string& figure : plotted_figures(summary))
-    add_histogram(document, summary, figure);
-}
-
-void add_all(Document& document, const Summary& summary, bool reports) {
+Table all_table(const Summary& summary, bool reports) {
   Table table;
   table.columns = {"gyro", "outcome"};
   std::vector<std::string> shown;
@@ -310,25 +301,29 @@ void add_all(Document& document, const Summary& summary, bool reports) {
     row.link = link_of(gyro, reports);
     table.rows.push_back(std::move(row));
   }
-  document.heading("All gyros");
-  document.sentence("every figure of every gyro: gyros.csv beside this page", Shown::on_page);
-  document.table(std::move(table), Shown::on_page);
+  return table;
 }
 
 }  // namespace
 
 Document batch_findings(const Summary& summary, const std::string& input, const std::string& output,
                         bool reports) {
-  Document document("fogcomp batch " + input + " -o " + output, words(headline(summary)));
-  add_next(document, summary);
-  add_rejected(document, summary, reports);
-  add_notes(document, summary);
+  Document document{"fogcomp batch " + input + " -o " + output, words(headline(summary)),
+                    next_of(summary)};
+  document.parts = Heading{"Not passed"} + rejected_table(summary, reports);
+  document.parts += Heading{"Passed, with a note"} + notes_table(summary);
   if (!summary.figures.empty()) {
-    add_outliers(document, summary);
-    add_spread(document, summary);
-    add_plots(document, summary);
+    document.parts += outliers_section(summary);
+    document.parts +=
+        show(Shown::on_page, Heading{"Figures over the gyros"} + spread_table(summary));
+    for (const std::string& figure : plotted_figures(summary)) {
+      document.parts += histogram_of(summary, figure);
+    }
   }
-  add_all(document, summary, reports);
+  document.parts +=
+      show(Shown::on_page, Heading{"All gyros"} +
+                               Sentence{"every figure of every gyro: gyros.csv beside this page"} +
+                               all_table(summary, reports));
   return document;
 }
 

@@ -60,17 +60,16 @@ Document compare_findings(const std::vector<compare::ModelOnRuns>& models) {
   for (std::size_t i = 1; i < models.size(); ++i) subject += " --model " + models[i].file;
   const std::vector<const compare::ModelOnRuns*> ranked = best_first(models);
   const compare::ModelOnRuns& best = *ranked[0];
-  Document document(subject, found(ranked));
-  if (std::any_of(best.runs.begin(), best.runs.end(), leaves_drift)) {
-    document.next("ask which effect is missing", diagnose_command(best.file, run_files(best)));
-  } else {
-    next_export(document,
+  Document document{subject, found(ranked)};
+  document.next =
+      std::any_of(best.runs.begin(), best.runs.end(), leaves_drift)
+          ? Next("ask which effect is missing", diagnose_command(best.file, run_files(best)))
+          : next_export(
                 "nothing above the noise floor is left on these runs: make the board's header",
                 best.model, best.file);
-  }
-  for (const Text& sentence : turn_on_sentences(best.turn_on)) document.sentence(sentence);
+  document.parts = sentences(turn_on_sentences(best.turn_on));
   for (std::size_t run = 0; run < first.runs.size(); ++run) {
-    add_run(document, ranked, run, Shown::everywhere);
+    document.parts += run_section(ranked, run, Shown::everywhere);
   }
   return document;
 }

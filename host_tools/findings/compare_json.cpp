@@ -164,14 +164,15 @@ Json model_json(const compare::ModelOnRuns& model, Json object) {
     outside += run.comparison.outside.temperature * run_rows;
     rows += run_rows;
   }
-  object.set("runs", std::move(runs)).set("extrapolated_fraction", rows > 0 ? outside / rows : 0);
-  set_turn_on(model.turn_on, object);
+  object.set("runs", std::move(runs))
+      .set("extrapolated_fraction", rows > 0 ? outside / rows : 0)
+      .set(turn_on_json(model.turn_on));
   return object;
 }
 
 }  // namespace
 
-void set_turn_on(const compare::TurnOn& turn_on, Json& object) {
+Json turn_on_json(const compare::TurnOn& turn_on) {
   Json biases = json_array(turn_on.biases, [](const compare::TurnOnBias& run) {
     return Json::object()
         .set("file", run.run)
@@ -181,10 +182,11 @@ void set_turn_on(const compare::TurnOn& turn_on, Json& object) {
         .set("sigma_dph", run.sigma_dph)
         .set("certain", run.certain);
   });
-  object.set("turn_on_bias", std::move(biases));
-  object.set(
-      "turn_on_repeatability",
-      Json::object().set("sigma_dph", turn_on.repeatability_dph).set("differs", turn_on.differs));
+  return Json::object()
+      .set("turn_on_bias", std::move(biases))
+      .set("turn_on_repeatability", Json::object()
+                                        .set("sigma_dph", turn_on.repeatability_dph)
+                                        .set("differs", turn_on.differs));
 }
 
 Json compare_json(const std::vector<compare::ModelOnRuns>& models) {

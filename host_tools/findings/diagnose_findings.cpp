@@ -29,15 +29,14 @@ std::vector<std::string> names_from_outside(const diagnosis::DiagnosisData& data
   return names;
 }
 
-void add_next(Document& document, const DiagnosisWords& said, const diagnosis::Ladder& ladder,
-              const std::string& file) {
+Next next_of(const DiagnosisWords& said, const diagnosis::Ladder& ladder, const std::string& file) {
   if (!said.command.empty()) {
-    document.next_line("add it; it is kept only if it helps out of sample", said.command);
-  } else if (!said.next.empty()) {
-    document.next(words(said.next));
-  } else if (ladder.first.verdict == diagnosis::Verdict::none) {
-    next_export(document, "make the board's header", ladder.model, file);
+    return {"add it; it is kept only if it helps out of sample", said.command};
   }
+  if (said.next.empty() && ladder.first.verdict == diagnosis::Verdict::none) {
+    return next_export("make the board's header", ladder.model, file);
+  }
+  return words(said.next);
 }
 
 Text probability_text(double probability) {
@@ -45,8 +44,7 @@ Text probability_text(double probability) {
 }
 
 // Several effects together may be missing.
-void add_explanations(Document& document, const diagnosis::Diagnosis& diagnosis) {
-  document.heading("Sets of effects that explain it", Shown::on_page);
+Table explanation_table(const diagnosis::Diagnosis& diagnosis) {
   Table table;
   table.caption = "sets of effects that compete to be all that is missing";
   table.columns = {"set", {"probability", "residual"}, "explains"};
@@ -60,7 +58,7 @@ void add_explanations(Document& document, const diagnosis::Diagnosis& diagnosis)
     if (&one == diagnosis.explanations.data()) row.colour = "model";
     table.rows.push_back(std::move(row));
   }
-  document.table(std::move(table), Shown::on_page);
+  return table;
 }
 
 bool is_named(const diagnosis::Diagnosis& diagnosis, const std::string& effect) {
@@ -70,7 +68,7 @@ bool is_named(const diagnosis::Diagnosis& diagnosis, const std::string& effect) 
 }
 
 // On a terminal: the most probable ones, and those offered by the user.
-void add_candidates(Document& document, const diagnosis::Diagnosis& diagnosis) {
+Table candidate_table(const diagnosis::Diagnosis& diagnosis) {
   constexpr std::size_t kLikeliest = 6;
   Table table;
   table.columns = {"candidate", "largest",   {"among them", "residual"},
@@ -94,26 +92,24 @@ void add_candidates(Document& document, const diagnosis::Diagnosis& diagnosis) {
     row.minor = table.rows.size() >= kLikeliest && !finding.is_expression();
     table.rows.push_back(std::move(row));
   }
-  document.heading("Each effect", Shown::on_page);
-  document.table(std::move(table), Shown::on_request);
+  return table;
 }
 
 // What could have been seen, of what is not named.
-void add_visible(Document& document, const diagnosis::Diagnosis& diagnosis) {
+Text visible_words(const diagnosis::Diagnosis& diagnosis) {
   std::vector<std::string> sizes;
   for (const diagnosis::CandidateFinding& finding : diagnosis.candidates) {
     if (is_named(diagnosis, finding.effect)) continue;
     sizes.push_back(finding.effect + format(" %.2g", finding.visible_from_dph));
   }
-  if (sizes.empty()) return;
-  document.sentence(
-      words("would have been seen, as likely as not, from this size on (deg/h rms over the "
-            "recordings): " +
-            join(sizes, ", ")),
-      Shown::on_request);
+  if (sizes.empty()) return {};
+  return words(
+      "would have been seen, as likely as not, from this size on (deg/h rms over the "
+      "recordings): " +
+      join(sizes, ", "));
 }
 
-void add_untestable(Document& document, const diagnosis::Diagnosis& diagnosis) {
+Text untestable_words(const diagnosis::Diagnosis& diagnosis) {
   // grouped by their needs
   std::vector<std::pair<std::string, std::vector<std::string>>> by_need;
   for (const diagnosis::Untestable& one : diagnosis.untestable) {
@@ -127,8 +123,23 @@ void add_untestable(Document& document, const diagnosis::Diagnosis& diagnosis) {
     list += (list.empty() ? "" : ", ") + join(effects, ", ") +
             (effects.size() > 1 ? " (need " : " (needs ") + needs + ")";
   }
-  if (list.empty()) return;
-  document.sentence(words("not visible in these recordings: " + list), Shown::on_request);
+  return list.empty() ? Text() : words("not visible in these recordings: " + list);
+}
+
+Parts effects_section(const diagnosis::Diagnosis& diagnosis) {
+  return show(Shown::on_page, Heading{"Sets of effects that explain it"} +
+                                  explanation_table(diagnosis) + Heading{"Each effect"}) +
+         show(Shown::on_request, candidate_table(diagnosis) + Sentence{visible_words(diagnosis)} +
+                                     Sentence{untestable_words(diagnosis)});
+}
+
+// Findings and limits. `names`: from outside.
+Parts more_said(const DiagnosisWords& said, const std::vector<std::string>& names) {
+  Parts parts;
+  for (const auto& lines : {said.findings, said.limits}) {
+    for (const std::string& line : lines) parts += Sentence{words(line, names)};
+  }
+  return show(Shown::on_request, parts);
 }
 
 // Names of the segments, which several runs may share.
@@ -145,8 +156,8 @@ std::vector<Text> segment_names(const diagnosis::DiagnosisData& data,
   return names;
 }
 
-void add_shares(Document& document, const Text& caption, const std::vector<Text>& names,
-                const std::vector<diagnosis::NamedShare>& shares) {
+Table share_table(const Text& caption, const std::vector<Text>& names,
+                  const std::vector<diagnosis::NamedShare>& shares) {
   Table table;
   table.caption = caption;
   table.columns = {"", {"share", "residual"}};
@@ -154,21 +165,23 @@ void add_shares(Document& document, const Text& caption, const std::vector<Text>
   for (std::size_t i = 0; i < shares.size(); ++i) {
     table.rows.push_back({names.at(i), {words(percent(shares[i].share)), 100 * shares[i].share}});
   }
-  document.table(std::move(table), Shown::on_page);
+  return table;
 }
 
-void add_where(Document& document, const diagnosis::Diagnosis& diagnosis,
-               const diagnosis::DiagnosisData& data, const std::vector<std::string>& runs) {
-  if (diagnosis.verdict == diagnosis::Verdict::none) return;
-  document.heading("Where it sits", Shown::on_page);
-  add_shares(document, "what smooth functions describe, by segment", segment_names(data, runs),
-             diagnosis.segments);
+Parts where_section(const diagnosis::Diagnosis& diagnosis, const diagnosis::DiagnosisData& data,
+                    const std::vector<std::string>& runs) {
+  if (diagnosis.verdict == diagnosis::Verdict::none) return {};
   std::vector<Text> variables;
   for (const diagnosis::NamedShare& share : diagnosis.variables) {
     variables.push_back(variable_label(share.name));
   }
-  add_shares(document, "how much of it each variable alone could describe; the best is 100 %",
-             variables, diagnosis.variables);
+  return show(
+      Shown::on_page,
+      Heading{"Where it sits"} +
+          share_table("what smooth functions describe, by segment", segment_names(data, runs),
+                      diagnosis.segments) +
+          share_table("how much of it each variable alone could describe; the best is 100 %",
+                      variables, diagnosis.variables));
 }
 
 // The rows of one recording.
@@ -276,10 +289,9 @@ std::vector<Variable> variables_of(const series::Rows& rows, const Run& run,
   return all;
 }
 
-void add_over_variables(Document& document, const series::Rows& rows, const Run& run,
-                        const diagnosis::Ladder& ladder) {
+Parts over_variables(const series::Rows& rows, const Run& run, const diagnosis::Ladder& ladder) {
   const std::vector<compare::Branch> branch = compare::branches(run.temperature_degc);
-  const auto add = [&](const Variable& variable, const char* when, const std::vector<double>& y) {
+  const auto over = [&](const Variable& variable, const char* when, const std::vector<double>& y) {
     compare::ResidualRows residual;
     residual.residual_dph = y;
     residual.time_s = run.time_s;
@@ -293,19 +305,20 @@ void add_over_variables(Document& document, const series::Rows& rows, const Run&
                        ? "It depends on this beyond noise."
                        : "Nothing in it depends on this alone beyond noise.";
     plot.curves.push_back(bin_means(dependence.bins));
-    if (variable.name == "temperature_degc") {
-      add_loop(plot, compare::loop_over(variable.values, residual, kBins));
-    }
-    document.plot(plot);
+    return variable.name == "temperature_degc"
+               ? with_loop(std::move(plot), compare::loop_over(variable.values, residual, kBins))
+               : plot;
   };
+  Parts parts;
   for (const Variable& variable : variables_of(rows, run, ladder.first)) {
-    add(variable, "", run.first_dph);
-    if (!ladder.steps.empty()) add(variable, ", after the ladder", run.last_dph);
+    parts += over(variable, "", run.first_dph);
+    if (!ladder.steps.empty()) parts += over(variable, ", after the ladder", run.last_dph);
   }
+  return parts;
 }
 
-void add_run(Document& document, const Run& run, const diagnosis::Ladder& ladder,
-             const diagnosis::DiagnosisData& data, const std::string& group) {
+Parts run_section(const Run& run, const diagnosis::Ladder& ladder,
+                  const diagnosis::DiagnosisData& data, const std::string& group) {
   const TimeAxis axis{run.time_s, starts_of(run.stretches), group, run.segments};
   std::vector<Trace> residuals;
   if (ladder.steps.empty()) {
@@ -324,9 +337,8 @@ void add_run(Document& document, const Run& run, const diagnosis::Ladder& ladder
     residual.caption =
         "On top, what " + verbatim(effect) + " would remove, with all coefficients refitted.";
   }
-  document.plot(residual);
-  document.plot(temperature_plot(axis, run.temperature_degc));
-  add_over_variables(document, data.series().rows(), run, ladder);
+  return residual + temperature_plot(axis, run.temperature_degc) +
+         over_variables(data.series().rows(), run, ladder);
 }
 
 }  // namespace
@@ -336,30 +348,21 @@ Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
   const diagnosis::Diagnosis& diagnosis = ladder.first;
   const DiagnosisWords said = words_of(diagnosis, ladder.next, files);
   const std::vector<std::string> names = names_from_outside(data, files);
-  Document document("fogcomp diagnose " + files.model + " " + join(files.runs, " "),
-                    words(said.verdict, names));
-  if (files.output.empty()) {
-    add_next(document, said, ladder, files.model);
-  } else {
-    next_after_ladder(document, ladder, data, files);
-  }
-  document.lead("how sure", words(said.certainty, names));
-  document.lead("how much", words(said.size, names));
-  document.lead("where", words(said.place, names));
-  document.lead("on a board", words(settling_words(ladder), names));
-  for (const auto& lines : {said.findings, said.limits}) {
-    for (const std::string& line : lines) document.sentence(words(line, names), Shown::on_request);
-  }
-  add_explanations(document, diagnosis);
-  add_candidates(document, diagnosis);
-  add_visible(document, diagnosis);
-  add_untestable(document, diagnosis);
-  if (loop_wanted) add_ladder(document, ladder, files, names);
-  add_where(document, diagnosis, data, files.runs);
+  Document document{"fogcomp diagnose " + files.model + " " + join(files.runs, " "),
+                    words(said.verdict, names)};
+  document.next = files.output.empty() ? next_of(said, ladder, files.model)
+                                       : next_after_ladder(ladder, data, files);
+  document.leads = without_empty({{"how sure", words(said.certainty, names)},
+                                  {"how much", words(said.size, names)},
+                                  {"where", words(said.place, names)},
+                                  {"on a board", words(settling_words(ladder), names)}});
+  document.parts = more_said(said, names) + effects_section(diagnosis);
+  if (loop_wanted) document.parts += ladder_section(ladder, files, names);
+  document.parts += where_section(diagnosis, data, files.runs);
   const std::vector<recording::RowRange> ranges = data.series().rows().runs();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    document.file_heading(files.runs[i]);
-    add_run(document, columns_of(data, ranges[i], ladder), ladder, data, format("run %zu", i));
+    document.parts += file_heading(files.runs[i]) + run_section(columns_of(data, ranges[i], ladder),
+                                                                ladder, data, format("run %zu", i));
   }
   return document;
 }

@@ -6,10 +6,7 @@ namespace fogcomp::findings {
 namespace {
 
 Json term_json(const model::EffectTerm& term) {
-  Json parameters = Json::object();
-  set_parameters(parameters, term);
-  set_coefficients(parameters, term);
-  return parameters;
+  return parameters_json(term).set(coefficients_json(term));
 }
 
 Json network_json(const std::optional<diagnosis::NetworkLearnt>& network) {
@@ -77,19 +74,10 @@ Json candidates_json(const std::vector<diagnosis::CandidateFinding>& candidates)
 }
 
 // The missing effects, and the alternatives.
-void set_verdict(Json& result, const diagnosis::Diagnosis& diagnosis,
-                 const diagnosis::NextStep& next) {
-  result.set("verdict", diagnosis::name_of(diagnosis.verdict));
-  result.set("effect", text_or_null(diagnosis.effect));
+Json verdict_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next) {
   std::vector<std::string> effects = next.together;
   if (effects.empty() && !diagnosis.effect.empty()) effects = {diagnosis.effect};
-  result.set("effects", effects);
-  result.set("confusable", diagnosis.confusable);
   const bool proposed = diagnosis.experiment && !diagnosis.experiment->sentence.empty();
-  result.set("experiment",
-             text_or_null(proposed ? diagnosis.experiment->sentence : diagnosis.blind_spot));
-  result.set("experiment_profile", text_or_null(proposed ? diagnosis.experiment->profile : ""));
-  result.set("candidates", candidates_json(diagnosis.candidates));
   Json untestable = json_array(diagnosis.untestable, [&](const diagnosis::Untestable& effect) {
     return Json::object().set("effect", effect.effect).set("needs", effect.needs);
   });
@@ -100,25 +88,37 @@ void set_verdict(Json& result, const diagnosis::Diagnosis& diagnosis,
             .set("probability", explanation.probability)
             .set("explained_fraction", explanation.explained_fraction);
       });
-  result.set("untestable", std::move(untestable)).set("explanations", std::move(explanations));
+  return Json::object()
+      .set("verdict", diagnosis::name_of(diagnosis.verdict))
+      .set("effect", text_or_null(diagnosis.effect))
+      .set("effects", effects)
+      .set("confusable", diagnosis.confusable)
+      .set("experiment",
+           text_or_null(proposed ? diagnosis.experiment->sentence : diagnosis.blind_spot))
+      .set("experiment_profile", text_or_null(proposed ? diagnosis.experiment->profile : ""))
+      .set("candidates", candidates_json(diagnosis.candidates))
+      .set("untestable", std::move(untestable))
+      .set("explanations", std::move(explanations));
 }
 
 // Size of the residual relative to the noise.
-void set_residual(Json& result, const diagnosis::Diagnosis& diagnosis) {
-  result.set("residual_rms_dph", diagnosis.residual_rms_dph);
-  result.set("as_given", member_or_null(diagnosis.as_given, [](const compare::BoardError& given) {
-               return Json::object()
-                   .set("residual_rms_dph", given.rms_dph)
-                   .set("residual_rms_without_delay_dph", given.without_delay_dph);
-             }));
-  result.set("outliers", diagnosis.outliers);
-  result.set("noise_floor_dph", diagnosis.noise_floor_dph);
-  result.set("unexplained_fraction", diagnosis.unexplained_fraction);
-  result.set("noise", Json::object()
-                          .set("white_dph", diagnosis.noise.white_dph())
-                          .set("slow_dph", diagnosis.noise.wander_dph())
-                          .set("freedom", diagnosis.noise.degrees_of_freedom)
-                          .set("from_quiet_parts", diagnosis.noise.from_quiet_parts));
+Json residual_json(const diagnosis::Diagnosis& diagnosis) {
+  Json as_given = member_or_null(diagnosis.as_given, [](const compare::BoardError& given) {
+    return Json::object()
+        .set("residual_rms_dph", given.rms_dph)
+        .set("residual_rms_without_delay_dph", given.without_delay_dph);
+  });
+  return Json::object()
+      .set("residual_rms_dph", diagnosis.residual_rms_dph)
+      .set("as_given", std::move(as_given))
+      .set("outliers", diagnosis.outliers)
+      .set("noise_floor_dph", diagnosis.noise_floor_dph)
+      .set("unexplained_fraction", diagnosis.unexplained_fraction)
+      .set("noise", Json::object()
+                        .set("white_dph", diagnosis.noise.white_dph())
+                        .set("slow_dph", diagnosis.noise.wander_dph())
+                        .set("freedom", diagnosis.noise.degrees_of_freedom)
+                        .set("from_quiet_parts", diagnosis.noise.from_quiet_parts));
 }
 
 std::string kind_of(const diagnosis::AdditionRequest& request) {
@@ -153,25 +153,23 @@ Json refused_json(const diagnosis::NextStep& next) {
 
 Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next,
                     const DiagnosedFiles& files) {
-  Json result = Json::object();
-  set_verdict(result, diagnosis, next);
-  result.set("description", description_json(next));
-  result.set("forms", forms_json(next.forms));
-  result.set("next", text_or_null(words_of(diagnosis, next, files).command));
-  result.set("refused", refused_json(next));
-  result.set("fast", fast_json(diagnosis));
-  result.set("where", Json::object()
-                          .set("variable", diagnosis.variable)
-                          .set("variables", shares_json(diagnosis.variables))
-                          .set("segments", shares_json(diagnosis.segments)));
-  set_residual(result, diagnosis);
-  result.set("random_walk_dph_per_rth", diagnosis.walk_dph_per_rth);
-  result.set("network", network_json(diagnosis.network));
-  result.set("nothing_missing", diagnosis.nothing)
+  return verdict_json(diagnosis, next)
+      .set("description", description_json(next))
+      .set("forms", forms_json(next.forms))
+      .set("next", text_or_null(words_of(diagnosis, next, files).command))
+      .set("refused", refused_json(next))
+      .set("fast", fast_json(diagnosis))
+      .set("where", Json::object()
+                        .set("variable", diagnosis.variable)
+                        .set("variables", shares_json(diagnosis.variables))
+                        .set("segments", shares_json(diagnosis.segments)))
+      .set(residual_json(diagnosis))
+      .set("random_walk_dph_per_rth", diagnosis.walk_dph_per_rth)
+      .set("network", network_json(diagnosis.network))
+      .set("nothing_missing", diagnosis.nothing)
       .set("something_else", diagnosis.something_else)
-      .set("faint", diagnosis.faint);
-  result.set("notes", diagnosis.notes);
-  return result;
+      .set("faint", diagnosis.faint)
+      .set("notes", diagnosis.notes);
 }
 
 Json ladder_json(const diagnosis::Ladder& ladder, const DiagnosedFiles& files) {

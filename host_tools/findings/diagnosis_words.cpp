@@ -146,48 +146,74 @@ std::string why_nothing(const diagnosis::Diagnosis& diagnosis, const diagnosis::
          "tried";
 }
 
-// What lowers the error without naming a cause, and what to do.
-void add_next(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
-              const diagnosis::NextStep& next, const DiagnosedFiles& files) {
-  if (next.describes) {
-    for (const std::string& line : description_words(next)) words.findings.push_back(line);
-  }
-  if (next.addition) {
-    words.command = add_command_line(next.addition->request, files.model, files);
-  } else {
-    words.next = why_nothing(diagnosis, next);
-  }
-}
-
-// Where something is missing: where it is, and what was tried.
-void add_what_is_left(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
-                      const diagnosis::NextStep& next) {
-  const std::string fast = fast_words(diagnosis);
-  words.place = fast.empty() ? where_words(diagnosis) : fast;
-  if (!fast.empty()) words.findings.push_back(where_words(diagnosis));
-  if (diagnosis.experiment && !diagnosis.experiment->sentence.empty()) {
-    words.findings.push_back("to tell: " + diagnosis.experiment->sentence);
-  }
-  if (diagnosis.verdict == diagnosis::Verdict::unknown || !next.addition) return;
+// The named effect where it was tried and something else is proposed: "; aging was tried ...".
+std::string refused_name(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next) {
+  std::string text;
+  if (diagnosis.verdict == diagnosis::Verdict::unknown || !next.addition) return text;
   for (const diagnosis::TriedAddition& refused : next.refused) {
     const bool is_named = refused.request.names() == std::vector<std::string>{diagnosis.effect};
-    if (is_named) words.certainty += "; " + refusal_words(refused);
+    if (is_named) text += "; " + refusal_words(refused);
   }
+  return text;
 }
 
-void add_notes(DiagnosisWords& words, const diagnosis::Diagnosis& diagnosis,
-               const diagnosis::NextStep& next) {
-  for (const std::string& note : diagnosis.notes) words.limits.push_back("note: " + note);
+// Of what the verdict names first, then of the others; reservations last.
+Headline headline_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next) {
+  const std::string others = probability_words(diagnosis);
+  if (!next.together.empty()) {
+    const auto* const set = find_explanation(diagnosis, next.together);
+    const bool likely = set == nullptr || set->probability >= kLikely;
+    const std::string together = together_words(diagnosis, next.together);
+    return {std::string("several effects together ") + (likely ? "are" : "may be") +
+                " missing: " + join_list(next.together, "and"),
+            together.empty() ? others : together + "; " + others};
+  }
+  const auto [verdict, certainty] = verdict_words(diagnosis, !next.describes);
+  if (certainty.empty()) return {verdict, others};
+  const bool is_named = diagnosis.verdict == diagnosis::Verdict::missing_effect ||
+                        diagnosis.verdict == diagnosis::Verdict::ambiguous;
+  return {verdict, is_named ? certainty + "; " + others : others + "; " + certainty};
+}
+
+// What would tell, and what lowers the error without naming a cause.
+std::vector<std::string> more_words(const diagnosis::Diagnosis& diagnosis,
+                                    const diagnosis::NextStep& next) {
+  const bool is_none = diagnosis.verdict == diagnosis::Verdict::none;
+  std::vector<std::string> lines;
+  if (next.describes && (!is_none || next.addition)) lines = description_words(next);
+  if (is_none) return lines;
+  if (diagnosis.experiment && !diagnosis.experiment->sentence.empty()) {
+    lines.insert(lines.begin(), "to tell: " + diagnosis.experiment->sentence);
+  }
+  if (!fast_words(diagnosis).empty()) lines.insert(lines.begin(), where_words(diagnosis));
+  return lines;
+}
+
+std::vector<std::string> limit_words(const diagnosis::Diagnosis& diagnosis,
+                                     const diagnosis::NextStep& next) {
+  std::vector<std::string> limits;
+  if (diagnosis.outliers > 0)
+    limits.push_back(noise::outlier_words(diagnosis.outliers, diagnosis.row_s));
+  const std::string network = network_words(diagnosis);
+  if (!network.empty()) limits.push_back(network);
+  for (const std::string& note : diagnosis.notes) limits.push_back("note: " + note);
   if (next.only_with_own_biases) {
-    words.limits.push_back("note: " + join_list(next.addition->request.names(), "and") +
-                           " with a bias of its own for each power-on holds better than anything "
-                           "with one bias for all");
+    limits.push_back("note: " + join_list(next.addition->request.names(), "and") +
+                     " with a bias of its own for each power-on holds better than anything with "
+                     "one bias for all");
   }
   if (next.only_between_recordings) {
-    words.limits.push_back("note: " + join_list(next.addition->request.names(), "and") +
-                           " shows between the recordings, with one bias for all of them; within "
-                           "them nothing is missing");
+    limits.push_back("note: " + join_list(next.addition->request.names(), "and") +
+                     " shows between the recordings, with one bias for all of them; within them "
+                     "nothing is missing");
   }
+  if (const diagnosis::CandidateFinding* finding =
+          diagnosis.find(diagnosis::effect_to_add(diagnosis))) {
+    for (const model::ShapeDoubt& doubt : model::shape_doubts(finding->term())) {
+      limits.push_back("note: " + doubt.sentence);
+    }
+  }
+  return limits;
 }
 
 }  // namespace
@@ -210,41 +236,24 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
                         const DiagnosedFiles& files) {
   DiagnosisWords words;
   const bool is_none = diagnosis.verdict == diagnosis::Verdict::none;
-  std::tie(words.verdict, words.certainty) = verdict_words(diagnosis, !next.describes);
-  if (!next.together.empty()) {
-    const auto* const set = find_explanation(diagnosis, next.together);
-    const bool likely = set == nullptr || set->probability >= kLikely;
-    words.verdict = std::string("several effects together ") + (likely ? "are" : "may be") +
-                    " missing: " + join_list(next.together, "and");
-    words.certainty = together_words(diagnosis, next.together);
-  }
-  // What the verdict names first, reservations last.
-  const bool is_named = !is_none && diagnosis.verdict != diagnosis::Verdict::unknown;
-  const bool is_first = is_named || !next.together.empty();
-  const std::string others = probability_words(diagnosis);
-  if (words.certainty.empty()) {
-    words.certainty = others;
-  } else {
-    words.certainty = is_first ? words.certainty + "; " + others : others + "; " + words.certainty;
-  }
+  std::tie(words.verdict, words.certainty) = headline_of(diagnosis, next);
   words.size = size_words(diagnosis, next);
   if (is_none && next.addition) {
     words.verdict = "no effect is missing, but " +
                     join_list(next.addition->request.names(), "and") + " can be refined";
   }
-  if (!is_none) add_what_is_left(words, diagnosis, next);
-  if (!is_none || next.addition) add_next(words, diagnosis, next, files);
-  if (diagnosis.outliers > 0)
-    words.limits.push_back(noise::outlier_words(diagnosis.outliers, diagnosis.row_s));
-  const std::string network = network_words(diagnosis);
-  if (!network.empty()) words.limits.push_back(network);
-  add_notes(words, diagnosis, next);
-  if (const diagnosis::CandidateFinding* finding =
-          diagnosis.find(diagnosis::effect_to_add(diagnosis))) {
-    for (const model::ShapeDoubt& doubt : model::shape_doubts(finding->term())) {
-      words.limits.push_back("note: " + doubt.sentence);
-    }
+  if (!is_none) {
+    words.certainty += refused_name(diagnosis, next);
+    const std::string fast = fast_words(diagnosis);
+    words.place = fast.empty() ? where_words(diagnosis) : fast;
   }
+  if (next.addition) {
+    words.command = add_command_line(next.addition->request, files.model, files);
+  } else if (!is_none) {
+    words.next = why_nothing(diagnosis, next);
+  }
+  words.findings = more_words(diagnosis, next);
+  words.limits = limit_words(diagnosis, next);
   return words;
 }
 

@@ -1,6 +1,7 @@
 #include "findings/document.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "support/text.hpp"
 
@@ -19,51 +20,67 @@ bool Table::is_of_words(std::size_t column) const {
          });
 }
 
-void Document::next(Text sentence, const std::vector<std::string>& command) {
-  next_ = {std::move(sentence), shell_words(command)};
-  proposes_reading_ = command.size() > 1 && command[1] != "export";
+Parts::Parts(Sentence sentence) {
+  if (!sentence.text.empty()) parts_.push_back({std::move(sentence)});
 }
 
-void Document::read_with(const std::vector<std::string>& options) {
-  if (proposes_reading_ && !options.empty()) next_.command += " " + shell_words(options);
+Parts::Parts(Table table) {
+  if (!table.rows.empty()) parts_.push_back({std::move(table)});
 }
 
-void Document::heading(Text text, Shown shown) {
-  parts_.push_back({Heading{std::move(text)}, shown});
-}
-
-void Document::file_heading(const std::string& path, const Text& remark) {
-  parts_.push_back({Heading{verbatim(short_names({path})[0]) + remark, path}});
-}
-
-void Document::sentence(Text text, Shown shown) {
-  if (!text.empty()) parts_.push_back({Sentence{std::move(text)}, shown});
-}
-
-void Document::lead(std::string question, Text text) {
-  if (!text.empty()) leads_.push_back({std::move(question), std::move(text)});
-}
-
-void Document::listing(std::string text, Shown shown) {
-  parts_.push_back({Listing{std::move(text)}, shown});
-}
-
-void Document::table(Table table, Shown shown) {
-  if (!table.rows.empty()) parts_.push_back({std::move(table), shown});
-}
-
-void Document::plot(Plot plot) {
+Parts::Parts(Plot plot) {
   if (!plot.curves.empty()) parts_.push_back({std::move(plot), Shown::on_page});
 }
 
-void Document::append(const Document& other) {
-  sentence(other.found_);
-  for (const Lead& lead : other.leads_) sentence(words(lead.question + ": ") + lead.text);
-  if (!other.next_.sentence.empty() || !other.next_.command.empty()) {
-    sentence("next: " + other.next_.sentence);
-    if (!other.next_.command.empty()) listing(other.next_.command);
+Parts& Parts::operator+=(Parts more) {
+  parts_.insert(parts_.end(), std::make_move_iterator(more.parts_.begin()),
+                std::make_move_iterator(more.parts_.end()));
+  return *this;
+}
+
+Parts operator+(Parts begin, Parts end) {
+  begin += std::move(end);
+  return begin;
+}
+
+Parts show(Shown where, Parts parts) {
+  for (Parts::Part& part : parts.parts_) part.shown = where;
+  return parts;
+}
+
+Parts sentences(const std::vector<Text>& texts) {
+  Parts all;
+  for (const Text& text : texts) all += Sentence{text};
+  return all;
+}
+
+Heading file_heading(const std::string& path, const Text& remark) {
+  return {verbatim(short_names({path})[0]) + remark, path};
+}
+
+Next::Next(Text why, const std::vector<std::string>& words)
+    : Next(std::move(why), shell_words(words)) {
+  reads_recordings = words.size() > 1 && words[1] != "export";
+}
+
+void Document::read_with(const std::vector<std::string>& options) {
+  if (next.reads_recordings && !options.empty()) next.command += " " + shell_words(options);
+}
+
+Parts Document::as_parts() const {
+  Parts all = Sentence{found};
+  for (const Lead& lead : leads) all += Sentence{words(lead.question + ": ") + lead.text};
+  if (!next.sentence.empty() || !next.command.empty()) {
+    all += Sentence{"next: " + next.sentence};
+    if (!next.command.empty()) all += Listing{next.command};
   }
-  parts_.insert(parts_.end(), other.parts_.begin(), other.parts_.end());
+  return all + parts;
+}
+
+std::vector<Lead> without_empty(std::vector<Lead> leads) {
+  const auto is_empty = [](const Lead& lead) { return lead.text.empty(); };
+  leads.erase(std::remove_if(leads.begin(), leads.end(), is_empty), leads.end());
+  return leads;
 }
 
 }  // namespace fogcomp::findings

@@ -76,60 +76,66 @@ struct Table {
 /// and as values what it draws (`in_details`).
 enum class Shown : std::uint8_t { everywhere, on_page, on_request, in_details };
 
-/// Findings of a command, made once. Report page and terminal render it in their own way.
-class Document {
+/// Parts of a document in their order. What shows nothing is left out: a sentence without words, a
+/// table without rows, a plot without curves. `heading + table + plot` are parts, too.
+class Parts {
  public:
-  using Content = std::variant<Sentence, Heading, Listing, Table, Plot>;
   struct Part {
-    Content content;
+    std::variant<Sentence, Heading, Listing, Table, Plot> content;
     Shown shown = Shown::everywhere;
   };
-  /// Proposed next action.
-  struct Next {
-    Text sentence{};
-    std::string command{};  ///< for a shell; "": the sentence suffices
-  };
+  Parts() = default;
+  Parts(Sentence sentence);
+  Parts(Heading heading) : parts_{{std::move(heading)}} {}
+  Parts(Listing listing) : parts_{{std::move(listing)}} {}
+  Parts(Table table);
+  Parts(Plot plot);  ///< on pages
+  Parts& operator+=(Parts more);
 
-  /// `subject`: the command line, e.g. "fogcomp info run.csv". `found`: one line.
-  Document(std::string subject, Text found)
-      : subject_(std::move(subject)), found_(std::move(found)) {}
-
-  /// `command`: its words; empty if the sentence suffices.
-  void next(Text sentence, const std::vector<std::string>& command = {});
-  /// The same with a command line quoted for a shell.
-  void next_line(Text sentence, std::string command) {
-    next_ = {std::move(sentence), std::move(command)};
-  }
-  /// The options with which the recordings were read; next() repeats them in its commands.
-  void read_with(const std::vector<std::string>& options);
-  /// An empty text is left out.
-  void lead(std::string question, Text text);
-  void heading(Text text, Shown shown = Shown::everywhere);
-  /// Heading with the file's name; its folder, if any, is below.
-  void file_heading(const std::string& path, const Text& remark = {});
-  /// An empty sentence is left out.
-  void sentence(Text text, Shown shown = Shown::everywhere);
-  void listing(std::string text, Shown shown = Shown::everywhere);
-  /// A table without rows is left out.
-  void table(Table table, Shown shown = Shown::everywhere);
-  /// A plot without curves is left out.
-  void plot(Plot plot);
-  /// All of another document but its subject, as parts of this one.
-  void append(const Document& other);
-
-  const std::string& subject() const { return subject_; }
-  const Text& found() const { return found_; }
-  const std::vector<Lead>& leads() const { return leads_; }
-  const Next& what_next() const { return next_; }
-  const std::vector<Part>& parts() const { return parts_; }
+  auto begin() const { return parts_.begin(); }
+  auto end() const { return parts_.end(); }
 
  private:
-  std::string subject_;
-  Text found_;
-  std::vector<Lead> leads_;
-  Next next_;
-  bool proposes_reading_ = false;
+  friend Parts show(Shown where, Parts parts);
   std::vector<Part> parts_;
 };
+Parts operator+(Parts begin, Parts end);
+/// The same, shown there.
+Parts show(Shown where, Parts parts);
+
+Parts sentences(const std::vector<Text>& texts);
+
+/// The file's name; its folder, if any, is below.
+Heading file_heading(const std::string& path, const Text& remark = {});
+
+/// Proposed next action.
+struct Next {
+  Text sentence{};
+  std::string command{};          ///< for a shell; "": the sentence suffices
+  bool reads_recordings = false;  ///< the command, with the options that the user has given
+
+  Next() = default;
+  Next(Text why, std::string command_line = {})
+      : sentence(std::move(why)), command(std::move(command_line)) {}
+  /// `words` of the command; empty if the sentence suffices.
+  Next(Text why, const std::vector<std::string>& words);
+};
+
+/// Findings of a command, made once. Report page and terminal render it in their own way.
+struct Document {
+  std::string subject;  ///< the command line, e.g. "fogcomp info run.csv"
+  Text found;           ///< one line
+  Next next{};
+  std::vector<Lead> leads{};
+  Parts parts{};
+
+  /// The options with which the recordings were read: the proposed command repeats them.
+  void read_with(const std::vector<std::string>& options);
+  /// All but its subject, as parts of another one.
+  Parts as_parts() const;
+};
+
+/// Those that say something.
+std::vector<Lead> without_empty(std::vector<Lead> leads);
 
 }  // namespace fogcomp::findings

@@ -83,7 +83,7 @@ Table visible_table(const std::vector<planning::VisibleSize>& sizes, const std::
 
 /// What a fit made of its prior: which coefficients the recordings moved, by how many standard
 /// deviations. Nothing without a prior.
-void add_prior(Document& document, const workflow::FitOutcome& fit);
+Parts prior_section(const workflow::FitOutcome& fit);
 
 /// Result of the comparison of a network with the effects alone, one line; "" without one.
 std::string network_verdict(const fit::FitResult& fit);

@@ -26,93 +26,88 @@ Text found(const FitOutcome& fit) {
 }
 
 // The rows of the fit, and those left out.
-void add_rows(Document& document, const FitOutcome& fit) {
+Parts row_words(const FitOutcome& fit) {
   const fit::Identification& identified = fit.result.identified;
   const noise::NoiseModel& noise = identified.noise;
-  document.sentence(
-      words(counted(static_cast<std::size_t>(fit.rows), "row") + format(" of %g s", fit.row_s)));
+  Parts parts = Sentence{
+      words(counted(static_cast<std::size_t>(fit.rows), "row") + format(" of %g s", fit.row_s))};
   if (const std::size_t refused = fit.refused_rows()) {
-    document.sentence(
-        words(counted(refused, "sample") + " of the recordings left out by the board's rules"));
+    parts += Sentence{
+        words(counted(refused, "sample") + " of the recordings left out by the board's rules")};
   }
   if (identified.outliers > 0) {
-    document.sentence(words(noise::outlier_words(identified.outliers, fit.row_s)));
+    parts += Sentence{words(noise::outlier_words(identified.outliers, fit.row_s))};
   }
   Text text = "noise of a row " + number(noise.white_dph()) + " white";
   if (!noise.components.empty()) text += ", " + number(noise.wander_dph()) + " slow";
-  document.sentence(text + " deg/h (" +
+  parts += Sentence{text + " deg/h (" +
                     (identified.prior         ? "as known before, or more"
                      : noise.from_quiet_parts ? "from the soaks"
                                               : "from neighbouring rows: no soak") +
-                    words(format("); misfit %.2f", identified.birge_ratio)));
+                    words(format("); misfit %.2f", identified.birge_ratio))};
   const auto& better = fit.better_derivative;
-  document.sentence(
+  parts += Sentence{
       words(format("of the error, the board's delay (block means, derivative filter) makes %.2g "
                    "deg/h rms",
                    fit.delay_rms_dph) +
             (better ? format("; --derivative-tau %.3g would leave %.2g of it", better->tau_s,
                              better->delay_rms_dph)
-                    : "")));
-}
-
-void add_cuts(Document& document, const FitOutcome& fit) {
-  const std::size_t masked = fit.result.identified.masked;
-  if (masked == 0) return;
-  document.sentence(words(counted(masked, "row") + " left out, next to a cut"));
+                    : ""))};
+  if (identified.masked > 0) {
+    parts += Sentence{words(counted(identified.masked, "row") + " left out, next to a cut")};
+  }
+  return parts;
 }
 
 // Change from one power-on to the next, which a model of a board cannot predict.
-void add_turn_on(Document& document, const FitOutcome& fit) {
-  const std::vector<Text> sentences = turn_on_sentences(fit.turn_on);
-  for (const Text& sentence : sentences) document.sentence(sentence);
-  if (sentences.empty()) return;
+Parts turn_on_words(const FitOutcome& fit) {
+  const std::vector<Text> seen = turn_on_sentences(fit.turn_on);
+  if (seen.empty()) return {};
   if (fit.result.identified.run_offsets_dph.empty()) {
-    document.sentence(
-        "one bias is fitted to all recordings; --run-offsets gives each power-on "
-        "its own, of which a board has the mean");
-    return;
+    return sentences(seen) +
+           Sentence{
+               "one bias is fitted to all recordings; --run-offsets gives each power-on its own, "
+               "of which a board has the mean"};
   }
   const bool is_cut = fit.result.identified.masked > 0;
-  document.sentence(words(
-      format("each %s has a bias of its own here (one sigma %.2g deg/h), so that the effects do "
+  return sentences(seen) +
+         Sentence{words(format(
+             "each %s has a bias of its own here (one sigma %.2g deg/h), so that the effects do "
              "not make up for it; a board has %s",
              is_cut ? "power-on, and each part of a cut run," : "power-on",
              fit.result.identified.turn_on_repeatability_dph,
-             is_cut ? "the mean of those with which the power-ons end" : "their mean")));
+             is_cut ? "the mean of those with which the power-ons end" : "their mean"))};
 }
 
-void add_model(Document& document, const FitOutcome& fit) {
+Parts model_section(const FitOutcome& fit) {
   const fit::Identification& identified = fit.result.identified;
-  document.heading("Model");
-  document.listing(model::describe(fit.model));
+  Parts parts = Heading{"Model"} + Listing{model::describe(fit.model)};
   if (std::any_of(fit.model.terms.begin(), fit.model.terms.end(),
                   [](const model::EffectTerm& term) { return term.gyro.has_value(); })) {
-    document.sentence(
+    parts += Sentence{
         "these are the gyro's own values; those of the board make up for the delay, noise and "
-        "steps of its derivative");
+        "steps of its derivative"};
   }
   for (std::size_t i = 0; i < fit.model.terms.size(); ++i) {
-    document.sentence(
+    parts += Sentence{
         verbatim(fit.model.terms[i].name) +
-        words(format(" would show from a peak of %.2g deg/h on", identified.visible_dph[i])));
+        words(format(" would show from a peak of %.2g deg/h on", identified.visible_dph[i]))};
   }
-  for (Text& bias : own_bias_words(identified)) document.sentence(std::move(bias));
+  parts += sentences(own_bias_words(identified));
   for (const std::string& warning : identified.warnings) {
-    document.sentence(words("note: " + warning));
+    parts += Sentence{words("note: " + warning)};
   }
+  return parts;
 }
 
-void add_ladder(Document& document, const FitOutcome& fit) {
-  document.heading("Error ladder");
-  document.table(error_ladder(fit.model));
+Parts ladder_section(const FitOutcome& fit) {
+  Parts parts = Heading{"Error ladder"} + error_ladder(fit.model);
   if (const std::optional<double> determined = fit.determined_weights()) {
-    document.sentence(
-        words(format("of the network's weights the data determine %.1f", *determined)));
+    parts +=
+        Sentence{words(format("of the network's weights the data determine %.1f", *determined))};
   }
-  if (fit.result.network_judged) {
-    document.sentence(words(network_verdict(fit.result) +
-                            (fit.network_dropped() ? "; --force-network keeps it" : "")));
-  }
+  return parts + Sentence{words(network_verdict(fit.result) +
+                                (fit.network_dropped() ? "; --force-network keeps it" : ""))};
 }
 
 }  // namespace
@@ -135,22 +130,17 @@ std::vector<Text> own_bias_words(const fit::Identification& identified) {
 }
 
 Document fit_findings(const FitOutcome& fit, const compare::ModelOnRuns& model) {
-  Document document("fogcomp fit " + join(run_files(model), " ") + " -o " + model.file, found(fit));
-  if (std::any_of(model.runs.begin(), model.runs.end(), leaves_drift)) {
-    document.next("ask which effect is missing", diagnose_command(model.file, run_files(model)));
-  } else {
-    document.next(
-        "nothing above the noise floor is left; compare the model with a run that it was not "
-        "fitted to");
-  }
-  add_rows(document, fit);
-  add_cuts(document, fit);
-  add_turn_on(document, fit);
-  add_model(document, fit);
-  add_prior(document, fit);
-  add_ladder(document, fit);
+  Document document{"fogcomp fit " + join(run_files(model), " ") + " -o " + model.file, found(fit)};
+  document.next =
+      std::any_of(model.runs.begin(), model.runs.end(), leaves_drift)
+          ? Next("ask which effect is missing", diagnose_command(model.file, run_files(model)))
+          : Next(
+                "nothing above the noise floor is left; compare the model with a run that it was "
+                "not fitted to");
+  document.parts = row_words(fit) + turn_on_words(fit) + model_section(fit) + prior_section(fit) +
+                   ladder_section(fit);
   for (std::size_t run = 0; run < model.runs.size(); ++run) {
-    add_run(document, {&model}, run, Shown::on_page);
+    document.parts += run_section({&model}, run, Shown::on_page);
   }
   return document;
 }

@@ -39,8 +39,7 @@ Json fit_json(const workflow::FitOutcome& fit, const std::string& output) {
   result.set("noise_white_dph", identified.noise.white_dph());
   result.set("noise_slow_dph", identified.noise.wander_dph());
   result.set("run_offsets_dph", identified.run_offsets_dph).set("notes", std::move(notes));
-  set_turn_on(fit.turn_on, result);
-  result.set("delay_rms_dph", fit.delay_rms_dph);
+  result.set(turn_on_json(fit.turn_on)).set("delay_rms_dph", fit.delay_rms_dph);
   const auto& better = fit.better_derivative;
   result.set(
       "better_derivative", member_or_null(better, [](const fit::DerivativeChoice& choice) {

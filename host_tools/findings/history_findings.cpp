@@ -47,30 +47,26 @@ Table steps_table(const Steps& steps) {
   return table;
 }
 
-void add_figure(Table& table, Text& effect, const Text& name, double value, double sigma,
-                const std::string& unit, bool is_given) {
-  table.rows.push_back({effect, name, significant(value),
-                        is_given ? Text("given") : significant(sigma), words(unit)});
-  effect = "";  // named once
-}
-
 Table terms_table(const model::Model& model) {
   Table table;
   table.columns = {"effect", "figure", "value", "+-", "unit"};
   for (const model::EffectTerm& term : model.terms) {
     const model::TermInfo info = model::info_of(term);
-    Text effect = verbatim(term.expression ? term.name + " = " + term.expression->expression.text
-                                           : term.name);
+    const std::size_t first = table.rows.size();
     for (std::size_t i = 0; i < term.coefficients_dph.size(); ++i) {
       const auto [value, sigma] = model::natural_coefficient(term, i);
-      add_figure(table, effect, words(info.coefficients[i].symbol), value, sigma,
-                 info.coefficients[i].unit, false);
+      table.rows.push_back({"", words(info.coefficients[i].symbol), significant(value),
+                            significant(sigma), words(info.coefficients[i].unit)});
     }
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
       const model::Estimate own = model::shape_value(term, i);
-      add_figure(table, effect, words(info.parameters[i].name), own.value, own.sigma,
-                 info.parameters[i].unit, !term.parameters[i].identified);
+      table.rows.push_back({"", words(info.parameters[i].name), significant(own.value),
+                            term.parameters[i].identified ? significant(own.sigma) : Text("given"),
+                            words(info.parameters[i].unit)});
     }
+    if (table.rows.size() == first) continue;
+    table.rows[first].cells[0] = verbatim(
+        term.expression ? term.name + " = " + term.expression->expression.text : term.name);
   }
   return table;
 }
@@ -100,18 +96,15 @@ Table error_ladder(const model::Model& model) {
 }
 
 Document history_findings(const model::Model& model, const std::string& file) {
-  Document document("fogcomp history " + file, found(model.history));
-  document.heading("Error ladder");
-  document.table(error_ladder(model));
-  document.heading("Steps");
-  document.table(steps_table(model.history));
-  document.heading("Model");
-  document.table(terms_table(model));
+  Document document{"fogcomp history " + file, found(model.history)};
+  document.parts = Heading{"Error ladder"} + error_ladder(model);
+  document.parts += Heading{"Steps"} + steps_table(model.history);
+  document.parts += Heading{"Model"} + terms_table(model);
   if (model.network.present()) {
-    document.sentence(
+    document.parts += Sentence{
         words("and a network of " +
               counted(static_cast<std::size_t>(model.network.hidden.biases.size()), "neuron") +
-              " on what these leave"));
+              " on what these leave")};
   }
   return document;
 }

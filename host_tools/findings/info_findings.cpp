@@ -26,8 +26,7 @@ constexpr double kInstabilityToFloor = 0.664;  // sqrt(2 ln 2 / pi)
 
 struct Finding {
   Text found;
-  Text next;
-  std::vector<std::string> command{};
+  Next next;
 };
 
 std::optional<double> drift_of(const compare::BiasSummary& bias,
@@ -44,24 +43,16 @@ bool is_turned(const recording::Recording& recording) {
 Finding find_in_table(const recording::Recording& table, const compare::RunSummary& summary) {
   const auto& degc = table.temperature_degc;
   const auto [min, max] = std::minmax_element(degc.begin(), degc.end());
-  Finding finding{
-      "a table: " +
-          words(counted(table.rows(), "mean") + format(" at %.1f to %.1f degC", *min, *max)) +
-          (summary.bias.std_dph
-               ? ", which scatter by " + number(*summary.bias.std_dph) + " deg/h (std)"
-               : Text()),
-      "it shows no effect of the temperature's rate or history, of time, and no noise; "
-      "fit what temperature does",
-      {}};
   const std::string turned = is_turned(table) ? ",scale_factor" : "";
-  finding.command = {"fogcomp",
-                     "fit",
-                     table.file,
-                     "-o",
-                     "gyro.model",
-                     "--effects",
-                     "bias,bias_temperature:order=2" + turned};
-  return finding;
+  return {"a table: " +
+              words(counted(table.rows(), "mean") + format(" at %.1f to %.1f degC", *min, *max)) +
+              (summary.bias.std_dph
+                   ? ", which scatter by " + number(*summary.bias.std_dph) + " deg/h (std)"
+                   : Text()),
+          {"it shows no effect of the temperature's rate or history, of time, and no noise; "
+           "fit what temperature does",
+           {"fogcomp", "fit", table.file, "-o", "gyro.model", "--effects",
+            "bias,bias_temperature:order=2" + turned}}};
 }
 
 Finding find(const recording::Recording& recording, const compare::RunSummary& summary) {
@@ -71,11 +62,11 @@ Finding find(const recording::Recording& recording, const compare::RunSummary& s
   if (!drift && recording.stretch_starts.size() > 1 && length_s >= 2 * summary.average_s) {
     return {words(format("gaps leave no two whole means of %.4g s, which drift needs",
                          summary.average_s)),
-            "see why samples are lost, or give a shorter --average"};
+            {"see why samples are lost, or give a shorter --average"}};
   }
   if (!drift) {
     return {"the recording is too short to tell drift from noise",
-            "record for longer: a day in a chamber shows what temperature does"};
+            {"record for longer: a day in a chamber shows what temperature does"}};
   }
   const Text error = words(format("means of %.4g s scatter by ", summary.average_s)) +
                      number(*summary.bias.std_dph) + " deg/h (std), noise alone would make " +
@@ -86,12 +77,12 @@ Finding find(const recording::Recording& recording, const compare::RunSummary& s
                                  });
   if (!ramps) {
     return {"the temperature stands still: " + error,
-            "this run shows noise and warm-up only; record one in which the temperature moves"};
+            {"this run shows noise and warm-up only; record one in which the temperature moves"}};
   }
   return {
       number(*drift) + " deg/h of drift: " + error,
-      "fit physical effects to it, then look at what they leave",
-      {"fogcomp", "fit", recording.file, "-o", "gyro.model", "--effects", model::kFirstEffects}};
+      {"fit physical effects to it, then look at what they leave",
+       {"fogcomp", "fit", recording.file, "-o", "gyro.model", "--effects", model::kFirstEffects}}};
 }
 
 std::string duration(double seconds) {
@@ -132,18 +123,19 @@ std::string shown_words(const std::vector<planning::VisibleSize>& visible, doubl
          (hidden.empty() ? "" : "; not, even as large as the whole drift: " + join(hidden, ", "));
 }
 
-void add_course(Document& document, const recording::Recording& recording,
-                const compare::RunSummary& summary,
-                const std::vector<planning::VisibleSize>& visible) {
+std::vector<Lead> leads_of(const recording::Recording& recording,
+                           const compare::RunSummary& summary,
+                           const std::vector<planning::VisibleSize>& visible) {
   const std::string course = course_words(recording, recording::temperature_course(recording));
-  if (course.empty()) return;
-  document.lead("what it is", words(course));
+  if (course.empty()) return {};
   const std::optional<double> drift_dph = drift_of(summary.bias, summary);
-  if (drift_dph) document.lead("can show", words(shown_words(visible, *drift_dph)));
+  return without_empty(
+      {{"what it is", words(course)},
+       {"can show", drift_dph ? words(shown_words(visible, *drift_dph)) : Text()}});
 }
 
 // Extent of the data, and rows left out.
-void add_extent(Document& document, const recording::Recording& recording) {
+Parts extent(const recording::Recording& recording) {
   std::string text = counted(recording.rows(), recording.is_table ? "line" : "sample");
   if (recording.period_s > 0) {
     const double length_s = recording.time_s.back() - recording.time_s.front();
@@ -159,19 +151,20 @@ void add_extent(Document& document, const recording::Recording& recording) {
   if (recording.empty_rows > 0) {
     text += ", " + counted(recording.empty_rows, "sample") + " without a value left out";
   }
-  document.sentence(words(text));
+  Parts parts = Sentence{words(text)};
   if (recording.refused_rows > 0) {
-    document.sentence(
-        words(counted(recording.refused_rows, "sample") + " left out by the board's rules"));
+    parts += Sentence{
+        words(counted(recording.refused_rows, "sample") + " left out by the board's rules")};
   }
-  if (recording.capture) document.sentence(words(recording::describe(*recording.capture)));
+  if (recording.capture) parts += Sentence{words(recording::describe(*recording.capture))};
   if (recording.rows() > 1 && !recording::rate_resolution(recording).varies()) {
-    document.sentence("note: the rate does not move; is the gyro on and connected?");
+    parts += Sentence{"note: the rate does not move; is the gyro on and connected?"};
   }
+  return parts;
 }
 
 // Where the temperature goes one way only, it cannot be told from time.
-void add_programme(Document& document, const compare::RunSummary& summary) {
+Text programme_words(const compare::RunSummary& summary) {
   bool rises = false;
   bool falls = false;
   double fastest = 0;
@@ -180,7 +173,7 @@ void add_programme(Document& document, const compare::RunSummary& summary) {
     (segment.kind == recording::SegmentKind::ramp_up ? rises : falls) = true;
     fastest = std::max(fastest, std::fabs(segment.temperature_rate_degc_per_min));
   }
-  if (!rises && !falls) return;
+  if (!rises && !falls) return {};
   const auto& degc = summary.blocks.temperature_degc;
   const auto [min, max] = std::minmax_element(degc.begin(), degc.end());
   std::string text =
@@ -191,17 +184,17 @@ void add_programme(Document& document, const compare::RunSummary& summary) {
         ": what it does cannot be told from what time since power-on does (warm_up, aging); "
         "record a way back, too";
   }
-  document.sentence(words(text));
+  return words(text);
 }
 
-void add_bias(Document& document, bool of_lines, const compare::RunSummary& summary) {
+Parts bias_section(bool of_lines, const compare::RunSummary& summary) {
   const compare::BiasSummary& bias = summary.bias;
   Table table;
   table.columns = {"bias (rate less input rate)", "deg/h"};
   table.rows = {{"mean", number(bias.mean_dph)}};
   if (of_lines) {
     table.rows.push_back({"std of the lines", dph(bias.std_dph)});
-    return document.table(std::move(table));
+    return table;
   }
   table.rows = {
       {"mean", number(bias.mean_dph)},
@@ -209,13 +202,12 @@ void add_bias(Document& document, bool of_lines, const compare::RunSummary& summ
       {"noise floor of such a mean", dph(summary.noise_floor_dph)},
       {"drift, sqrt(std^2 - floor^2)", dph(drift_of(bias, summary))},
   };
-  document.table(std::move(table));
-  if (summary.outliers > 0) {
-    document.sentence(words(noise::outlier_words(summary.outliers, summary.average_s)));
-  }
+  const std::string outliers =
+      summary.outliers > 0 ? noise::outlier_words(summary.outliers, summary.average_s) : "";
+  return table + Sentence{words(outliers)};
 }
 
-void add_segments(Document& document, const compare::RunSummary& summary) {
+Table segment_table(const compare::RunSummary& summary) {
   Table table;
   table.columns = {"segment", "mean, deg/h", "drift, deg/h", "std, deg/h",
                    "degC",    "degC/min",    "from, h",      "length, h"};
@@ -228,8 +220,7 @@ void add_segments(Document& document, const compare::RunSummary& summary) {
          verbatim(format("%.2f", segment.start_s / kSecondsPerHour)),
          verbatim(format("%.2f", segment.duration_s / kSecondsPerHour))});
   }
-  document.heading("Segments");
-  document.table(std::move(table));
+  return table;
 }
 
 std::vector<recording::Segment> summary_segments(const compare::RunSummary& summary) {
@@ -240,21 +231,18 @@ std::vector<recording::Segment> summary_segments(const compare::RunSummary& summ
   return segments;
 }
 
-void add_over_time(Document& document, const recording::Recording& recording,
-                   const compare::RunSummary& summary) {
+Parts over_time(const recording::Recording& recording, const compare::RunSummary& summary) {
   const recording::Recording& blocks = summary.blocks;
-  if (blocks.rows() < 2) return;
+  if (blocks.rows() < 2) return {};
   const std::vector<double> bias = recording::bias_dph(blocks);
   const TimeAxis axis{blocks.time_s, blocks.stretch_starts, "run", summary_segments(summary)};
-  document.heading("Over time");
   Plot means = time_plot(words(format("Bias, means of %.4g s.", summary.average_s)), "bias, deg/h",
                          axis, {{"bias", "residual", bias}});
   means.caption = "Mean " + number(summary.bias.mean_dph) + " deg/h, std " +
                   dph(summary.bias.std_dph) + "; noise alone would make " +
                   dph(summary.noise_floor_dph) + ".";
-  document.plot(means);
-  document.plot(temperature_plot(axis, blocks.temperature_degc));
-  if (recording.rows() == blocks.rows()) return;
+  Parts parts = Heading{"Over time"} + means + temperature_plot(axis, blocks.temperature_degc);
+  if (recording.rows() == blocks.rows()) return parts;
   const TimeAxis samples{recording.time_s, recording.stretch_starts, "run", axis.segments};
   const bool has_input = !recording.input_rate_dph.empty();
   const std::vector<double> less_input =
@@ -262,7 +250,7 @@ void add_over_time(Document& document, const recording::Recording& recording,
   const std::vector<double>& sample_bias = has_input ? less_input : recording.rate_dph;
   Plot every = time_plot("Samples.", "bias, deg/h", samples, {{"sample", "second", sample_bias}});
   every.caption = "Std " + dph(summary.bias.sample_std_dph) + " deg/h.";
-  document.plot(every);
+  return parts + every;
 }
 
 // Decimals that show `digits` digits of a value of this size.
@@ -286,7 +274,7 @@ Text instability_bound(const std::vector<noise::AllanPoint>& curve) {
   return "below " + to_digits_of(bound, bound);
 }
 
-void add_coefficients(Document& document, const compare::RunSummary& summary) {
+Table coefficient_table(const compare::RunSummary& summary) {
   Table table;
   table.caption = "noise coefficients (IEEE Std 952)";
   table.columns = {"coefficient", "value", "+- (95 %)", "unit"};
@@ -302,17 +290,16 @@ void add_coefficients(Document& document, const compare::RunSummary& summary) {
   add("B  bias instability", noise.bias_instability_dph, instability_bound(summary.allan), "deg/h");
   add("K  rate random walk", noise.rate_random_walk_dphrh, "not shown", "deg/h/sqrt(h)");
   add("R  rate ramp", noise.rate_ramp_dphh, "not shown", "deg/h/h");
-  document.table(std::move(table));
+  return table;
 }
 
-void add_noise(Document& document, const compare::RunSummary& summary) {
-  document.heading("Noise");
+Parts noise_section(const compare::RunSummary& summary) {
+  const Heading heading{"Noise"};
   if (summary.allan.empty()) {
-    document.sentence(
-        "no soak is long enough for an Allan deviation; on a ramp it would show drift, not noise");
-    return;
+    return heading + Sentence{
+                         "no soak is long enough for an Allan deviation; on a ramp it would show "
+                         "drift, not noise"};
   }
-  document.plot(allan_plot({{"bias", "residual", summary.allan}}, summary.noise));
   Table table;
   table.caption = words("overlapping Allan deviation in " + duration(summary.soak_s) + " of soaks");
   table.columns = {"tau, s", "sigma, deg/h", "+- (1 sigma)"};
@@ -321,23 +308,22 @@ void add_noise(Document& document, const compare::RunSummary& summary) {
                           to_digits_of(point.sigma, point.one_sigma),
                           to_digits_of(point.one_sigma, point.one_sigma)});
   }
-  document.table(std::move(table), Shown::in_details);
-  add_coefficients(document, summary);
+  return heading + allan_plot({{"bias", "residual", summary.allan}}, summary.noise) +
+         show(Shown::in_details, table) + coefficient_table(summary);
 }
 
-void add_over_temperature(Document& document, const compare::RunSummary& summary) {
+Parts over_temperature(const compare::RunSummary& summary) {
   const recording::Recording& blocks = summary.blocks;
   const compare::TemperatureSensitivity& sensitivity = summary.sensitivity;
   const std::vector<compare::Branch> branch = compare::branches(blocks.temperature_degc);
-  document.heading("Over temperature");
+  Plot plot;
   if (ever_moves(branch)) {
-    Plot plot = branch_plot("Bias over temperature.", "temperature, degC", "bias, deg/h",
-                            blocks.temperature_degc, recording::bias_dph(blocks), branch);
+    plot = branch_plot("Bias over temperature.", "temperature, degC", "bias, deg/h",
+                       blocks.temperature_degc, recording::bias_dph(blocks), branch);
     if (sensitivity.hysteresis_dph) {
       plot.caption = "Heating and cooling lie up to " + number(*sensitivity.hysteresis_dph) +
                      words(format(" deg/h apart, at %.0f degC.", *sensitivity.hysteresis_at_degc));
     }
-    document.plot(plot);
   }
   Table table;
   table.columns = {"sensitivity", "value", "unit"};
@@ -352,7 +338,7 @@ void add_over_temperature(Document& document, const compare::RunSummary& summary
   add("to temperature rate, cooling", sensitivity.cooling_dph_per_degc_per_min, "deg/h/(degC/min)");
   add("hysteresis, widest loop", sensitivity.hysteresis_dph,
       words(format("deg/h (at %.0f degC)", sensitivity.hysteresis_at_degc.value_or(0))));
-  document.table(std::move(table));
+  return Heading{"Over temperature"} + plot + table;
 }
 
 double share_of_input_rate(const recording::Recording& blocks, const std::vector<double>& bias) {
@@ -366,23 +352,26 @@ double share_of_input_rate(const recording::Recording& blocks, const std::vector
 }
 
 // The bias as a function of each varying input, the input rate first.
-void add_over_inputs(Document& document, const compare::RunSummary& summary) {
+Parts over_inputs(const compare::RunSummary& summary) {
   const recording::Recording& blocks = summary.blocks;
   const std::vector<double> bias = recording::bias_dph(blocks);
   const std::vector<compare::Branch> branch = compare::branches(blocks.temperature_degc);
-  const auto add = [&](fog::Input input, const std::vector<double>& values) {
-    if (values.size() != bias.size() || !compare::varies(values)) return false;
-    document.plot(branch_plot("Bias over " + input_name(input) + ".", input_label(input),
-                              "bias, deg/h", values, bias, branch));
-    return true;
+  const auto over = [&](fog::Input input, const std::vector<double>& values) {
+    return values.size() != bias.size() || !compare::varies(values)
+               ? Plot()
+               : branch_plot("Bias over " + input_name(input) + ".", input_label(input),
+                             "bias, deg/h", values, bias, branch);
   };
-  if (add(fog::Input::input_rate, blocks.input_rate_dph)) {
-    document.sentence(words(format("the input rate explains %.0f %% of the bias's variance",
-                                   100 * share_of_input_rate(blocks, bias))));
+  const Plot over_rate = over(fog::Input::input_rate, blocks.input_rate_dph);
+  Parts parts = over_rate;
+  if (!over_rate.curves.empty()) {
+    parts += Sentence{words(format("the input rate explains %.0f %% of the bias's variance",
+                                   100 * share_of_input_rate(blocks, bias)))};
   }
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    add(fog::extension_input(i), blocks[fog::extension_input(i)]);
+    parts += over(fog::extension_input(i), blocks[fog::extension_input(i)]);
   }
+  return parts;
 }
 
 }  // namespace
@@ -390,23 +379,19 @@ void add_over_inputs(Document& document, const compare::RunSummary& summary) {
 Document info_findings(const recording::Recording& recording, const compare::RunSummary& summary,
                        const std::vector<planning::VisibleSize>& visible) {
   const Finding finding = find(recording, summary);
-  Document document("fogcomp info " + recording.file, finding.found);
-  document.next(finding.next, finding.command);
-  add_course(document, recording, summary, visible);
-  add_extent(document, recording);
-  add_programme(document, summary);
-  add_bias(document, recording.is_table, summary);
+  Document document{"fogcomp info " + recording.file, finding.found, finding.next,
+                    leads_of(recording, summary, visible)};
+  document.parts = extent(recording) + Sentence{programme_words(summary)} +
+                   bias_section(recording.is_table, summary);
   if (recording.rows() == 1) return document;
   if (!recording.is_table) {
-    add_segments(document, summary);
-    add_over_time(document, recording, summary);
+    document.parts += Heading{"Segments"} + segment_table(summary);
+    document.parts += over_time(recording, summary);
   }
-  add_over_temperature(document, summary);
-  add_over_inputs(document, summary);
-  if (!recording.is_table) add_noise(document, summary);
+  document.parts += over_temperature(summary) + over_inputs(summary);
+  if (!recording.is_table) document.parts += noise_section(summary);
   if (!visible.empty()) {
-    document.heading("What it can show");
-    document.table(visible_table(visible, "these rows"));
+    document.parts += Heading{"What it can show"} + visible_table(visible, "these rows");
   }
   return document;
 }

@@ -35,16 +35,14 @@ Json allan_json(const std::vector<noise::AllanPoint>& points) {
       .set("one_sigma_dph", members(points, &Point::one_sigma));
 }
 
-void set_coefficients(Json& object, const noise::NoiseCoefficients& noise,
-                      double noise::NoiseCoefficient::*figure) {
-  const auto set = [&](const char* name, const std::optional<noise::NoiseCoefficient>& one) {
-    object.set(name, member_or_null(one, figure));
-  };
-  set("angle_random_walk_dprh", noise.angle_random_walk_dprh);
-  set("bias_instability_dph", noise.bias_instability_dph);
-  set("rate_random_walk_dphrh", noise.rate_random_walk_dphrh);
-  set("rate_ramp_dphh", noise.rate_ramp_dphh);
-  set("quantization_deg", noise.quantization_deg);
+template <class Figure>
+Json coefficients_json(const noise::NoiseCoefficients& noise, Figure figure) {
+  return Json::object()
+      .set("angle_random_walk_dprh", member_or_null(noise.angle_random_walk_dprh, figure))
+      .set("bias_instability_dph", member_or_null(noise.bias_instability_dph, figure))
+      .set("rate_random_walk_dphrh", member_or_null(noise.rate_random_walk_dphrh, figure))
+      .set("rate_ramp_dphh", member_or_null(noise.rate_ramp_dphh, figure))
+      .set("quantization_deg", member_or_null(noise.quantization_deg, figure));
 }
 
 Json capture_json(const recording::CaptureCounts& counts) {
@@ -78,13 +76,13 @@ Json info_json(const recording::Recording& recording, const compare::RunSummary&
       .set("sample_std_dph", summary.bias.sample_std_dph)
       .set("noise_floor_dph", summary.noise_floor_dph)
       .set("segments", segments_json(summary.segments))
-      .set("allan", allan_json(summary.allan));
-  set_coefficients(object, summary.noise, &noise::NoiseCoefficient::value);
-  Json half_widths = Json::object();
-  set_coefficients(half_widths, summary.noise, &noise::NoiseCoefficient::half_width_95);
+      .set("allan", allan_json(summary.allan))
+      .set(coefficients_json(summary.noise, &noise::NoiseCoefficient::value));
   if (recording.capture) object.set("capture", capture_json(*recording.capture));
   const compare::TemperatureSensitivity& sensitivity = summary.sensitivity;
-  object.set("half_width_95", std::move(half_widths))
+  object
+      .set("half_width_95",
+           coefficients_json(summary.noise, &noise::NoiseCoefficient::half_width_95))
       .set("bias_temperature_sensitivity_dph_per_degc", sensitivity.bias_dph_per_degc)
       .set("temperature_rate_sensitivity_heating_dph_per_degc_per_min",
            sensitivity.heating_dph_per_degc_per_min)

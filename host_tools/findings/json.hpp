@@ -71,16 +71,16 @@ Json comparison_json(const workflow::PlanComparison& comparison);
 
 Json paper_json(const std::vector<research::Study>& studies);
 
-/// Sets "turn_on_bias", of the second run, the third, ... relative to the first, certain or not,
-/// and "turn_on_repeatability".
-void set_turn_on(const compare::TurnOn& turn_on, Json& object);
+/// Object of "turn_on_bias", of the second run, the third, ... relative to the first, certain or
+/// not, and "turn_on_repeatability".
+Json turn_on_json(const compare::TurnOn& turn_on);
 
 /// `output`: folder of the results. `calibrated`, `already_done`: numbers of gyros, now and before.
 Json batch_json(const batch::Summary& summary, const std::string& output, std::size_t calibrated,
                 std::size_t already_done);
 
 /// Shape parameters and coefficients by name, coefficients in their own units.
-void set_parameters(Json& object, const model::EffectTerm& term);
-void set_coefficients(Json& object, const model::EffectTerm& term);
+Json parameters_json(const model::EffectTerm& term);
+Json coefficients_json(const model::EffectTerm& term);
 
 }  // namespace fogcomp::findings

@@ -28,9 +28,8 @@ std::vector<std::string> go_on_command(const diagnosis::Ladder& ladder,
 
 }  // namespace
 
-void add_ladder(Document& document, const diagnosis::Ladder& ladder, const DiagnosedFiles& files,
-                const std::vector<std::string>& names) {
-  document.heading("Error ladder");
+Parts ladder_section(const diagnosis::Ladder& ladder, const DiagnosedFiles& files,
+                     const std::vector<std::string>& names) {
   Table table;
   table.caption = "everything refitted at each step";
   table.columns = {"step", {"rms left", "residual"}, "out of sample"};
@@ -51,30 +50,27 @@ void add_ladder(Document& document, const diagnosis::Ladder& ladder, const Diagn
                           {number(tried.fitted_after_dph), tried.fitted_after_dph},
                           judged});
   }
-  document.table(std::move(table));
-  document.sentence(words(end_words(ladder), names));
-  if (ladder.steps.empty()) return;
-  if (const auto& uncertain = ladder.model.uncertain) {
-    document.sentence(words(uncertain->words()));
-  }
-  document.sentence("the same, step by step:");
-  document.listing("  " + join(ladder_commands(ladder, files), "\n  ") + "\n");
+  Parts parts = Heading{"Error ladder"} + table + Sentence{words(end_words(ladder), names)};
+  if (ladder.steps.empty()) return parts;
+  if (const auto& uncertain = ladder.model.uncertain) parts += Sentence{words(uncertain->words())};
+  return parts + Sentence{"the same, step by step:"} +
+         Listing{"  " + join(ladder_commands(ladder, files), "\n  ") + "\n"};
 }
 
-void next_after_ladder(Document& document, const diagnosis::Ladder& ladder,
-                       const diagnosis::DiagnosisData& data, const DiagnosedFiles& files) {
+Next next_after_ladder(const diagnosis::Ladder& ladder, const diagnosis::DiagnosisData& data,
+                       const DiagnosedFiles& files) {
   const bool is_complete = ladder.last.verdict == diagnosis::Verdict::none;
   if (is_complete && can_be_exported(ladder.model, files.output)) {
-    next_export(document, "make the board's header", ladder.model, files.output);
-  } else if (!is_complete && ladder.is_cut_off) {
-    document.next("the loop may add no more; ask what is still missing",
-                  go_on_command(ladder, data, files));
-  } else {
-    std::vector<std::string> command{"fogcomp", "compare", files.output};
-    const std::vector<std::string>& judges = files.holdouts.empty() ? files.runs : files.holdouts;
-    command.insert(command.end(), judges.begin(), judges.end());
-    document.next("see what the loop's model leaves", command);
+    return next_export("make the board's header", ladder.model, files.output);
   }
+  if (!is_complete && ladder.is_cut_off) {
+    return {"the loop may add no more; ask what is still missing",
+            go_on_command(ladder, data, files)};
+  }
+  std::vector<std::string> command{"fogcomp", "compare", files.output};
+  const std::vector<std::string>& judges = files.holdouts.empty() ? files.runs : files.holdouts;
+  command.insert(command.end(), judges.begin(), judges.end());
+  return {"see what the loop's model leaves", command};
 }
 
 }  // namespace fogcomp::findings

@@ -12,13 +12,13 @@ namespace fogcomp::findings {
 
 /// The stepwise selection: what each step left, why it ended, and the commands that make its model.
 /// `names`: from outside, within our own words.
-void add_ladder(Document& document, const diagnosis::Ladder& ladder, const DiagnosedFiles& files,
-                const std::vector<std::string>& names);
+Parts ladder_section(const diagnosis::Ladder& ladder, const DiagnosedFiles& files,
+                     const std::vector<std::string>& names);
 
-/// Proposes what to do with the model that a selection wrote to files.output, whatever its steps
+/// What to do with the model that a selection wrote to files.output, whatever its steps
 /// were: to export the model if nothing is missing; to go on if only the limit of steps ended it;
 /// else, or if no board can run it, to see what it leaves, on the first holdout if there is one.
-void next_after_ladder(Document& document, const diagnosis::Ladder& ladder,
-                       const diagnosis::DiagnosisData& data, const DiagnosedFiles& files);
+Next next_after_ladder(const diagnosis::Ladder& ladder, const diagnosis::DiagnosisData& data,
+                       const DiagnosedFiles& files);
 
 }  // namespace fogcomp::findings

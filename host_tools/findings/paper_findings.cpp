@@ -19,7 +19,7 @@ Text cell(research::MeanStd value) {
   return number(value.mean_dph) + " +- " + number(value.std_dph);
 }
 
-void add_table_1(Document& document, const research::Study& study) {
+Table table_1(const research::Study& study) {
   const Eigen::VectorXd& raw = study.run.series.rows().drift_dph;
   Table table;
   table.caption = "mean +- std, deg/h; sym8, 5 levels, heursure, soft";
@@ -31,11 +31,10 @@ void add_table_1(Document& document, const research::Study& study) {
          cell({printed.denoised_mean, printed.denoised_std}),
          cell(research::mean_and_std(study.of_segment(printed.name, study.denoised_dph)))});
   }
-  document.heading("Table 1: denoising");
-  document.table(std::move(table));
+  return table;
 }
 
-void add_table_2(Document& document, const research::Study& study) {
+Table table_2(const research::Study& study) {
   const Eigen::VectorXd& raw = study.run.series.rows().drift_dph;
   const auto left = [&](const research::PrintedSegment& printed, const char* model) {
     return cell(
@@ -49,21 +48,20 @@ void add_table_2(Document& document, const research::Study& study) {
                           left(printed, "bp"), cell({printed.pso_bp_mean, printed.pso_bp_std}),
                           left(printed, "pso-bp")});
   }
-  document.heading("Table 2: compensated, by segment");
-  document.table(std::move(table));
+  return table;
 }
 
-void add_denoisers(Document& document, const research::Study& study) {
+Table denoiser_table(const research::Study& study) {
   Table table;
   table.caption = "denoised run against the noise-free truth; flicker noise stays with any";
   table.columns = {"denoiser", "rms, deg/h"};
   for (const research::DenoiserResult& denoiser : study.denoisers) {
     table.rows.push_back({verbatim(denoiser.name), number(denoiser.truth_rms_dph)});
   }
-  document.table(std::move(table));
+  return table;
 }
 
-void add_table_3(Document& document, const research::Study& study) {
+Table table_3(const research::Study& study) {
   const research::PrintedSegment& all = research::kPrinted.back();
   Table table;
   table.caption =
@@ -89,8 +87,7 @@ void add_table_3(Document& document, const research::Study& study) {
   add("BP", all.bp_std, study.model("bp").own.residual.std_dph);
   add("PSO-BP", all.pso_bp_std, study.model("pso-bp").own.residual.std_dph);
   add("noise floor", research::kPrintedFloorDph, floor_dph);
-  document.heading("Table 3: the whole run");
-  document.table(std::move(table));
+  return table;
 }
 
 // Rows of one segment are consecutive; "20~-40" is a ramp.
@@ -122,7 +119,7 @@ Text std_text(const Text& what, const std::vector<double>& values) {
   return what + number(research::mean_and_std(all).std_dph) + " deg/h";
 }
 
-void add_figures(Document& document, const research::Study& study) {
+Parts figures(const research::Study& study) {
   const series::Rows& rows = study.run.series.rows();
   const std::vector<double> raw = as_vector(rows.drift_dph);
   const std::vector<double> soft = as_vector(study.denoised_dph);
@@ -137,15 +134,14 @@ void add_figures(Document& document, const research::Study& study) {
   for (const auto& signals : rows.signals) degc.push_back(signals.temperature);
   const std::vector<double> truth = as_vector(study.run.truth_dph);
   const TimeAxis axis{rows.time_s, {0}, "run", study_segments(study, degc)};
+  Plot temperature = temperature_plot(axis, degc);
+  temperature.title = "Figure 1, temperature.";
+  Parts parts = Heading{"The paper's figures on a simulated gyro"} + temperature;
   const auto add = [&](const char* title, const Text& caption, const std::vector<Trace>& traces) {
     Plot plot = time_plot(title, "bias, deg/h", axis, traces);
     plot.caption = caption;
-    document.plot(plot);
+    parts += std::move(plot);
   };
-  document.heading("The paper's figures on a simulated gyro");
-  Plot temperature = temperature_plot(axis, degc);
-  temperature.title = "Figure 1, temperature.";
-  document.plot(temperature);
   add("Figure 1, raw bias.", std_text("Std ", raw) + "; the truth is the drift without any noise.",
       {{"raw", "residual", raw}, {"truth", "mark", truth}});
   add("Figure 3: denoised, soft thresholds.",
@@ -162,9 +158,10 @@ void add_figures(Document& document, const research::Study& study) {
   add("Figure 10: compensated by PSO-BP.",
       std_text("Std ", raw) + std_text(" raw, ", after_pso_bp) + " after PSO-BP.",
       {{"raw", "measured", raw}, {"after PSO-BP", "second", after_pso_bp}});
+  return parts;
 }
 
-void add_medians(Document& document, const std::vector<research::Study>& studies) {
+Table median_table(const std::vector<research::Study>& studies) {
   Table table;
   table.caption = words("medians of " + counted(studies.size(), "gyro") + ", deg/h");
   table.columns = {"model", "std", "drift", "error"};
@@ -193,8 +190,7 @@ void add_medians(Document& document, const std::vector<research::Study>& studies
     noise.cells.emplace_back(dph(floor_dph));
   }
   table.rows.push_back(std::move(noise));
-  document.heading("What the paper does not show");
-  document.table(std::move(table));
+  return table;
 }
 
 Text found(const std::vector<research::Study>& studies) {
@@ -212,21 +208,21 @@ Text found(const std::vector<research::Study>& studies) {
 
 Document paper_findings(const std::vector<research::Study>& studies) {
   const research::Study& first = studies.front();
-  Document document("fogcomp paper", found(studies));
-  document.next_line(
-      "such a network of time and temperature is an image of its one run (last table); fit "
-      "physical effects to a recording of yours, and a network on what they leave",
-      "fogcomp fit run.csv -o gyro.model --effects bias,bias_temperature:order=2,temperature_rate "
-      "--network 6");
-  document.sentence(
+  Document document{
+      "fogcomp paper",
+      found(studies),
+      {"such a network of time and temperature is an image of its one run (last table); fit "
+       "physical effects to a recording of yours, and a network on what they leave",
+       "fogcomp fit run.csv -o gyro.model --effects bias,bias_temperature:order=2,temperature_rate "
+       "--network 6"}};
+  document.parts = Sentence{
       "the paper: Li, Hou, Du, Li, Opto-Electronic Engineering 46(9):180636 (2019), beside a "
-      "simulated gyro (preset paper)");
-  add_figures(document, first);
-  add_table_1(document, first);
-  add_denoisers(document, first);
-  add_table_2(document, first);
-  add_table_3(document, first);
-  add_medians(document, studies);
+      "simulated gyro (preset paper)"};
+  document.parts += figures(first);
+  document.parts += Heading{"Table 1: denoising"} + table_1(first) + denoiser_table(first);
+  document.parts += Heading{"Table 2: compensated, by segment"} + table_2(first);
+  document.parts += Heading{"Table 3: the whole run"} + table_3(first);
+  document.parts += Heading{"What the paper does not show"} + median_table(studies);
   return document;
 }
 

@@ -25,14 +25,15 @@ std::string names_of(const planning::Question& question) {
   return join(names, ", ");
 }
 
-void add_question(Document& document, const planning::Question& question) {
+std::vector<Lead> leads_of(const planning::Question& question) {
   constexpr double kRootHourInSeconds = 60;
-  document.lead("effects", verbatim(names_of(question)));
-  document.lead("box of use", words(planning::box_text(question.use) + " (degC, degC/min, deg/s)"));
-  document.lead("noise", words(format("angle random walk %.3g deg/sqrt(h), bias instability %.3g "
-                                      "deg/h, rate random walk %.3g deg/h/sqrt(h)",
-                                      question.white_dph_rthz / kRootHourInSeconds,
-                                      question.flicker_dph, question.walk_dph_per_rth)));
+  return without_empty(
+      {{"effects", verbatim(names_of(question))},
+       {"box of use", words(planning::box_text(question.use) + " (degC, degC/min, deg/s)")},
+       {"noise", words(format("angle random walk %.3g deg/sqrt(h), bias instability %.3g deg/h, "
+                              "rate random walk %.3g deg/h/sqrt(h)",
+                              question.white_dph_rthz / kRootHourInSeconds, question.flicker_dph,
+                              question.walk_dph_per_rth))}});
 }
 
 std::string action_of(const planning::Step& step, bool sets_rate) {
@@ -134,26 +135,20 @@ Table visible_table(const std::vector<planning::VisibleSize>& sizes, const std::
 
 Document plan_findings(const workflow::PlanOutcome& outcome, const std::string& profile) {
   const planning::Plan& plan = outcome.plan;
-  Document document("fogcomp plan", hours_of(plan.expectation.hours) +
-                                        " would leave an error in the box of " +
-                                        error_of(plan.expectation));
-  add_question(document, outcome.question);
-  document.lead("chamber", words(planning::box_text(outcome.chamber)));
-  document.heading("Programme");
-  document.table(steps_table(plan));
-  document.plot(programme_plot(plan));
-  document.heading("What it would show");
-  document.table(visible_table(outcome.visible, "a day in the box"));
-  document.next("beside the reference paper's programme",
-                comparison_command(outcome.request, outcome.question, profile));
+  Document document{"fogcomp plan",
+                    hours_of(plan.expectation.hours) + " would leave an error in the box of " +
+                        error_of(plan.expectation),
+                    {"beside the reference paper's programme",
+                     comparison_command(outcome.request, outcome.question, profile)},
+                    leads_of(outcome.question)};
+  document.leads.push_back({"chamber", words(planning::box_text(outcome.chamber))});
+  document.parts = Heading{"Programme"} + steps_table(plan) + programme_plot(plan);
+  document.parts +=
+      Heading{"What it would show"} + visible_table(outcome.visible, "a day in the box");
   return document;
 }
 
 Document comparison_findings(const workflow::PlanComparison& comparison) {
-  Document document("fogcomp plan --compare",
-                    words(counted(comparison.programmes.size(), "programme")));
-  add_question(document, comparison.question);
-  document.heading("Error in the box");
   Table errors;
   errors.columns = {"programme", "hours", {"sigma", "residual"}, "noise", "formulas"};
   errors.quantity = "rms error, deg/h";
@@ -182,10 +177,11 @@ Document comparison_findings(const workflow::PlanComparison& comparison) {
       visible.rows[i].cells.emplace_back(visible_text(size.visible_dph));
     }
   }
-  document.table(std::move(errors));
-  document.heading("What each would show");
-  document.table(std::move(visible));
-  return document;
+  return {"fogcomp plan --compare",
+          words(counted(comparison.programmes.size(), "programme")),
+          {},
+          leads_of(comparison.question),
+          Heading{"Error in the box"} + errors + Heading{"What each would show"} + visible};
 }
 
 }  // namespace fogcomp::findings

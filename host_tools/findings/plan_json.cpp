@@ -5,8 +5,9 @@
 namespace fogcomp::findings {
 namespace {
 
-void set_expectation(Json& object, const planning::Expectation& expectation) {
-  object.set("hours", expectation.hours)
+Json expectation_json(const planning::Expectation& expectation) {
+  return Json::object()
+      .set("hours", expectation.hours)
       .set("sigma_dph", expectation.error.sigma_dph())
       .set("sigma_of_noise_dph", expectation.error.noise_dph)
       .set("sigma_of_formulas_dph", expectation.error.formulas_dph);
@@ -25,9 +26,6 @@ Json visible_json(const std::vector<planning::VisibleSize>& sizes) {
 
 Json plan_json(const workflow::PlanOutcome& outcome, const std::string& profile) {
   const planning::Plan& plan = outcome.plan;
-  Json object = Json::object();
-  object.set("profile", profile).set("use", planning::box_text(outcome.question.use));
-  set_expectation(object, plan.expectation);
   Json steps = Json::array();
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const planning::Step& step = plan.steps[i];
@@ -38,24 +36,25 @@ Json plan_json(const workflow::PlanOutcome& outcome, const std::string& profile)
                    .set("rate_dps", step.rate_dps)
                    .set("sigma_dph", plan.sigma_after_dph[i]));
   }
-  object.set("start_degc", plan.start_degc)
+  return Json::object()
+      .set("profile", profile)
+      .set("use", planning::box_text(outcome.question.use))
+      .set(expectation_json(plan.expectation))
+      .set("start_degc", plan.start_degc)
       .set("steps", std::move(steps))
       .set("visible", visible_json(outcome.visible));
-  return object;
 }
 
 Json comparison_json(const workflow::PlanComparison& comparison) {
-  Json object = Json::object();
-  object.set("use", planning::box_text(comparison.question.use))
+  return Json::object()
+      .set("use", planning::box_text(comparison.question.use))
       .set("programmes",
            json_array(comparison.programmes, [](const workflow::PlanComparison::One& one) {
-             Json programme = Json::object();
-             programme.set("programme", one.name);
-             set_expectation(programme, one.expectation);
-             programme.set("visible", visible_json(one.visible));
-             return programme;
+             return Json::object()
+                 .set("programme", one.name)
+                 .set(expectation_json(one.expectation))
+                 .set("visible", visible_json(one.visible));
            }));
-  return object;
 }
 
 }  // namespace fogcomp::findings

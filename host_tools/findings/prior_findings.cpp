@@ -88,10 +88,9 @@ Text departure_words(const fit::Prior& prior, const std::vector<std::string>& ce
 
 }  // namespace
 
-void add_prior(Document& document, const workflow::FitOutcome& fit) {
+Parts prior_section(const workflow::FitOutcome& fit) {
   const fit::Identification& identified = fit.result.identified;
-  if (!identified.prior) return;
-  document.heading("What was known before");
+  if (!identified.prior) return {};
   Table table;
   table.columns = {"unknown", "before", "now", "unit", "moved, sigma"};
   table.notes = "sigma: of such a change, by noise and by what was known before";
@@ -100,16 +99,15 @@ void add_prior(Document& document, const workflow::FitOutcome& fit) {
     table.rows.push_back({verbatim(one.name), estimate(one.before), estimate(one.after),
                           verbatim(one.unit), words(format("%+.1f", one.departure.sigmas))});
   }
-  document.sentence(departure_words(*identified.prior, names_of(all, [](const Moved& one) {
-    return one.departure.is_certain();
-  })));
+  const std::vector<std::string> certain =
+      names_of(all, [](const Moved& one) { return one.departure.is_certain(); });
   const std::vector<std::string> from_before =
       names_of(all, [](const Moved& one) { return one.from_before() >= kMost; });
-  if (!from_before.empty()) {
-    document.sentence("these recordings tell less than was known before of " +
-                      verbatim(join(from_before, ", ")));
-  }
-  document.table(std::move(table));
+  const Text untold = from_before.empty() ? Text()
+                                          : "these recordings tell less than was known before of " +
+                                                verbatim(join(from_before, ", "));
+  return Heading{"What was known before"} + Sentence{departure_words(*identified.prior, certain)} +
+         Sentence{untold} + table;
 }
 
 Json prior_json(const workflow::FitOutcome& fit) {

@@ -74,21 +74,17 @@ Table allan_table(const compare::ResidualAnalysis& analysis) {
 
 }  // namespace
 
-void add_details(Document& document, const compare::ModelOnRun& judged) {
+Parts run_details(const compare::ModelOnRun& judged) {
   const compare::ResidualAnalysis& analysis = judged.analysis;
-  std::vector<Table> tables{
-      dependence_table(analysis, analysis.temperature, "temperature, degC"),
-      dependence_table(analysis, analysis.rate, "temperature rate, degC/min"),
-      dependence_table(analysis, analysis.time, "time, s"),
-  };
+  Parts parts = dependence_table(analysis, analysis.temperature, "temperature, degC");
+  parts += dependence_table(analysis, analysis.rate, "temperature rate, degC/min");
+  parts += dependence_table(analysis, analysis.time, "time, s");
   for (std::size_t i = 0; i < analysis.inputs.size(); ++i) {
-    tables.push_back(dependence_table(analysis, analysis.inputs[i],
-                                      input_label(judged.comparison.inputs[i].input)));
+    parts += dependence_table(analysis, analysis.inputs[i],
+                              input_label(judged.comparison.inputs[i].input));
   }
-  tables.push_back(loop_table(analysis));
-  tables.push_back(allan_table(analysis));
-  tables.push_back(autocorrelation_table(analysis));
-  for (Table& table : tables) document.table(std::move(table), Shown::in_details);
+  parts += loop_table(analysis) + allan_table(analysis) + autocorrelation_table(analysis);
+  return show(Shown::in_details, std::move(parts));
 }
 
 }  // namespace fogcomp::findings

@@ -146,9 +146,9 @@ Curve bin_means(const std::vector<compare::ResidualBin>& bins) {
   return means;
 }
 
-void add_loop(Plot& over_temperature, const compare::Loop& loop) {
+Plot with_loop(Plot over_temperature, const compare::Loop& loop) {
   const compare::LoopBin* const widest = loop.widest();
-  if (widest == nullptr) return;
+  if (widest == nullptr) return over_temperature;
   Curve heating{"heating, mean", "heating", {}};
   Curve cooling{"cooling, mean", "cooling", {}};
   for (const compare::LoopBin& bin : loop.bins) {
@@ -159,11 +159,12 @@ void add_loop(Plot& over_temperature, const compare::Loop& loop) {
   }
   over_temperature.curves.push_back(std::move(heating));
   over_temperature.curves.push_back(std::move(cooling));
-  if (!loop.test.structured()) return;
+  if (!loop.test.structured()) return over_temperature;
   over_temperature.caption +=
       words(" Heating less cooling " + with_sigma(widest->width_dph(), widest->sigma_dph) +
             format(" deg/h at %.0f degC: a loop, which temperature alone cannot model.",
                    widest->at_degc));
+  return over_temperature;
 }
 
 }  // namespace fogcomp::findings

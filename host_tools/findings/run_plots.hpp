@@ -56,9 +56,9 @@ bool ever_moves(const std::vector<compare::Branch>& branch);
 /// Means of the residual's bins with standard errors, for a branch_plot().
 Curve bin_means(const std::vector<compare::ResidualBin>& bins);
 
-/// Adds means of the heating and the cooling branch to a plot over temperature and, if significant,
-/// their distance to its caption.
-void add_loop(Plot& over_temperature, const compare::Loop& loop);
+/// A plot over temperature with means of the heating and the cooling branch and, if significant,
+/// their distance in its caption.
+Plot with_loop(Plot over_temperature, const compare::Loop& loop);
 
 /// Colour of the i-th of several similar curves.
 std::string part_colour(std::size_t i);

@@ -12,23 +12,25 @@
 namespace fogcomp::findings {
 namespace {
 
-void add_words(Document& document, const Models& models, std::size_t run, Shown shown) {
+Parts run_words(const Models& models, std::size_t run) {
   const std::vector<Text> names = labels(models, "");
+  Parts parts;
   for (std::size_t i = 0; i < models.size(); ++i) {
     const Text name = names[i] + (models.size() > 1 ? ": " : "");
     const compare::ModelOnRun& judged = models[i]->runs[run];
-    document.sentence(name + words(error_words(judged.comparison)), shown);
-    document.sentence(name + words(structure_words(judged)), shown);
-    if (judged.band) document.sentence(name + words(band_words(*judged.band)), shown);
-    for (const std::string& remark : remarks(judged))
-      document.sentence(name + words(remark), shown);
+    const auto say = [&](const Text& text) { parts += Sentence{text}; };
+    say(name + words(error_words(judged.comparison)));
+    say(name + words(structure_words(judged)));
+    if (judged.band) say(name + words(band_words(*judged.band)));
+    for (const std::string& remark : remarks(judged)) say(name + words(remark));
     for (const std::string& warning : range_warnings(judged.comparison, models[i]->model)) {
-      document.sentence("warning: " + name + words(warning), shown);
+      say("warning: " + name + words(warning));
     }
   }
+  return parts;
 }
 
-void add_segments(Document& document, const compare::Comparison& comparison, Shown shown) {
+Table segment_table(const compare::Comparison& comparison) {
   Table table;
   table.columns = {"segment", "rms left", "drift left", "constant", "mean",
                    "std",     "raw mean", "raw std",    "rows"};
@@ -47,11 +49,11 @@ void add_segments(Document& document, const compare::Comparison& comparison, Sho
   };
   for (const compare::Comparison::SegmentError& segment : comparison.segments) add(segment);
   add(comparison.whole);
-  document.table(std::move(table), shown);
+  return table;
 }
 
 // Segment by segment: residual of a constant, then of each model.
-void add_before_and_after(Document& document, const Models& models, std::size_t run, Shown shown) {
+Table before_and_after(const Models& models, std::size_t run) {
   const compare::Comparison& best = on_run(*models[0], run);
   Table table;
   table.caption = "what is left of each segment";
@@ -80,7 +82,7 @@ void add_before_and_after(Document& document, const Models& models, std::size_t 
   };
   for (std::size_t i = 0; i < best.segments.size(); ++i) add(i, false);
   add(0, true);
-  document.table(std::move(table), shown);
+  return table;
 }
 
 // The segment with the largest residual.
@@ -92,7 +94,7 @@ Text worst_segment(const compare::Comparison& comparison) {
   return "Largest in " + verbatim(worst->name) + ": rms " + number(worst->rms_dph) + " deg/h.";
 }
 
-void add_over_time(Document& document, const Models& models, std::size_t run) {
+Parts over_time(const Models& models, std::size_t run) {
   const compare::Comparison& best = on_run(*models[0], run);
   const std::vector<double> degc = best.rows.temperatures_degc();
   const std::vector<double> measured = best.measured_dph();
@@ -115,15 +117,13 @@ void add_over_time(Document& document, const Models& models, std::size_t run) {
   const TimeAxis axis = time_axis(best, format("run %zu", run));
   Plot rate = time_plot("Rate less input rate, the model on top.", "rate, deg/h", axis, over);
   rate.caption = "Std of what is measured " + number(best.whole.raw_std_dph) + " deg/h.";
-  document.plot(rate);
-  document.plot(temperature_plot(axis, degc));
   Plot residual = time_plot("Residual.", "residual, deg/h", axis, left);
   residual.caption = (several ? residual_names[0] + ": rms " : Text("Rms ")) +
                      number(best.whole.rms_dph) + " deg/h. " + worst_segment(best);
-  document.plot(residual);
+  return rate + temperature_plot(axis, degc) + residual;
 }
 
-void add_parts(Document& document, const compare::ModelOnRuns& model, std::size_t run) {
+Parts parts_of_model(const compare::ModelOnRuns& model, std::size_t run) {
   const compare::Comparison& comparison = on_run(model, run);
   std::vector<Trace> parts;
   for (std::size_t i = 0; i < comparison.effects.size(); ++i) {
@@ -132,10 +132,10 @@ void add_parts(Document& document, const compare::ModelOnRuns& model, std::size_
     parts.push_back(
         {verbatim(comparison.effects[i].name), part_colour(parts.size()), comparison.parts_dph[i]});
   }
-  if (!parts.empty()) {
-    document.plot(stacked_plot("What each part of the model does.", "drift, deg/h",
-                               time_axis(comparison, format("run %zu", run)), parts));
-  }
+  const Plot plot = parts.empty()
+                        ? Plot()
+                        : stacked_plot("What each part of the model does.", "drift, deg/h",
+                                       time_axis(comparison, format("run %zu", run)), parts);
   Table table;
   table.caption = "what each part of the model does";
   table.columns = {"part", "share of the raw variance", "std, deg/h", "mean, deg/h"};
@@ -148,7 +148,7 @@ void add_parts(Document& document, const compare::ModelOnRuns& model, std::size_
          words(format("%.1f %%", std::round(1000 * effect.share) / 10 + 0.0)),  // no -0
          number(effect.std_dph), number(effect.mean_dph)});
   }
-  document.table(std::move(table), Shown::on_page);
+  return plot + show(Shown::on_page, table);
 }
 
 // Residual as a function of one quantity, and the share that this quantity could explain.
@@ -166,7 +166,7 @@ Text dependence_text(const compare::ResidualAnalysis& analysis, const compare::C
 }
 
 // Residual as a function of each quantity, the strongest dependence first.
-void add_dependences(Document& document, const compare::ModelOnRuns& model, std::size_t run) {
+Parts dependences(const compare::ModelOnRuns& model, std::size_t run) {
   const compare::Comparison& comparison = on_run(model, run);
   const compare::ResidualAnalysis& analysis = model.runs[run].analysis;
   const std::vector<double> residual = comparison.residuals_dph();
@@ -182,7 +182,7 @@ void add_dependences(Document& document, const compare::ModelOnRuns& model, std:
   };
   if (ever_moves(branch)) {
     add("Residual over temperature.", "temperature, degC", degc, analysis.temperature.test);
-    add_loop(all.back().plot, analysis.history);
+    all.back().plot = with_loop(std::move(all.back().plot), analysis.history);
     if (analysis.history.test.structured()) {
       all.back().variance_dph2 =
           std::max(all.back().variance_dph2, analysis.history.test.variance_dph2);
@@ -199,7 +199,9 @@ void add_dependences(Document& document, const compare::ModelOnRuns& model, std:
   std::stable_sort(all.begin(), all.end(), [](const Dependent& a, const Dependent& b) {
     return a.variance_dph2 > b.variance_dph2;
   });
-  for (const Dependent& one : all) document.plot(one.plot);
+  Parts parts;
+  for (Dependent& one : all) parts += std::move(one.plot);
+  return parts;
 }
 
 }  // namespace
@@ -244,27 +246,28 @@ bool leaves_drift(const compare::ModelOnRun& run) {
   return run.analysis.excess_dph2.has_value();
 }
 
-void add_run(Document& document, const Models& models, std::size_t run, Shown shown) {
+Parts run_section(const Models& models, std::size_t run, Shown shown) {
   const compare::Comparison& best = on_run(*models[0], run);
   const bool several = models.size() > 1;
-  document.file_heading(best.file);
-  add_words(document, models, run, shown);
+  Parts parts = file_heading(best.file) + show(shown, run_words(models, run));
   if (several) {
-    document.sentence("the table, what the residual depends on, and the parts are of the best, " +
-                          labels(models, "")[0],
-                      Shown::on_page);
+    parts +=
+        show(Shown::on_page,
+             Sentence{"the table, what the residual depends on, and the parts are of the best, " +
+                      labels(models, "")[0]});
   }
-  add_before_and_after(document, models, run, several ? shown : Shown::on_page);
-  add_segments(document, best, several ? Shown::on_page : shown);
-  if (best.size() < 2) return;
-  add_over_time(document, models, run);
-  add_dependences(document, *models[0], run);
-  add_parts(document, *models[0], run);
+  parts += show(several ? shown : Shown::on_page, before_and_after(models, run));
+  parts += show(several ? Shown::on_page : shown, segment_table(best));
+  if (best.size() < 2) return parts;
+  parts += over_time(models, run);
+  parts += dependences(*models[0], run);
+  parts += parts_of_model(*models[0], run);
   for (const compare::ModelOnRuns* model : models) {
-    if (several) document.heading(verbatim(model->file), Shown::in_details);
-    add_details(document, model->runs[run]);
+    if (several) parts += show(Shown::in_details, Heading{verbatim(model->file)});
+    parts += run_details(model->runs[run]);
   }
-  for (Plot& plot : residual_plots(models, run)) document.plot(std::move(plot));
+  for (Plot& plot : residual_plots(models, run)) parts += std::move(plot);
+  return parts;
 }
 
 }  // namespace fogcomp::findings

@@ -21,10 +21,10 @@ std::vector<Text> labels(const Models& models, const Text& alone);
 std::string residual_colour(std::size_t model);
 Look look_of(std::size_t model);
 
-/// Adds everything about one run: a heading, sentences, segments, and plots. `models`: the best
-/// first; segments, dependences and contributions are those of the best. `run`: index of the run;
-/// plots of different runs are not linked. `shown`: place of its sentences and main table.
-void add_run(Document& document, const Models& models, std::size_t run, Shown shown);
+/// Everything about one run: a heading, sentences, segments, and plots. `models`: the best first;
+/// segments, dependences and contributions are those of the best. `run`: index of the run; plots of
+/// different runs are not linked. `shown`: place of its sentences and main table.
+Parts run_section(const Models& models, std::size_t run, Shown shown);
 
 /// What is left of a run, before and after the models: against the band that the best model
 /// promises, its Allan deviation in soaks and over the whole run, spectrum, distribution,
@@ -33,7 +33,7 @@ std::vector<Plot> residual_plots(const Models& models, std::size_t run);
 
 /// The plots of a run as values for a terminal: dependences, loop, Allan deviation,
 /// autocorrelation.
-void add_details(Document& document, const compare::ModelOnRun& judged);
+Parts run_details(const compare::ModelOnRun& judged);
 
 /// The runs' files for a command line, each preceded by a space.
 std::vector<std::string> run_files(const compare::ModelOnRuns& model);

@@ -208,18 +208,18 @@ class PageWriter {
     plots_.push(plot_json(plot));
   }
   void write(const Document& document) {
-    for (const findings::Lead& lead : document.leads()) {
+    for (const findings::Lead& lead : document.leads) {
       body_ += element("p", "<strong>" + escaped(findings::words(lead.question).sentence()) +
                                 "</strong> " + escaped(lead.text.sentence()));
     }
-    const Document::Next& next = document.what_next();
+    const findings::Next& next = document.next;
     if (!next.sentence.empty()) {
       body_ += "<p class=\"next\"><strong>Next:</strong> " + escaped(next.sentence.sentence()) +
                "</p>\n";
     }
     if (!next.command.empty())
       body_ += "<pre class=\"command\">" + escaped(next.command) + "</pre>\n";
-    for (const Document::Part& part : document.parts()) {
+    for (const findings::Parts::Part& part : document.parts) {
       if (part.shown != Shown::in_details) std::visit(*this, part.content);
     }
     if (in_section_) body_ += "</section>\n";
@@ -257,15 +257,15 @@ std::string page(const Document& document, const WorkbenchSetup* bench) {
   const bool drawn = !plot_library_files().empty();
   PageWriter writer(drawn);
   writer.write(document);
-  std::string body = "<p class=\"subject\">" + escaped(document.subject()) + "</p>\n";
-  body += element("h1", escaped(document.found().sentence()));
+  std::string body = "<p class=\"subject\">" + escaped(document.subject) + "</p>\n";
+  body += element("h1", escaped(document.found.sentence()));
   if (!drawn && writer.plot_count() > 0) {
     body += element(
         "p", "No plots here: this fogcomp was built without npm. Install npm and build it again.");
   }
   body += writer.body();
   if (drawn && writer.plot_count() > 0) body += element("footer", escaped(Text(kHowToRead)));
-  return framed({document.subject(), "<main id=\"report\">\n" + body + "</main>\n", writer.plots(),
+  return framed({document.subject, "<main id=\"report\">\n" + body + "</main>\n", writer.plots(),
                  writer.plot_count() > 0, bench});
 }
 

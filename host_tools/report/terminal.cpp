@@ -150,7 +150,7 @@ class TerminalWriter {
   }
   void operator()(const Plot&) {}
 
-  void write(const Document::Part& part) {
+  void write(const findings::Parts::Part& part) {
     const bool shown =
         part.shown == Shown::everywhere || (details_ && part.shown != Shown::on_page);
     if (shown) std::visit(*this, part.content);
@@ -178,11 +178,11 @@ class TerminalWriter {
 }  // namespace
 
 std::string terminal(const Document& document, bool details) {
-  std::string text = wrapped(document.found().plain(), "", "    ");
-  for (const findings::Lead& lead : document.leads()) {
+  std::string text = wrapped(document.found.plain(), "", "    ");
+  for (const findings::Lead& lead : document.leads) {
     text += wrapped(lead.question + ": " + lead.text.plain(), "  ", "    ");
   }
-  const Document::Next& next = document.what_next();
+  const findings::Next& next = document.next;
   // A command stays in one line, to be copied.
   if (!next.command.empty()) {
     text += "  next: " + next.command + "\n";
@@ -190,9 +190,11 @@ std::string terminal(const Document& document, bool details) {
     text += wrapped("next: " + next.sentence.plain(), "  ", "    ");
   }
   TerminalWriter writer(details);
-  for (const Document::Part& part : document.parts()) writer.write(part);
-  const auto waits = [&](const Document::Part& part) { return part.shown == Shown::on_request; };
-  const bool has_more = std::any_of(document.parts().begin(), document.parts().end(), waits);
+  for (const findings::Parts::Part& part : document.parts) writer.write(part);
+  const auto waits = [&](const findings::Parts::Part& part) {
+    return part.shown == Shown::on_request;
+  };
+  const bool has_more = std::any_of(document.parts.begin(), document.parts.end(), waits);
   return text + writer.text() + (has_more && !details ? "  more: --details\n" : "");
 }
 

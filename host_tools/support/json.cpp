@@ -47,6 +47,11 @@ Json&& Json::set(std::string key, Json member) && {
   return std::move(set(std::move(key), std::move(member)));
 }
 
+Json& Json::set(Json members) & {
+  for (auto& [key, member] : std::get<Object>(members.value_)) set(key, std::move(member));
+  return *this;
+}
+
 std::string Json::text() const {
   std::string out;
   print(out);

@@ -35,6 +35,9 @@ class Json {
   /// Appends a member to an object and returns the object, so that calls can be chained.
   Json& set(std::string key, Json member) &;
   Json&& set(std::string key, Json member) &&;
+  /// The same for all members of another object.
+  Json& set(Json members) &;
+  Json&& set(Json members) && { return std::move(set(std::move(members))); }
 
   /// One line, no spaces; doubles in the shortest form that reads back to the same bits.
   std::string text() const;

@@ -23,7 +23,7 @@ batch::Summary lot_with(const std::vector<batch::Limit>& limits) {
 }
 
 const Plot& first_plot(const Document& document) {
-  for (const Document::Part& part : document.parts()) {
+  for (const Parts::Part& part : document.parts) {
     if (const auto* plot = std::get_if<Plot>(&part.content)) return *plot;
   }
   throw std::logic_error("no plot");
@@ -63,11 +63,11 @@ TEST(BatchFindings, ShowALimitThatNoGyroReaches) {
 
 TEST(BatchFindings, NextIsOnlyWhatADiagnosisProposes) {
   batch::Summary summary = lot_with({{"noise_dprh", true, 0.0015}});
-  EXPECT_EQ(batch_findings(summary, "gyros", "out", false).what_next().command, "");
+  EXPECT_EQ(batch_findings(summary, "gyros", "out", false).next.command, "");
   summary.gyros[9].diagnosis =
       batch::GyroDiagnosis{"", "missing_effect", {"shupe"}, 0.1, 0.9, "shupe is missing", "add it"};
   const Document document = batch_findings(summary, "gyros", "out", false);
-  EXPECT_EQ(document.what_next().command, "add it");
+  EXPECT_EQ(document.next.command, "add it");
   EXPECT_EQ(summary.gyros[9].why(), "shupe is missing");
 }
 

@@ -31,9 +31,7 @@ diagnosis::Ladder ladder_of(Verdict last, bool is_cut_off, bool describes) {
 std::string proposed(const diagnosis::Ladder& ladder, const DiagnosedFiles& files = kWritten,
                      const std::vector<model::EffectTerm>& offered = {}) {
   const diagnosis::DiagnosisData data(ladder.model, {}, offered);
-  Document document("", "");
-  next_after_ladder(document, ladder, data, files);
-  return document.what_next().command;
+  return next_after_ladder(ladder, data, files).command;
 }
 
 TEST(NextAfterLadder, IsTheHeaderIfNothingIsMissing) {

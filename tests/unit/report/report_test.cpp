@@ -13,8 +13,11 @@ namespace {
 
 using findings::Curve;
 using findings::Document;
+using findings::Heading;
+using findings::Listing;
 using findings::Look;
 using findings::Plot;
+using findings::Sentence;
 using findings::Shown;
 using findings::Table;
 using findings::Text;
@@ -31,22 +34,18 @@ std::size_t count(const std::string& text, const std::string& word) {
 // Every element of a document, with `name` wherever a name from outside may be.
 Document full_document(const std::string& name) {
   const Text text = verbatim(name);
-  Document document(name, text);
-  document.next_line(text, name);
-  document.heading(text);
-  document.sentence(text);
-  document.file_heading(name);
-  document.listing(name);
+  Document document{name, text, {text, name}};
+  document.parts = Heading{text} + Sentence{text} + findings::file_heading(name) + Listing{name};
   Table table;
   table.caption = table.notes = text;
   table.columns = {text, text};
   table.rows = {{text, text}};
   table.rows[0].link = name;
-  document.table(table);
+  document.parts += table;
   table.quantity = text;
   table.columns = {text, {text, "model"}, {text, "residual"}, text};
   table.rows = {{text, {text, 1}, {text, 2}, text}};
-  document.table(table);
+  document.parts += table;
   Plot plot;
   plot.title = plot.x_label = plot.y_label = plot.caption = text;
   plot.curves = {{text, "model", {1, 2}}};
@@ -54,7 +53,7 @@ Document full_document(const std::string& name) {
   plot.names = {text};
   plot.levels = {{text, 1}};
   plot.bands = {{text, 0, 1, "heating"}};
-  document.plot(plot);
+  document.parts += plot;
   return document;
 }
 
@@ -78,11 +77,9 @@ TEST(Page, NamesOfFilesStayAsTheyAre) {
 }
 
 TEST(Page, AFileIsHeadedByItsNameWithThePathBeneath) {
-  Document document("subject", "found");
-  document.file_heading("/lab/2024/run.csv", " (holdout)");
-  document.sentence("first");
-  document.file_heading("plain.csv");
-  document.sentence("second");
+  Document document{"subject", "found"};
+  document.parts = findings::file_heading("/lab/2024/run.csv", " (holdout)") + Sentence{"first"};
+  document.parts += findings::file_heading("plain.csv") + Sentence{"second"};
   const std::string html = page(document);
   EXPECT_EQ(count(html, "<h2>run.csv (holdout)</h2>"), 1U);
   EXPECT_EQ(count(html, "<p class=\"path\">/lab/2024/run.csv</p>"), 1U);
@@ -100,9 +97,8 @@ Table table_of_rms(const char* name, double full) {
 }
 
 TEST(Page, BarsHaveAnAxisWithANameAndAnEnd) {
-  Document document("subject", "found");
-  document.table(table_of_rms("rms left, deg/h", 0));
-  document.table(table_of_rms("probability", 1));
+  Document document{"subject", "found"};
+  document.parts = table_of_rms("rms left, deg/h", 0) + table_of_rms("probability", 1);
   const std::string html = page(document);
   EXPECT_EQ(count(html, "<span>0</span><span class=\"quantity\">rms left, °/h</span><span>0.2500<"),
             1U);
@@ -113,11 +109,11 @@ TEST(Page, BarsHaveAnAxisWithANameAndAnEnd) {
 }
 
 TEST(Page, AColumnWithASentenceMayBeBrokenAndFiguresMayNot) {
-  Document document("subject", "found");
+  Document document{"subject", "found"};
   Table table;
   table.columns = {"gyro", "outcome", "reason"};
   table.rows = {{"G1", "fail", "holdout_drift_dph is 0.2, which is above 0.1"}, {"G2", "pass", ""}};
-  document.table(table);
+  document.parts += table;
   const std::string html = page(document);
   EXPECT_EQ(count(html, "<td class=\"words\">"), 2U);
   EXPECT_EQ(count(html, "<th class=\"words\">reason"), 1U);
@@ -125,13 +121,10 @@ TEST(Page, AColumnWithASentenceMayBeBrokenAndFiguresMayNot) {
 }
 
 TEST(Page, LeavesOutHeadingsWithNothingBeneath) {
-  Document document("subject", "found");
-  document.heading("Empty");
-  document.table({});
-  document.heading("Figures");
-  document.table(table_of_rms("rms", 0), Shown::in_details);
-  document.heading("Words");
-  document.sentence("something");
+  Document document{"subject", "found"};
+  document.parts = Heading{"Empty"} + Table{};
+  document.parts += Heading{"Figures"} + show(Shown::in_details, table_of_rms("rms", 0));
+  document.parts += Heading{"Words"} + Sentence{"something"};
   const std::string html = page(document);
   EXPECT_EQ(count(html, "<h2>"), 1U);
   EXPECT_EQ(count(html, "<p>Something.</p>"), 1U);
@@ -139,21 +132,21 @@ TEST(Page, LeavesOutHeadingsWithNothingBeneath) {
 
 TEST(Page, NamesInAnotherEncodingLeaveThePageUtf8) {
   const Text name = verbatim("60\xB0");
-  Document document("Z\xFCrich.csv", name);
+  Document document{"Z\xFCrich.csv", name};
   Table table;
   table.columns = {name};
   table.rows = {Table::Row{name}};
-  document.table(table);
+  document.parts += table;
   Plot plot;
   plot.title = name;
   plot.x = {0, 1};
   plot.curves = {{name, "model", {1, 2}}};
-  document.plot(plot);
+  document.parts += plot;
   EXPECT_EQ(valid_utf8(page(document)), page(document));
 }
 
 TEST(Page, NothingInThePageNamesAPlaceToLoadFrom) {
-  Document document("subject", "found");
+  Document document{"subject", "found"};
   const std::string html = page(document);
   for (const char* attribute : {" src=", " href=", "@import", "url("}) {
     EXPECT_EQ(count(html, attribute), 0U) << attribute;
@@ -162,11 +155,12 @@ TEST(Page, NothingInThePageNamesAPlaceToLoadFrom) {
 }
 
 TEST(Terminal, SaysFirstWhatWasFoundAndWhatToDo) {
-  Document document("fogcomp fit run.csv", "the model leaves 0.05 deg/h rms");
-  document.next("ask which effect is missing", {"fogcomp", "diagnose", "gyro.model", "run.csv"});
-  document.sentence("5 rows");
-  document.heading("Error ladder");
-  document.table(table_of_rms("rms left, deg/h", 0));
+  Document document{
+      "fogcomp fit run.csv",
+      "the model leaves 0.05 deg/h rms",
+      {"ask which effect is missing", {"fogcomp", "diagnose", "gyro.model", "run.csv"}}};
+  document.parts =
+      Sentence{"5 rows"} + Heading{"Error ladder"} + table_of_rms("rms left, deg/h", 0);
   EXPECT_EQ(terminal(document),
             "the model leaves 0.05 deg/h rms\n"
             "  next: fogcomp diagnose gyro.model run.csv\n"
@@ -179,20 +173,19 @@ TEST(Terminal, SaysFirstWhatWasFoundAndWhatToDo) {
 }
 
 TEST(Terminal, ShowsWhatAPageDrawsOnlyInDetails) {
-  Document document("subject", "found");
-  document.heading("Drawn");
-  document.table(table_of_rms("rms", 0), Shown::in_details);
-  document.sentence("on a page", Shown::on_page);
+  Document document{"subject", "found"};
+  document.parts = Heading{"Drawn"} + show(Shown::in_details, table_of_rms("rms", 0)) +
+                   show(Shown::on_page, Sentence{"on a page"});
   EXPECT_EQ(terminal(document), "found\n");
   EXPECT_EQ(count(terminal(document, true), "Drawn\n  step"), 1U);
 }
 
 TEST(Terminal, AlignsByCharactersNotBytes) {
-  Document document("subject", "found");
+  Document document{"subject", "found"};
   Table table;
   table.columns = {"segment", "mean"};
   table.rows = {{verbatim("Z\xC3\xBCrich"), "1"}, {"soak", "22"}};
-  document.table(table);
+  document.parts += table;
   EXPECT_EQ(terminal(document),
             "found\n\n  segment  mean\n  Z\xC3\xBCrich      1\n  soak       22\n");
 }
