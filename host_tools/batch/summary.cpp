@@ -75,6 +75,15 @@ Summary summarise(std::vector<GyroResult> results, std::vector<Limit> limits,
   return summary;
 }
 
+Summary::Spread Summary::spread_of(const std::string& figure) const {
+  std::vector<double> values;
+  for (const Gyro& gyro : gyros) {
+    if (const auto value = gyro.result.figure(figure)) values.push_back(*value);
+  }
+  std::sort(values.begin(), values.end());
+  return {values.size(), values.front(), values[values.size() / 2], values.back()};
+}
+
 std::string headline(const Summary& summary) {
   return format("%s: %zu pass, %zu fail, %zu without a result",
                 counted(summary.gyros.size(), "gyro").c_str(), summary.count(Outcome::pass),

@@ -35,6 +35,15 @@ struct Summary {
   std::vector<std::string> figures;  ///< names of all values of any gyro, in order of appearance
   Lot lot;                           ///< comparison with each other
 
+  /// A figure over the gyros that have it, in its own unit.
+  struct Spread {
+    std::size_t gyros = 0;  ///< number, at least 1
+    double min = 0;
+    double median = 0;  ///< of an even number the upper one
+    double max = 0;
+  };
+  /// `figure`: one of `figures`.
+  Spread spread_of(const std::string& figure) const;
   std::size_t count(Outcome outcome) const;
   /// How a gyro differs from the lot: "FIGURE VALUE (lot ...)", the worst value first; may be "".
   std::string stands_out(const std::string& gyro) const;

@@ -171,6 +171,13 @@ std::optional<double> floor_removed(double std_dph, const std::optional<double>&
   return floor_removed(std_dph, *floor_dph);
 }
 
+const Comparison::SegmentError* Comparison::worst_segment() const {
+  const auto worst =
+      std::max_element(segments.begin(), segments.end(),
+                       [](const auto& a, const auto& b) { return a.rms_dph < b.rms_dph; });
+  return segments.size() < 2 || worst->rows.size() == 0 ? nullptr : &*worst;
+}
+
 std::vector<double> Comparison::residuals_dph() const {
   const Eigen::VectorXd residual = rows.drift_dph - modelled_dph;
   return {residual.begin(), residual.end()};

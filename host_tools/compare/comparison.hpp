@@ -57,6 +57,8 @@ struct Comparison {
   OutsideTraining outside;
 
   std::size_t size() const { return outlier.size(); }
+  /// The segment with the largest residual, deg/h rms; nullptr if there are none to compare.
+  const SegmentError* worst_segment() const;
   std::vector<double> measured_dph() const;
   std::vector<double> residuals_dph() const;
   /// Less the mean of each power-on, which has a bias of its own.

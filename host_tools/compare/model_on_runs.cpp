@@ -15,6 +15,36 @@ ModelOnRun try_model(const model::Model& model, const runs::Run& run, double row
   return {std::move(comparison), std::move(analysis), error, band_of(model, run)};
 }
 
+const ModelOnRun& ModelOnRuns::worst() const {
+  const auto drift_dph = [](const ModelOnRun& run) {
+    return floor_removed(run.comparison.whole.rms_dph, run.comparison.noise_floor_dph.value_or(0));
+  };
+  return *std::max_element(runs.begin(), runs.end(), [&](const ModelOnRun& a, const ModelOnRun& b) {
+    return drift_dph(a) < drift_dph(b);
+  });
+}
+
+double ModelOnRuns::extrapolated_fraction() const {
+  double outside = 0;
+  double rows = 0;
+  for (const ModelOnRun& run : runs) {
+    const auto run_rows = static_cast<double>(run.comparison.size());
+    outside += run.comparison.outside.temperature * run_rows;
+    rows += run_rows;
+  }
+  return rows > 0 ? outside / rows : 0;
+}
+
+std::vector<const ModelOnRuns*> best_first(const std::vector<ModelOnRuns>& models) {
+  std::vector<const ModelOnRuns*> order;
+  for (const ModelOnRuns& model : models) order.push_back(&model);
+  const auto best = std::min_element(order.begin(), order.end(), [](const auto* a, const auto* b) {
+    return a->worst().comparison.whole.rms_dph < b->worst().comparison.whole.rms_dph;
+  });
+  std::rotate(order.begin(), best, best + 1);
+  return order;
+}
+
 bool is_below_floor(const Comparison& comparison) {
   const double rms_dph = comparison.whole.rms_dph;
   const double uncertainty = floor_uncertainty(comparison.size() - comparison.outliers);

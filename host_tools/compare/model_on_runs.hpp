@@ -58,7 +58,15 @@ struct ModelOnRuns {
   model::Model model;
   std::vector<ModelOnRun> runs;
   TurnOn turn_on{};
+
+  /// The run with the largest drift left, deg/h rms (floor_removed()).
+  const ModelOnRun& worst() const;
+  /// Fraction of all rows beyond the trained temperatures.
+  double extrapolated_fraction() const;
 };
+
+/// First the model with the smallest rms error on its worst run, then the others in their order.
+std::vector<const ModelOnRuns*> best_first(const std::vector<ModelOnRuns>& models);
 
 /// Whether the noise floor lies above the residual by more than its own uncertainty.
 bool is_below_floor(const Comparison& comparison);

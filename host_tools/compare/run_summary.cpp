@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "compare/comparison.hpp"
+#include "noise/input_rate.hpp"
 #include "noise/noise_floor.hpp"
 #include "noise/outlier_rows.hpp"
 #include "recording/mask.hpp"
@@ -122,6 +124,18 @@ recording::Recording without_outliers(recording::Recording rows, const Judged& j
   return rows;
 }
 
+std::optional<double> input_rate_share(const recording::Recording& rows) {
+  if (!varies(rows.input_rate_dph)) return std::nullopt;
+  const auto vector = [](const std::vector<double>& values) {
+    return Eigen::Map<const Eigen::VectorXd>(values.data(),
+                                             static_cast<Eigen::Index>(values.size()));
+  };
+  const std::vector<double> bias = recording::bias_dph(rows);
+  return noise::share_of_input_rate(
+      noise::input_rate_columns(vector(rows.input_rate_dph), vector(rows.temperature_degc), 1),
+      vector(bias));
+}
+
 // `recording`: `masked` with its masked times bridged, which do not have the noise.
 RunSummary summary_of(const recording::Recording& recording, const recording::Recording& masked,
                       double average_s) {
@@ -151,11 +165,16 @@ RunSummary summary_of(const recording::Recording& recording, const recording::Re
       noise::allan_deviation(bridged(std::move(bias), recording), soaks, recording.period_s);
   summary.noise = noise::fit_noise_coefficients(summary.allan);
   summary.sensitivity = temperature_sensitivity(without_outliers(rows.means, row_bias), in_rows);
+  summary.input_rate_share = input_rate_share(rows.means);
   summary.blocks = std::move(rows.means);
   return summary;
 }
 
 }  // namespace
+
+std::optional<double> RunSummary::drift_dph(const BiasSummary& of) const {
+  return of.std_dph && noise_floor_dph ? floor_removed(*of.std_dph, noise_floor_dph) : std::nullopt;
+}
 
 RunSummary summarize(const recording::Recording& recording, double average_s) {
   if (recording.masks.empty()) return summary_of(recording, recording, average_s);

@@ -45,6 +45,12 @@ struct RunSummary {
   std::vector<noise::AllanPoint> allan;
   noise::NoiseCoefficients noise;
   TemperatureSensitivity sensitivity;
+  /// Fraction of the bias's variance over the rows that errors of the input rate explain, 0..1;
+  /// nothing if the rate is constant.
+  std::optional<double> input_rate_share;
+
+  /// A standard deviation of the bias of these rows without their noise, deg/h (floor_removed()).
+  std::optional<double> drift_dph(const BiasSummary& of) const;
 };
 
 /// Summary in rows of `average_s`, a whole number of the board's blocks as in fit and compare; in

@@ -1,5 +1,6 @@
 // Questions to a finished diagnosis.
 #include <algorithm>
+#include <numeric>
 
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/diagnosis.hpp"
@@ -117,6 +118,19 @@ std::string effect_to_add(const Diagnosis& diagnosis) {
                                           !model::only_tail_is_seen(finding.term());
                                  });
   return main == diagnosis.candidates.end() ? "" : main->effect;
+}
+
+std::vector<double> removed_by_addition_dph(const Diagnosis& diagnosis, const DiagnosisData& data,
+                                            recording::RowRange rows) {
+  const CandidateFinding* const finding = diagnosis.find(effect_to_add(diagnosis));
+  if (finding == nullptr) return {};
+  const Eigen::VectorXd change =
+      data.series().drift_dph(finding->completed) - data.series().drift_dph(diagnosis.terms);
+  std::vector<double> removed(change.data() + rows.first, change.data() + rows.end);
+  const double mean =
+      std::accumulate(removed.begin(), removed.end(), 0.0) / static_cast<double>(removed.size());
+  for (double& value : removed) value -= mean;
+  return removed;
 }
 
 }  // namespace fogcomp::diagnosis

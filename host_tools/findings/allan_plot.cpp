@@ -4,31 +4,23 @@
 #include <cmath>
 #include <limits>
 
-#include "support/units.hpp"
-
 namespace fogcomp::findings {
 namespace {
 
-// sigma^2 of one term at tau, in hours.
 struct Term {
   const char* label;
   const char* colour;
   const std::optional<noise::NoiseCoefficient>& coefficient;
-  double (*square)(double coefficient, double tau_h);
 };
 
+// In the order of noise::AllanModel.
 std::vector<Term> terms_of(const noise::NoiseCoefficients& noise) {
   return {
-      {"quantization Q, slope -1", "part4", noise.quantization_deg,
-       [](double q, double tau) { return 3 * q * q / (tau * tau); }},
-      {"angle random walk N, slope -1/2", "part3", noise.angle_random_walk_dprh,
-       [](double n, double tau) { return n * n / tau; }},
-      {"bias instability B, slope 0", "part5", noise.bias_instability_dph,
-       [](double b, double) { return b * b * 2 / kPi * std::log(2.0); }},
-      {"rate random walk K, slope +1/2", "part6", noise.rate_random_walk_dphrh,
-       [](double k, double tau) { return k * k * tau / 3; }},
-      {"rate ramp R, slope +1", "part7", noise.rate_ramp_dphh,
-       [](double r, double tau) { return r * r * tau * tau / 2; }},
+      {"quantization Q, slope -1", "part4", noise.quantization_deg},
+      {"angle random walk N, slope -1/2", "part3", noise.angle_random_walk_dprh},
+      {"bias instability B, slope 0", "part5", noise.bias_instability_dph},
+      {"rate random walk K, slope +1/2", "part6", noise.rate_random_walk_dphrh},
+      {"rate ramp R, slope +1", "part7", noise.rate_ramp_dphh},
   };
 }
 
@@ -49,11 +41,13 @@ Text seen(const std::vector<Curve>& slopes) {
 std::vector<Curve> slopes_of(const noise::NoiseCoefficients& fitted,
                              const std::vector<double>& tau_s) {
   std::vector<Curve> slopes;
-  for (const Term& term : terms_of(fitted)) {
-    if (!term.coefficient) continue;
-    Curve slope{term.label, term.colour, {}, tau_s, {}, Look::dashed};
+  const std::vector<Term> terms = terms_of(fitted);
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (!terms[i].coefficient) continue;
+    Curve slope{terms[i].label, terms[i].colour, {}, tau_s, {}, Look::dashed};
     for (const double tau : tau_s) {
-      slope.y.push_back(std::sqrt(term.square(term.coefficient->value, tau / kSecondsPerHour)));
+      slope.y.push_back(
+          noise::sigma_of_term(static_cast<Eigen::Index>(i), terms[i].coefficient->value, tau));
     }
     slopes.push_back(std::move(slope));
   }

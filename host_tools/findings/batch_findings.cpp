@@ -100,27 +100,14 @@ Table notes_table(const Summary& summary) {
   return table;
 }
 
-std::vector<double> values_of(const Summary& summary, const std::string& figure) {
-  std::vector<double> values;
-  for (const Summary::Gyro& gyro : summary.gyros) {
-    if (const auto value = gyro.result.figure(figure)) values.push_back(*value);
-  }
-  std::sort(values.begin(), values.end());
-  return values;
-}
-
-double median_of(const std::vector<double>& sorted) {
-  return sorted[sorted.size() / 2];
-}
-
 Table spread_table(const Summary& summary) {
   Table table;
   table.columns = {"figure", "limit", "median", "min", "max", "gyros", "what it is"};
   for (const std::string& figure : summary.figures) {
-    const std::vector<double> values = values_of(summary, figure);
+    const Summary::Spread spread = summary.spread_of(figure);
     table.rows.push_back({verbatim(figure), limits_of(figure, summary.limits),
-                          significant(median_of(values)), significant(values.front()),
-                          significant(values.back()), verbatim(std::to_string(values.size())),
+                          significant(spread.median), significant(spread.min),
+                          significant(spread.max), verbatim(std::to_string(spread.gyros)),
                           figure_label(figure)});
   }
   return table;
@@ -267,7 +254,7 @@ Plot histogram_of(const Summary& summary, const std::string& figure) {
   if (places.empty()) return {};
   const Text label = figure_label(figure).empty() ? verbatim(figure) : figure_label(figure);
   Plot plot = histogram(places, label);
-  plot.caption = "Median " + significant(places[places.size() / 2].value) + ".";
+  plot.caption = "Median " + significant(summary.spread_of(figure).median) + ".";
   const std::string named = names_of(places);
   if (!named.empty()) plot.caption += " " + verbatim(named) + ".";
   for (const Limit& limit : summary.limits) {

@@ -1,7 +1,6 @@
 #include "findings/findings.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "findings/compare_words.hpp"
 #include "findings/next_export.hpp"
@@ -11,40 +10,11 @@
 namespace fogcomp::findings {
 namespace {
 
-// The run with the model's largest error.
-const compare::ModelOnRun& worst_of(const compare::ModelOnRuns& model) {
-  const auto drift = [](const compare::ModelOnRun& run) {
-    return compare::floor_removed(run.comparison.whole.rms_dph,
-                                  run.comparison.noise_floor_dph.value_or(0));
-  };
-  return *std::max_element(model.runs.begin(), model.runs.end(),
-                           [&](const compare::ModelOnRun& a, const compare::ModelOnRun& b) {
-                             return drift(a) < drift(b);
-                           });
-}
-
-double worst_rms_dph(const compare::ModelOnRuns& model) {
-  return worst_of(model).comparison.whole.rms_dph;
-}
-
-// First the model with the smallest error on its worst run, then the others in the order of the
-// command line.
-std::vector<const compare::ModelOnRuns*> best_first(
-    const std::vector<compare::ModelOnRuns>& models) {
-  std::vector<const compare::ModelOnRuns*> order;
-  for (const compare::ModelOnRuns& model : models) order.push_back(&model);
-  const auto best = std::min_element(order.begin(), order.end(), [](const auto* a, const auto* b) {
-    return worst_rms_dph(*a) < worst_rms_dph(*b);
-  });
-  std::rotate(order.begin(), best, best + 1);
-  return order;
-}
-
 Text found(const std::vector<const compare::ModelOnRuns*>& models) {
   const compare::ModelOnRuns& best = *models[0];
   std::vector<std::string> files;
   for (const compare::ModelOnRuns* model : models) files.push_back(model->file);
-  const compare::Comparison& worst = worst_of(best).comparison;
+  const compare::Comparison& worst = best.worst().comparison;
   Text text = verbatim(short_names(files)[0]) + (models.size() > 1 ? " is best: " : ": ");
   if (best.runs.size() > 1) {
     text += "at worst, on " + verbatim(short_names({worst.file})[0]) + ", ";
@@ -58,7 +28,7 @@ Document compare_findings(const std::vector<compare::ModelOnRuns>& models) {
   const compare::ModelOnRuns& first = models[0];
   std::string subject = "fogcomp compare " + first.file + " " + join(run_files(first), " ");
   for (std::size_t i = 1; i < models.size(); ++i) subject += " --model " + models[i].file;
-  const std::vector<const compare::ModelOnRuns*> ranked = best_first(models);
+  const std::vector<const compare::ModelOnRuns*> ranked = compare::best_first(models);
   const compare::ModelOnRuns& best = *ranked[0];
   Document document{subject, found(ranked)};
   document.next =

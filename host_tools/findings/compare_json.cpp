@@ -155,17 +155,8 @@ Json run_json(const compare::ModelOnRun& run) {
 }
 
 Json model_json(const compare::ModelOnRuns& model, Json object) {
-  Json runs = Json::array();
-  double outside = 0;
-  double rows = 0;
-  for (const compare::ModelOnRun& run : model.runs) {
-    runs.push(run_json(run));
-    const auto run_rows = static_cast<double>(run.comparison.size());
-    outside += run.comparison.outside.temperature * run_rows;
-    rows += run_rows;
-  }
-  object.set("runs", std::move(runs))
-      .set("extrapolated_fraction", rows > 0 ? outside / rows : 0)
+  object.set("runs", json_array(model.runs, run_json))
+      .set("extrapolated_fraction", model.extrapolated_fraction())
       .set(turn_on_json(model.turn_on));
   return object;
 }

@@ -1,7 +1,6 @@
 #include "findings/findings.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -231,23 +230,6 @@ Run columns_of(const diagnosis::DiagnosisData& data, recording::RowRange range,
   return run;
 }
 
-// The part of the residual that the proposed effect would remove, with everything refitted; about
-// its mean, because the runs' biases are refitted too. Empty if none is proposed.
-std::vector<double> would_take_out(const diagnosis::Diagnosis& diagnosis,
-                                   const diagnosis::DiagnosisData& data,
-                                   recording::RowRange range) {
-  const diagnosis::CandidateFinding* const finding =
-      diagnosis.find(diagnosis::effect_to_add(diagnosis));
-  if (finding == nullptr) return {};
-  const Eigen::VectorXd change =
-      data.series().drift_dph(finding->completed) - data.series().drift_dph(diagnosis.terms);
-  std::vector<double> values = part(change, range);
-  const double mean =
-      std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-  for (double& value : values) value -= mean;
-  return values;
-}
-
 // A quantity on which the residual may depend.
 struct Variable {
   std::string name;  ///< as in Diagnosis::variables
@@ -327,7 +309,8 @@ Parts run_section(const Run& run, const diagnosis::Ladder& ladder,
     residuals.push_back({"before", "measured", run.first_dph});
     residuals.push_back({"after the ladder", "residual", run.last_dph});
   }
-  const std::vector<double> taken_out = would_take_out(ladder.first, data, run.range);
+  const std::vector<double> taken_out =
+      diagnosis::removed_by_addition_dph(ladder.first, data, run.range);
   const std::string effect = diagnosis::effect_to_add(ladder.first);
   if (!taken_out.empty()) {
     residuals.push_back({verbatim(effect) + " would take out", "model", taken_out});

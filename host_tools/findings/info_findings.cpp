@@ -1,6 +1,5 @@
 #include "findings/findings.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
@@ -10,30 +9,20 @@
 #include "findings/labels.hpp"
 #include "findings/run_plots.hpp"
 #include "model/effect_list.hpp"
-#include "noise/input_rate.hpp"
 #include "noise/outlier_rows.hpp"
 #include "recording/rate_resolution.hpp"
 #include "recording/stream_reader.hpp"
 #include "recording/temperature_course.hpp"
-#include "support/least_squares.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp::findings {
 namespace {
 
-constexpr double kInstabilityToFloor = 0.664;  // sqrt(2 ln 2 / pi)
-
 struct Finding {
   Text found;
   Next next;
 };
-
-std::optional<double> drift_of(const compare::BiasSummary& bias,
-                               const compare::RunSummary& summary) {
-  if (!bias.std_dph || !summary.noise_floor_dph) return std::nullopt;
-  return compare::floor_removed(*bias.std_dph, *summary.noise_floor_dph);
-}
 
 bool is_turned(const recording::Recording& recording) {
   return !recording.input_rate_dph.empty() && compare::varies(recording.input_rate_dph);
@@ -57,7 +46,7 @@ Finding find_in_table(const recording::Recording& table, const compare::RunSumma
 
 Finding find(const recording::Recording& recording, const compare::RunSummary& summary) {
   if (recording.is_table) return find_in_table(recording, summary);
-  const std::optional<double> drift = drift_of(summary.bias, summary);
+  const std::optional<double> drift = summary.drift_dph(summary.bias);
   const double length_s = recording.time_s.back() - recording.time_s.front();
   if (!drift && recording.stretch_starts.size() > 1 && length_s >= 2 * summary.average_s) {
     return {words(format("gaps leave no two whole means of %.4g s, which drift needs",
@@ -128,7 +117,7 @@ std::vector<Lead> leads_of(const recording::Recording& recording,
                            const std::vector<planning::VisibleSize>& visible) {
   const std::string course = course_words(recording, recording::temperature_course(recording));
   if (course.empty()) return {};
-  const std::optional<double> drift_dph = drift_of(summary.bias, summary);
+  const std::optional<double> drift_dph = summary.drift_dph(summary.bias);
   return without_empty(
       {{"what it is", words(course)},
        {"can show", drift_dph ? words(shown_words(visible, *drift_dph)) : Text()}});
@@ -200,7 +189,7 @@ Parts bias_section(bool of_lines, const compare::RunSummary& summary) {
       {"mean", number(bias.mean_dph)},
       {words(format("std of %.4g s means", summary.average_s)), dph(bias.std_dph)},
       {"noise floor of such a mean", dph(summary.noise_floor_dph)},
-      {"drift, sqrt(std^2 - floor^2)", dph(drift_of(bias, summary))},
+      {"drift, sqrt(std^2 - floor^2)", dph(summary.drift_dph(bias))},
   };
   const std::string outliers =
       summary.outliers > 0 ? noise::outlier_words(summary.outliers, summary.average_s) : "";
@@ -214,7 +203,7 @@ Table segment_table(const compare::RunSummary& summary) {
   for (const compare::SegmentSummary& segment : summary.segments) {
     table.rows.push_back(
         {verbatim(segment.name), number(segment.bias.mean_dph),
-         dph(drift_of(segment.bias, summary)), dph(segment.bias.std_dph),
+         dph(summary.drift_dph(segment.bias)), dph(segment.bias.std_dph),
          verbatim(format("%.2f..%.2f", segment.temperature_min_degc, segment.temperature_max_degc)),
          verbatim(format("%.3f", segment.temperature_rate_degc_per_min)),
          verbatim(format("%.2f", segment.start_s / kSecondsPerHour)),
@@ -264,16 +253,6 @@ Text to_digits_of(double value, double uncertainty) {
   return verbatim(format("%.*f", decimals_for(uncertainty, 2), value));
 }
 
-// Upper bound from the lowest point of the curve, if no flat part is visible.
-Text instability_bound(const std::vector<noise::AllanPoint>& curve) {
-  const auto lowest = std::min_element(curve.begin(), curve.end(),
-                                       [](const noise::AllanPoint& a, const noise::AllanPoint& b) {
-                                         return a.sigma + a.one_sigma < b.sigma + b.one_sigma;
-                                       });
-  const double bound = (lowest->sigma + 2 * lowest->one_sigma) / kInstabilityToFloor;
-  return "below " + to_digits_of(bound, bound);
-}
-
 Table coefficient_table(const compare::RunSummary& summary) {
   Table table;
   table.caption = "noise coefficients (IEEE Std 952)";
@@ -287,7 +266,9 @@ Table coefficient_table(const compare::RunSummary& summary) {
   const noise::NoiseCoefficients& noise = summary.noise;
   add("Q  quantization", noise.quantization_deg, "not shown", "deg");
   add("N  angle random walk", noise.angle_random_walk_dprh, "not shown", "deg/sqrt(h)");
-  add("B  bias instability", noise.bias_instability_dph, instability_bound(summary.allan), "deg/h");
+  const double bound_dph = noise::instability_bound_dph(summary.allan);
+  add("B  bias instability", noise.bias_instability_dph,
+      "below " + to_digits_of(bound_dph, bound_dph), "deg/h");
   add("K  rate random walk", noise.rate_random_walk_dphrh, "not shown", "deg/h/sqrt(h)");
   add("R  rate ramp", noise.rate_ramp_dphh, "not shown", "deg/h/h");
   return table;
@@ -341,16 +322,6 @@ Parts over_temperature(const compare::RunSummary& summary) {
   return Heading{"Over temperature"} + plot + table;
 }
 
-double share_of_input_rate(const recording::Recording& blocks, const std::vector<double>& bias) {
-  const auto vector = [](const std::vector<double>& values) {
-    return Eigen::Map<const Eigen::VectorXd>(values.data(),
-                                             static_cast<Eigen::Index>(values.size()));
-  };
-  return noise::share_of_input_rate(
-      noise::input_rate_columns(vector(blocks.input_rate_dph), vector(blocks.temperature_degc), 1),
-      vector(bias));
-}
-
 // The bias as a function of each varying input, the input rate first.
 Parts over_inputs(const compare::RunSummary& summary) {
   const recording::Recording& blocks = summary.blocks;
@@ -362,11 +333,10 @@ Parts over_inputs(const compare::RunSummary& summary) {
                : branch_plot("Bias over " + input_name(input) + ".", input_label(input),
                              "bias, deg/h", values, bias, branch);
   };
-  const Plot over_rate = over(fog::Input::input_rate, blocks.input_rate_dph);
-  Parts parts = over_rate;
-  if (!over_rate.curves.empty()) {
+  Parts parts = over(fog::Input::input_rate, blocks.input_rate_dph);
+  if (summary.input_rate_share) {
     parts += Sentence{words(format("the input rate explains %.0f %% of the bias's variance",
-                                   100 * share_of_input_rate(blocks, bias)))};
+                                   100 * *summary.input_rate_share))};
   }
   for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
     parts += over(fog::extension_input(i), blocks[fog::extension_input(i)]);

@@ -47,12 +47,6 @@ std::string action_of(const planning::Step& step, bool sets_rate) {
   return join(actions, ", ");
 }
 
-double minutes_of(const planning::Step& step, double from_degc) {
-  const double ramp_min =
-      step.ramp_degc_per_min > 0 ? std::abs(step.to_degc - from_degc) / step.ramp_degc_per_min : 0;
-  return ramp_min + step.soak_min;
-}
-
 Table steps_table(const planning::Plan& plan) {
   Table table;
   table.caption = words(format("what to type into the chamber, from %.4g degC", plan.start_degc));
@@ -64,7 +58,7 @@ Table steps_table(const planning::Plan& plan) {
   double rate_dps = 0;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const planning::Step& step = plan.steps[i];
-    minutes += minutes_of(step, now_degc);
+    minutes += step.minutes(now_degc);
     table.rows.push_back(
         {words(format("%zu", i + 1)), words(format("%.2f h", minutes / kMinutesPerHour)),
          significant(plan.sigma_after_dph[i]), words(action_of(step, step.rate_dps != rate_dps))});
@@ -85,7 +79,7 @@ Plot programme_plot(const planning::Plan& plan) {
   };
   add();
   for (const planning::Step& step : plan.steps) {
-    const double end = minutes + minutes_of(step, now_degc);
+    const double end = minutes + step.minutes(now_degc);
     minutes = end - step.soak_min;
     now_degc = step.to_degc;
     add();

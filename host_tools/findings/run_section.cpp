@@ -85,12 +85,9 @@ Table before_and_after(const Models& models, std::size_t run) {
   return table;
 }
 
-// The segment with the largest residual.
 Text worst_segment(const compare::Comparison& comparison) {
-  const auto worst =
-      std::max_element(comparison.segments.begin(), comparison.segments.end(),
-                       [](const auto& a, const auto& b) { return a.rms_dph < b.rms_dph; });
-  if (comparison.segments.size() < 2 || worst->rows.size() == 0) return {};
+  const auto* const worst = comparison.worst_segment();
+  if (worst == nullptr) return {};
   return "Largest in " + verbatim(worst->name) + ": rms " + number(worst->rms_dph) + " deg/h.";
 }
 

@@ -15,12 +15,6 @@ using Eigen::VectorXd;
 constexpr Index kRandomTerms = AllanModel::kTerms - 1;  // all but the ramp
 constexpr Index kFrequenciesPerOctave = 24;
 
-Eigen::RowVectorXd variance_of_terms(double tau_h) {
-  Eigen::RowVectorXd row(AllanModel::kTerms);
-  row << 3 / (tau_h * tau_h), 1 / tau_h, 2 / kPi * std::log(2.0), tau_h / 3, tau_h * tau_h / 2;
-  return row;
-}
-
 // Two-sided spectral densities in Std 952's normalisation.
 Eigen::RowVectorXd density_of_terms(double frequency_per_h, double period_h) {
   const double w = 2 * kPi * frequency_per_h;
@@ -31,6 +25,12 @@ Eigen::RowVectorXd density_of_terms(double frequency_per_h, double period_h) {
 }
 
 }  // namespace
+
+Eigen::RowVectorXd AllanModel::variance_of_terms(double tau_h) {
+  Eigen::RowVectorXd row(kTerms);
+  row << 3 / (tau_h * tau_h), 1 / tau_h, 2 / kPi * std::log(2.0), tau_h / 3, tau_h * tau_h / 2;
+  return row;
+}
 
 AllanModel::AllanModel(const std::vector<AllanPoint>& points) {
   const auto count = static_cast<Index>(points.size());

@@ -17,6 +17,9 @@ class AllanModel {
 
   explicit AllanModel(const std::vector<AllanPoint>& points);
 
+  /// sigma^2 at an averaging time of each term alone with squared coefficient 1.
+  static Eigen::RowVectorXd variance_of_terms(double tau_h);
+
   /// sigma^2 of each point (row) for each term alone (column) with squared coefficient 1.
   const Eigen::MatrixXd& terms() const { return terms_; }
 

@@ -8,6 +8,7 @@
 #include "noise/allan_model.hpp"
 #include "noise/decision_rules.hpp"
 #include "support/decompositions.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp::noise {
 namespace {
@@ -151,6 +152,19 @@ NoiseCoefficients fit_noise_coefficients(const std::vector<AllanPoint>& allan) {
   return {consensus(fits, AllanModel::kQuantization), consensus(fits, AllanModel::kAngleWalk),
           consensus(fits, AllanModel::kInstability), consensus(fits, AllanModel::kRateWalk),
           consensus(fits, AllanModel::kRamp)};
+}
+
+double sigma_of_term(Eigen::Index term, double coefficient, double tau_s) {
+  return coefficient * std::sqrt(AllanModel::variance_of_terms(tau_s / kSecondsPerHour)[term]);
+}
+
+double instability_bound_dph(const std::vector<AllanPoint>& allan) {
+  constexpr double kInstabilityToFloor = 0.664;  // sqrt(2 ln 2 / pi)
+  const auto lowest =
+      std::min_element(allan.begin(), allan.end(), [](const AllanPoint& a, const AllanPoint& b) {
+        return a.sigma + a.one_sigma < b.sigma + b.one_sigma;
+      });
+  return (lowest->sigma + 2 * lowest->one_sigma) / kInstabilityToFloor;
 }
 
 }  // namespace fogcomp::noise

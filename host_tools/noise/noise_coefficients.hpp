@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -30,5 +31,12 @@ struct NoiseCoefficients {
 /// (likelihood ratio against the best, 95 %) contain it, and its interval covers theirs: of two
 /// terms that can replace each other neither is reported.
 NoiseCoefficients fit_noise_coefficients(const std::vector<AllanPoint>& allan);
+
+/// Allan deviation, deg/h, of a term alone: `term` of AllanModel, `coefficient` in its unit.
+double sigma_of_term(Eigen::Index term, double coefficient, double tau_s);
+
+/// Upper bound of B, deg/h, where no flat part is visible: from the lowest point of an Allan
+/// deviation, which is not empty, and two of its standard deviations.
+double instability_bound_dph(const std::vector<AllanPoint>& allan);
 
 }  // namespace fogcomp::noise

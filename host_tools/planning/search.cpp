@@ -190,6 +190,12 @@ class Search {
 
 }  // namespace
 
+double Step::minutes(double from_degc) const {
+  const double ramp_min =
+      ramp_degc_per_min > 0 ? std::abs(to_degc - from_degc) / ramp_degc_per_min : 0;
+  return ramp_min + soak_min;
+}
+
 std::string profile_text(const Plan& plan, std::size_t steps) {
   std::string text = format("start %.6g degC\n", plan.start_degc);
   for (std::size_t i = 0; i < steps; ++i) {

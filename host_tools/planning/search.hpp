@@ -15,6 +15,9 @@ struct Step {
   double ramp_degc_per_min = 0;  ///< positive; 0: no ramp
   double soak_min = 0;
   double rate_dps = 0;  ///< of the rate table meanwhile
+
+  /// How long ramp and soak take, min.
+  double minutes(double from_degc) const;
 };
 
 struct Plan {

@@ -91,6 +91,13 @@ TEST(Search, Plan_LastsItsHoursWithinTheChamber) {
     const simulation::Programme programme =
         simulation::parse_profile(profile_text(plan), "plan", 1);
     EXPECT_NEAR(programme.duration_s() / 3600, hours, 0.02);
+    double minutes = 0;
+    double now_degc = plan.start_degc;
+    for (const Step& step : plan.steps) {
+      minutes += step.minutes(now_degc);
+      now_degc = step.to_degc;
+    }
+    EXPECT_NEAR(minutes / 60, hours, 0.02);
     for (const simulation::Leg& leg : programme.legs) {
       EXPECT_GE(leg.to_degc, -40);
       EXPECT_LE(leg.to_degc, 60);
