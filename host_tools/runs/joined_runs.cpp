@@ -34,19 +34,15 @@ bool continues(const BlockSeries& run, const BlockSeries& next) {
                                         recording::rules::kMaxDropoutS);
 }
 
-// The clock of a whole run: that of its files, weighted by their lengths.
-void average_clock(BlockSeries& run, const BlockSeries& next) {
+// The clock is that of both, weighted by their lengths.
+BlockSeries joined(BlockSeries run, const BlockSeries& next) {
+  const auto elapsed = std::llround((first_time_s(next) - first_time_s(run)) / run.block_s);
+  const std::int64_t offset =
+      std::max<std::int64_t>(elapsed, run.blocks.back().number + 1 - next.blocks.front().number);
   const auto own = static_cast<double>(run.blocks.size());
   const auto others = static_cast<double>(next.blocks.size());
   run.period_s = (own * run.period_s + others * next.period_s) / (own + others);
   run.block_s = run.period_s * run.samples_per_block;
-}
-
-void append(BlockSeries& run, const BlockSeries& next) {
-  const auto elapsed = std::llround((first_time_s(next) - first_time_s(run)) / run.block_s);
-  const std::int64_t offset =
-      std::max<std::int64_t>(elapsed, run.blocks.back().number + 1 - next.blocks.front().number);
-  average_clock(run, next);
   const double power_on = run.blocks.back().means.power_on.at;
   const std::size_t first = run.blocks.size();
   for (BlockSeries::Block block : next.blocks) {
@@ -60,10 +56,12 @@ void append(BlockSeries& run, const BlockSeries& next) {
   run.rounding_dph = std::max(run.rounding_dph, next.rounding_dph);
   run.temperature_step_degc = std::max(run.temperature_step_degc, next.temperature_step_degc);
   run.temperature = nullptr;  // of the first part only
+  return run;
 }
 
 // Joins a soak that both files contain; makes other names unique.
-void append(std::vector<recording::Segment>& segments, std::vector<recording::Segment> next) {
+std::vector<recording::Segment> joined(std::vector<recording::Segment> segments,
+                                       std::vector<recording::Segment> next) {
   for (recording::Segment& segment : next) {
     const std::string name = segment.name;
     recording::Segment* const before = segments.empty() ? nullptr : &segments.back();
@@ -81,32 +79,37 @@ void append(std::vector<recording::Segment>& segments, std::vector<recording::Se
     }
     segments.push_back(std::move(segment));
   }
+  return segments;
 }
 
 // The mean square of both floors, by their lengths, or the one that is known.
-void append_floors(Run& run, const Run& next) {
+std::map<double, double> joined_floors(const Run& run, const Run& next) {
+  std::map<double, double> floors_dph = run.floors_dph;
   const auto others = static_cast<double>(next.blocks.blocks.size());
   for (const auto& [row_s, floor_dph] : next.floors_dph) {
-    const auto [place, is_new] = run.floors_dph.try_emplace(row_s, 0);
+    const auto [place, is_new] = floors_dph.try_emplace(row_s, 0);
     const double own = is_new ? 0 : static_cast<double>(run.blocks.blocks.size());
     double& all_dph = place->second;
     all_dph =
         std::sqrt((own * std::pow(all_dph, 2) + others * std::pow(floor_dph, 2)) / (own + others));
   }
+  return floors_dph;
 }
 
-void append(Run& run, Run next) {
-  append_floors(run, next);
-  append(run.blocks, next.blocks);
-  append(run.segments, std::move(next.segments));
+Run joined(Run run, Run next) {
+  run.floors_dph = joined_floors(run, next);
+  run.blocks = joined(std::move(run.blocks), next.blocks);
+  run.segments = joined(std::move(run.segments), std::move(next.segments));
   run.file += " + " + next.file;
   run.files.insert(run.files.end(), next.files.begin(), next.files.end());
   run.refused_rows += next.refused_rows;
+  return run;
 }
 
 }  // namespace
 
-std::vector<Run> join_continued(std::vector<Run> runs, std::vector<std::string>& notes) {
+NotedRuns join_continued(std::vector<Run> runs) {
+  std::vector<std::string> notes;
   for (std::size_t i = 0; i < runs.size();) {
     const auto next = std::find_if(runs.begin(), runs.end(), [&](const Run& run) {
       return &run != &runs[i] && continues(runs[i].blocks, run.blocks);
@@ -116,13 +119,13 @@ std::vector<Run> join_continued(std::vector<Run> runs, std::vector<std::string>&
       continue;
     }
     notes.push_back(next->file + ": goes on where " + runs[i].file + " ends; taken as one run");
-    append(runs[i], std::move(*next));
+    runs[i] = joined(std::move(runs[i]), std::move(*next));
     const auto place = static_cast<std::size_t>(next - runs.begin());
     runs.erase(next);
     if (place < i) --i;
   }
   for (Run& run : runs) run.blocks.temperature = series::temperature_of(run.blocks);
-  return runs;
+  return {std::move(runs), std::move(notes)};
 }
 
 }  // namespace fogcomp::runs

@@ -18,8 +18,10 @@
 namespace fogcomp::runs {
 namespace {
 
-void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
+std::vector<std::string> joined(std::vector<std::string> notes,
+                                const std::vector<std::string>& more) {
   notes.insert(notes.end(), more.begin(), more.end());
+  return notes;
 }
 
 std::vector<std::string> notes_on(const recording::Recording& recording, const Run& run,
@@ -39,23 +41,20 @@ recording::KnownRows rows_of(const std::vector<Run>& runs) {
   return known;
 }
 
-struct Read {
-  std::vector<Run> runs;
-  std::vector<std::string> notes;
-};
-
 // A cut of all runs need not lie in each, but in one.
-void make_cuts(const std::vector<recording::Cut>& cuts, Runs& runs) {
+Runs with_cuts(Runs runs, const std::vector<recording::Cut>& cuts) {
   for (const recording::Cut& cut : cuts) {
     bool is_made = false;
     for (Run& run : runs.training) is_made |= set_cut(run, cut, true);
     for (Run& run : runs.holdouts) is_made |= set_cut(run, cut, true);
     if (!is_made) throw InputError("--cut " + cut_text(cut), "lies in none of the runs");
   }
+  return runs;
 }
 
 // A note for each run with much more noise than another, so that they are hardly of one gyro.
-void note_other_gyro(double row_s, Runs& runs) {
+std::vector<std::string> notes_of_other_gyros(double row_s, const Runs& runs) {
+  std::vector<std::string> notes;
   std::map<double, std::string> files;  // by noise floor
   for (const std::vector<Run>* some : {&runs.training, &runs.holdouts}) {
     for (const Run& run : *some) {
@@ -65,16 +64,17 @@ void note_other_gyro(double row_s, Runs& runs) {
   for (const auto& [floor_dph, file] : files) {
     const auto& [least_dph, quiet] = *files.begin();
     if (floor_dph <= rules::kMaxNoiseRatio * least_dph) continue;
-    runs.notes.push_back(format("%s has %.2g times the noise of %s: are both of one gyro?",
-                                file.c_str(), floor_dph / least_dph, quiet.c_str()));
+    notes.push_back(format("%s has %.2g times the noise of %s: are both of one gyro?", file.c_str(),
+                           floor_dph / least_dph, quiet.c_str()));
   }
+  return notes;
 }
 
 // `see` is called with each recording that counts.
-Read read_each(const std::vector<std::string>& files, const recording::ReadOptions& options,
-               const std::vector<double>& row_lengths_s, const recording::KnownRows& fitted,
-               const std::function<void(const recording::Recording&)>& see) {
-  Read read;
+NotedRuns read_each(const std::vector<std::string>& files, const recording::ReadOptions& options,
+                    const std::vector<double>& row_lengths_s, const recording::KnownRows& fitted,
+                    const std::function<void(const recording::Recording&)>& see) {
+  NotedRuns read;
   recording::KnownRows known;
   for (const std::string& file : files) {
     const recording::Recording recording = recording::read_recording(file, options);
@@ -91,12 +91,12 @@ Read read_each(const std::vector<std::string>& files, const recording::ReadOptio
       continue;
     }
     known.add(hash, file);
-    append(read.notes, notes_on(recording, run, row_lengths_s.front()));
+    read.notes = joined(std::move(read.notes), notes_on(recording, run, row_lengths_s.front()));
     if (see) see(recording);
     read.runs.push_back(std::move(run));
   }
-  read.runs = join_continued(std::move(read.runs), read.notes);
-  return read;
+  NotedRuns continued = join_continued(std::move(read.runs));
+  return {std::move(continued.runs), joined(std::move(read.notes), continued.notes)};
 }
 
 }  // namespace
@@ -125,9 +125,7 @@ std::vector<Run> Runs::all() const {
 }
 
 Runs Runs::with(const std::vector<recording::Cut>& cuts) const {
-  Runs cut = *this;
-  make_cuts(cuts, cut);
-  return cut;
+  return with_cuts(*this, cuts);
 }
 
 Runs Runs::without(std::size_t run) const {
@@ -144,33 +142,29 @@ Runs read_runs(const std::vector<std::string>& training, const std::vector<std::
   runs.data_hash = fog::kCrc32Initial;
   double noise_square = 0;
   std::size_t count = 0;
-  Read read = read_each(training, options, row_lengths_s, {}, [&](const auto& recording) {
+  NotedRuns read = read_each(training, options, row_lengths_s, {}, [&](const auto& recording) {
     runs.data_hash = recording::data_hash(recording, runs.data_hash);
     const double noise_dph_rthz = noise::white_noise_dph_rthz(recording);
-    append(runs.doubts, recording::doubts(recording, noise_dph_rthz));
+    runs.doubts = joined(std::move(runs.doubts), recording::doubts(recording, noise_dph_rthz));
     noise_square += std::pow(noise_dph_rthz, 2);
     ++count;
   });
   runs.noise_dph_rthz = std::sqrt(noise_square / static_cast<double>(count));
   runs.training = std::move(read.runs);
-  Read judging = read_each(holdouts, options, row_lengths_s, rows_of(runs.training), nullptr);
+  NotedRuns judging = read_each(holdouts, options, row_lengths_s, rows_of(runs.training), nullptr);
   runs.holdouts = std::move(judging.runs);
-  make_cuts(options.cuts, runs);
-  runs.notes = std::move(read.notes);
-  append(runs.notes, judging.notes);
-  note_other_gyro(row_lengths_s.front(), runs);
-  return runs;
+  runs.notes = joined(joined(std::move(read.notes), judging.notes),
+                      notes_of_other_gyros(row_lengths_s.front(), runs));
+  return with_cuts(std::move(runs), options.cuts);
 }
 
 Runs read_holdouts(const std::vector<std::string>& files, const recording::ReadOptions& options,
                    const std::vector<double>& row_lengths_s, const std::vector<Run>& training) {
-  Read read = read_each(files, options, row_lengths_s, rows_of(training), nullptr);
+  NotedRuns read = read_each(files, options, row_lengths_s, rows_of(training), nullptr);
   Runs runs;
   runs.holdouts = std::move(read.runs);
-  make_cuts(options.cuts, runs);
-  runs.notes = std::move(read.notes);
-  note_other_gyro(row_lengths_s.front(), runs);
-  return runs;
+  runs.notes = joined(std::move(read.notes), notes_of_other_gyros(row_lengths_s.front(), runs));
+  return with_cuts(std::move(runs), options.cuts);
 }
 
 }  // namespace fogcomp::runs

@@ -52,8 +52,7 @@ TEST(JoinedRuns, AreTheRunThatWasCutIntoFilesInAnyOrder) {
   const recording::Recording c = part(run, 1700, rows, "c.csv");
   const series::Rows expected = rows_of(in_blocks({run}));
   for (const auto& files : {std::vector{a, b, c}, {c, b, a}, {b, a, c}, {b, c, a}}) {
-    std::vector<std::string> notes;
-    const std::vector<runs::Run> joined = join_continued(in_blocks(files), notes);
+    const auto [joined, notes] = join_continued(in_blocks(files));
     ASSERT_EQ(joined.size(), 1U);
     EXPECT_EQ(joined[0].file, "a.csv + b.csv + c.csv");
     EXPECT_EQ(joined[0].files, (std::vector<std::string>{"a.csv", "b.csv", "c.csv"}));
@@ -78,8 +77,7 @@ TEST(JoinedRuns, HaveTheMeanPeriodOfTheirFiles) {
   a.period_s = 1.004 * run.period_s;
   b.period_s = run.period_s;
   for (const auto& files : {std::vector{a, b}, {b, a}}) {
-    std::vector<std::string> notes;
-    const std::vector<runs::Run> joined = join_continued(in_blocks(files), notes);
+    const std::vector<runs::Run> joined = join_continued(in_blocks(files)).runs;
     ASSERT_EQ(joined.size(), 1U);
     EXPECT_NEAR(joined[0].blocks.period_s, 1.001 * run.period_s, 1e-5 * run.period_s);
     EXPECT_EQ(joined[0].blocks.block_s,
@@ -90,12 +88,11 @@ TEST(JoinedRuns, HaveTheMeanPeriodOfTheirFiles) {
 TEST(JoinedRuns, HaveSegmentsWithNamesOfTheirOwn) {
   const recording::Recording run = whole();
   const auto rows = static_cast<std::ptrdiff_t>(run.rows());
-  std::vector<std::string> notes;
   // In the middle of the first soak, and of the first ramp.
   const runs::Run joined =
       join_continued(in_blocks({part(run, 0, 180, "a.csv"), part(run, 180, 620, "b.csv"),
-                                part(run, 620, rows, "c.csv")}),
-                     notes)[0];
+                                part(run, 620, rows, "c.csv")}))
+          .runs[0];
   ASSERT_GT(joined.segments.size(), 3U);
   EXPECT_EQ(joined.segments[0].name, "soak 20");
   EXPECT_EQ(joined.segments[1].kind, recording::SegmentKind::ramp_down);
@@ -113,11 +110,11 @@ TEST(JoinedRuns, LeaveApartWhatBeginsAnewOrLater) {
   recording::Recording later = part(run, 510, rows, "later.csv");
   recording::Recording other = part(run, 500, rows, "other.csv");
   other[fog::Input::magnetic].assign(other.rows(), 1.0);
-  std::vector<std::string> notes;
-  EXPECT_EQ(join_continued(in_blocks({a, again}), notes).size(), 2U);
-  EXPECT_EQ(join_continued(in_blocks({a, later}), notes).size(), 2U);
-  EXPECT_EQ(join_continued(in_blocks({a, other}), notes).size(), 2U);
-  EXPECT_TRUE(notes.empty());
+  for (const recording::Recording& second : {again, later, other}) {
+    const auto [joined, notes] = join_continued(in_blocks({a, second}));
+    EXPECT_EQ(joined.size(), 2U) << second.file;
+    EXPECT_TRUE(notes.empty()) << second.file;
+  }
 }
 
 }  // namespace
