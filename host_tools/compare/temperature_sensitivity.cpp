@@ -25,15 +25,15 @@ double mean(const std::vector<double>& values, const recording::Segment& segment
   return sum / static_cast<double>(segment.rows.size());
 }
 
-void compare_soaks(const recording::Recording& rows, const std::vector<double>& bias,
-                   const std::vector<recording::Segment>& segments,
-                   TemperatureSensitivity& result) {
+SoakSlope compare_soaks(const recording::Recording& rows, const std::vector<double>& bias,
+                        const std::vector<recording::Segment>& segments) {
   std::vector<Soak> soaks;
   for (const recording::Segment& segment : segments) {
     if (segment.kind != recording::SegmentKind::soak || segment.rows.size() == 0) continue;
     soaks.push_back({mean(rows.temperature_degc, segment), mean(bias, segment)});
   }
-  if (soaks.empty()) return;
+  SoakSlope result;
+  if (soaks.empty()) return result;
   const auto from_room = [](const Soak& soak) {
     return std::fabs(soak.temperature_degc - kRoomDegc);
   };
@@ -47,6 +47,7 @@ void compare_soaks(const recording::Recording& rows, const std::vector<double>& 
     result.bias_dph_per_degc = std::max(slope, result.bias_dph_per_degc.value_or(0));
     result.reference_degc = reference.temperature_degc;
   }
+  return result;
 }
 
 // dT/dt of each row: difference over a minute to each side, less at the ends of a stretch.
@@ -72,15 +73,14 @@ bool has(const std::vector<recording::Segment>& segments, recording::SegmentKind
 }
 
 // Least squares with a parabola in T and one rate term for each direction that has a ramp.
-void fit_rate_terms(const recording::Recording& rows, const std::vector<double>& bias,
-                    const std::vector<recording::Segment>& segments,
-                    TemperatureSensitivity& result) {
+RateTerms fit_rate_terms(const recording::Recording& rows, const std::vector<double>& bias,
+                         const std::vector<recording::Segment>& segments) {
   constexpr double kTemperatureScaleDegc = 50;
   const bool heats = has(segments, recording::SegmentKind::ramp_up);
   const bool cools = has(segments, recording::SegmentKind::ramp_down);
   const auto count = static_cast<Eigen::Index>(rows.rows());
   const Eigen::Index columns = 3 + (heats ? 1 : 0) + (cools ? 1 : 0);
-  if (count <= columns || columns == 3) return;
+  if (count <= columns || columns == 3) return {};
 
   const std::vector<double> rate = temperature_rate_degc_per_min(rows);
   Eigen::MatrixXd design(count, columns);
@@ -101,8 +101,7 @@ void fit_rate_terms(const recording::Recording& rows, const std::vector<double>&
     if (!(inflation >= 0.5 && inflation < rules::kMaxVarianceInflation)) return std::nullopt;
     return solution[column];
   };
-  if (heats) result.heating_dph_per_degc_per_min = term(3);
-  if (cools) result.cooling_dph_per_degc_per_min = term(columns - 1);
+  return {heats ? term(3) : std::nullopt, cools ? term(columns - 1) : std::nullopt};
 }
 
 struct Branch {
@@ -110,14 +109,13 @@ struct Branch {
   std::size_t rows = 0;
 };
 
-void find_widest_loop(const recording::Recording& rows, const std::vector<double>& bias,
-                      const std::vector<recording::Segment>& segments,
-                      TemperatureSensitivity& result) {
+WidestLoop find_widest_loop(const recording::Recording& rows, const std::vector<double>& bias,
+                            const std::vector<recording::Segment>& segments) {
   constexpr std::size_t kBins = 20;
   const auto [min, max] =
       std::minmax_element(rows.temperature_degc.begin(), rows.temperature_degc.end());
   const double width_degc = (*max - *min) / kBins;
-  if (width_degc * kBins < rules::kMinRangeDegc) return;
+  if (width_degc * kBins < rules::kMinRangeDegc) return {};
   std::array<std::array<Branch, 2>, kBins> branches{};
   for (const recording::Segment& segment : segments) {
     if (segment.kind == recording::SegmentKind::soak) continue;
@@ -129,6 +127,7 @@ void find_widest_loop(const recording::Recording& rows, const std::vector<double
       ++part.rows;
     }
   }
+  WidestLoop result;
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     const auto& [heating, cooling] = branches[bin];
     if (heating.rows < rules::kMinRowsOnBranch || cooling.rows < rules::kMinRowsOnBranch) continue;
@@ -138,18 +137,16 @@ void find_widest_loop(const recording::Recording& rows, const std::vector<double
     result.hysteresis_dph = loop_dph;
     result.hysteresis_at_degc = *min + (static_cast<double>(bin) + 0.5) * width_degc;
   }
+  return result;
 }
 
 }  // namespace
 
 TemperatureSensitivity temperature_sensitivity(const recording::Recording& rows,
                                                const std::vector<recording::Segment>& segments) {
-  TemperatureSensitivity result;
   const std::vector<double> bias = recording::bias_dph(rows);
-  compare_soaks(rows, bias, segments, result);
-  fit_rate_terms(rows, bias, segments, result);
-  find_widest_loop(rows, bias, segments, result);
-  return result;
+  return {compare_soaks(rows, bias, segments), fit_rate_terms(rows, bias, segments),
+          find_widest_loop(rows, bias, segments)};
 }
 
 }  // namespace fogcomp::compare
