@@ -10,7 +10,9 @@
 
 namespace fogcomp::recording {
 
-/// The largest full scale that a board's rate format holds, deg/s.
+/// The largest full scale that a board's rate format holds, deg/s. With 9 fractional bits `Rate`
+/// (`core/signal/quantities.hpp`) would end at 1165 deg/s. The bounds of
+/// `scale_factor_nonlinearity`, the compact frame and the vectors of `tests/golden` would change.
 constexpr double kMaxRangeDps = 582;
 
 /// Limits of the gyro and of the vehicle: a part of the calibration.

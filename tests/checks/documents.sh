@@ -82,16 +82,16 @@ reference = os.path.join(root, "host_tools/REFERENCE.md")
 
 
 def options_of_commands():
-    """The options of each subcommand by the tables of the reference, its groups of shared options among them. A test
-    holds these tables to the tool: tests/integration/reference_document.sh."""
+    """The options of each subcommand by the reference, its groups of shared options among them. A test holds the
+    reference to the tool: tests/integration/reference_document.sh."""
     if not os.path.exists(reference):
         return {}
     sections = {m[1].lower(): m[0] for m in re.finditer(r"^###+ (.+)\n(?:(?!^##).*\n?)*", read(reference), re.M)}
-    own = {name: set(re.findall(r"^\| `(--[a-z0-9-]+)", text, re.M)) for name, text in sections.items()}
+    said = {name: re.findall(r"^Options: (?:.+\n?)+", text, re.M) for name, text in sections.items()}
+    own = {name: set(re.findall(r"`(--[a-z0-9-]+)", "".join(text))) for name, text in said.items()}
     found = {}
     for name in filter(re.compile(r"[a-z]+$").match, sections):
-        also = re.search(r"^Also: (?:.+\n)+", sections[name], re.M)
-        groups = re.findall(r"\[([^]]+)\]\(#", also[0]) if also else []
+        groups = re.findall(r"\[([^]]+)\]\(#", "".join(said[name]))
         found[name] = own[name].union({"--help"}, *(own.get(" ".join(g.split()).lower(), set()) for g in groups))
     return found
 

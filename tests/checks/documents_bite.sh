@@ -12,8 +12,8 @@ echo 'constexpr int kOne = 1;' >"$tree/part/one.cpp"
 printf '#!/bin/sh\ncase $1 in --fast) ;; esac\n' >"$tree/tests/try.sh" && chmod +x "$tree/tests/try.sh"
 printf '#!/bin/sh\n' >"$tree/tests/data.sh"
 echo 'fog_gtest(test_part unit/part unit fogcomp_part)' >"$tree/tests/CMakeLists.txt"
-printf '%s\n' '### fit' '' '| `--levels N` | |' '' 'Also: [shared options](#shared-options).' '' '#### Shared options' \
-  '' '| `--rate HZ` | |' >"$tree/host_tools/REFERENCE.md"
+printf '%s\n' '### fit' '' 'Options: `--levels N`, [shared' 'options](#shared-options).' '' '#### Shared options' '' \
+  'Options: `--rate HZ`.' >"$tree/host_tools/REFERENCE.md"
 echo '{ "configurePresets": [{ "name": "host" }] }' >"$tree/CMakePresets.json"
 
 # judge TEXT...: the check's opinion of a page of these, a paragraph each; of the i-th, the line where it begins: at[i].

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# reference_document.sh FOGCOMP SOURCE [--renew]: host_tools/REFERENCE.md has every command's usage and options as
-# `fogcomp help` says them, every JSON key that the code writes and none that it does not, and every key of a model
-# file. --renew writes usage and options anew.
+# reference_document.sh FOGCOMP SOURCE [--renew]: host_tools/REFERENCE.md has every command's usage and the names of its
+# options as `fogcomp help` says them, every JSON key that the code writes and none that it does not, and every key of a
+# model file. --renew writes usage and options anew.
 set -euo pipefail
 exec python3 - "$@" <<'EOF'
 import glob, re, subprocess, sys, textwrap
@@ -24,36 +24,32 @@ def one_line(text):
     return " ".join(text.split())
 
 
-def cell(text):
-    return text.replace("|", "\\|")
-
-
 def command_help(command):
-    """Its usage and purpose as a line, and a row of a table for each option, by name."""
+    """Its usage and purpose as a line, and its options with their values, by name."""
     text = said("help", command)
     purpose = one_line(re.search(rf"fogcomp {command} - (.*?)\n\nusage", text, re.S)[1])
     usage = one_line(re.search(r"^usage: (.*?)\n\n", text, re.M | re.S)[1])
-    rows, entry = {}, None
-    for line in text.split("\nusage: ")[1].split("\nexample: ")[0].split("\n")[1:]:
-        found = re.match(r"  (--?[a-z][a-z-]*)( \S+)?(.*)", line)
-        if found:
-            entry = rows[found[1]] = [found[1] + (found[2] or ""), found[3].strip()]
-        elif entry and line.strip():
-            entry[1] = one_line(entry[1] + " " + line)
-    return f"`{usage}`: {purpose}.", {n: f"| `{cell(o)}` | {cell(h)} |" for n, (o, h) in rows.items()}
+    options = re.findall(r"^  ((--?[a-z][a-z-]*)(?: \S+)?)", text.split("\nusage: ")[1].split("\nexample: ")[0], re.M)
+    return f"`{usage}`: {purpose}.", {name: option for option, name in options}
 
 
-def options_table(rows):
-    return "\n".join(["| option | |", "|---|---|", *rows]) if rows else ""
+def wrapped(text):
+    """An option stays with its value."""
+    whole = re.sub(r"`[^`]+`", lambda code: code[0].replace(" ", "\0"), text)
+    return "\n".join(textwrap.wrap(whole, 120, break_on_hyphens=False, break_long_words=False)).replace("\0", " ")
 
 
-def options_in(text):
-    table = re.search(r"^\| option \| \|\n\|---\|---\|\n((?:\|.*\n)+)", text + "\n", re.M)
-    return table[1].strip().split("\n") if table else []
+def options_paragraph(section):
+    found = re.search(r"^Options: (?:.+\n)+", section, re.M)
+    return found[0].rstrip("\n") if found else ""
 
 
-def names_in(text):
-    return [re.match(r"\| `(--?[a-z-]+)", row)[1] for row in options_in(text)]
+def options_in(section):
+    return [one_line(option) for option in re.findall(r"`(--?[a-z][^`]*)`", options_paragraph(section))]
+
+
+def groups_in(section):
+    return re.findall(r"\[[^]]+\]\(#[^)]+\)", one_line(options_paragraph(section)))
 
 
 text = open(page, encoding="utf-8").read()
@@ -74,23 +70,24 @@ for command in commands:
     if section is None:
         problems.append(f"REFERENCE.md: no section '### {command}'")
         continue
-    usage, rows = helps[command]
+    usage, options = helps[command]
     fresh = section
     present = re.search(r"^`fogcomp [^`]*`: (?:.+\n)+", section, re.M)[0].rstrip("\n")
     if replace_or_complain(command, usage, one_line(present), "usage") != one_line(present):
-        lines = textwrap.wrap(usage, 119, break_on_hyphens=False, break_long_words=False)
-        fresh = fresh.replace(present, "\n".join(lines), 1)
-    also = re.search(r"^Also: (?:.+\n)+", section, re.M)
-    own = dict(rows)
-    for group in re.findall(r"\[([^]]+)\]\(#", also[0]) if also else []:
-        title = one_line(group).capitalize()
-        names = names_in(sections[title])
-        shared = [own.pop(name) for name in names if name in own]
-        if shared != options_in(sections[title]):
-            problems.append(f"REFERENCE.md: {command} has not the {group} of the group")
-    present = options_table(options_in(section))
-    wanted = replace_or_complain(command, options_table(own.values()), present, "options")
-    fresh = fresh.replace(present, wanted, 1) if present else fresh
+        fresh = fresh.replace(present, wrapped(usage), 1)
+    own = dict(options)
+    groups = groups_in(section)
+    for group in groups:
+        title = re.match(r"\[([^]]+)", group)[1].capitalize()
+        there = options_in(sections[title])
+        shared = [own.pop(name) for name in [option.split()[0] for option in there] if name in own]
+        if shared != there:
+            problems.append(f"REFERENCE.md: {command} has not the {title.lower()} of the group")
+    listed = ", ".join([*(f"`{option}`" for option in own.values()), *groups])
+    wanted = f"Options: {listed}." if listed else ""
+    present = options_paragraph(section)
+    if replace_or_complain(command, wanted, one_line(present), "options") != one_line(present):
+        fresh = fresh.replace(present, wrapped(wanted), 1)
     text = text.replace(section, fresh, 1)
 
 # JSON: keys by the files that write them.
