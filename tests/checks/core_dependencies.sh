@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# core_dependencies.sh ROOT: who may include whom (firmware/DESIGN.md, "Dependencies"), by include scan:
+# core_dependencies.sh ROOT: who may include whom (firmware/DESIGN.md, "One drift model"), by include scan:
 # core only core and the freestanding part of the standard library; hal nothing of ours; platform hal,
 # the CRC, the size of the output frames, what a serial line is and the thermometers; the generated header only app and tests. Within the
 # core a folder includes those before it in a list. And no floating point in core; in denoise and network no shift
