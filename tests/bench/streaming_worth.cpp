@@ -71,59 +71,70 @@ std::complex<double> component(const std::vector<double>& values, double frequen
   return sum * 2.0 / static_cast<double>(end - start);
 }
 
-// Remaining amplitude and delay of a sine in noise, as a function of its amplitude.
-void print_sines() {
-  std::printf("\nsine in noise of %.2f deg/h: amplitude out / in\n%7s %9s %9s", kNoiseDph, "levels",
-              "delay, ms", "in, deg/h");
-  const double frequencies_hz[] = {0.1, 0.2, 0.5, 1, 2};
-  for (const double frequency_hz : frequencies_hz) std::printf(" %7.1f Hz", frequency_hz);
-  std::printf(" %15s\n", "delay off by, ms");
-  const std::vector<double> noise = white_noise(60000);
-  for (const int levels : {1, 2, 3, 4, 5, 6, 7}) {
-    const std::size_t delay = fog::denoise_delay(16, static_cast<std::size_t>(levels));
-    for (const double amplitude_dph : {1.0, 3600.0}) {
-      std::printf("%7d %9.0f %9g", levels, 1000 * static_cast<double>(delay) / kRateHz,
-                  amplitude_dph);
-      double max_off_ms = 0;
-      for (const double frequency_hz : frequencies_hz) {
-        std::vector<double> input = noise;
-        for (std::size_t i = 0; i < input.size(); ++i) {
-          input[i] +=
-              amplitude_dph * std::sin(kTwoPi * frequency_hz * static_cast<double>(i) / kRateHz);
-        }
-        const auto in = component(input, frequency_hz, 20000 - delay);
-        std::vector<double> output = streamed(input, levels);
-        output.erase(output.begin(), output.begin() + static_cast<std::ptrdiff_t>(delay));
-        const auto out = component(output, frequency_hz, 20000 - delay);
-        std::printf(" %10.3f", std::abs(out) / std::abs(in));
-        const double off_ms = 1000 * std::arg(out / in) / (kTwoPi * frequency_hz);
-        max_off_ms = std::max(max_off_ms, std::abs(off_ms));
-      }
-      std::printf(" %15.2f\n", max_off_ms);
-    }
-  }
+std::size_t delay_of(int levels) {
+  return fog::denoise_delay(16, static_cast<std::size_t>(levels));
 }
 
-void print_noise_and_steps() {
-  std::printf("\n%7s %9s %12s %20s\n", "levels", "delay, ms", "noise out/in",
-              "step 100 deg/s, err");
-  const std::vector<double> noise = white_noise(100000);
-  for (const int levels : {1, 2, 3, 4, 5, 6, 7}) {
-    const std::size_t delay = fog::denoise_delay(16, static_cast<std::size_t>(levels));
-    const std::vector<double> quiet = streamed(noise, levels);
-    double square = 0;
-    for (std::size_t i = 20000; i < quiet.size(); ++i) square += quiet[i] * quiet[i];
-    std::vector<double> step(40000, 0.0);
-    for (std::size_t i = 20000; i < step.size(); ++i) step[i] = 360000;
-    const std::vector<double> stepped = streamed(step, levels, fog::ThresholdRule::fixed);
-    double worst = 0;
-    for (std::size_t i = delay; i < step.size(); ++i) {
-      worst = std::max(worst, std::abs(stepped[i] - step[i - delay]));
-    }
-    std::printf("%7d %9.0f %12.3f %14.2f deg/h\n", levels,
-                1000 * static_cast<double>(delay) / kRateHz, std::sqrt(square / 80000) / kNoiseDph,
-                worst);
+// Noise of the output relative to that of the input.
+double noise_left(int levels) {
+  const std::vector<double> quiet = streamed(white_noise(100000), levels);
+  double square = 0;
+  for (std::size_t i = 20000; i < quiet.size(); ++i) square += quiet[i] * quiet[i];
+  return std::sqrt(square / 80000) / kNoiseDph;
+}
+
+// Largest error of a step of 100 deg/s, deg/h.
+double step_error(int levels) {
+  std::vector<double> step(40000, 0.0);
+  for (std::size_t i = 20000; i < step.size(); ++i) step[i] = 360000;
+  const std::vector<double> stepped = streamed(step, levels, fog::ThresholdRule::fixed);
+  double worst = 0;
+  for (std::size_t i = delay_of(levels); i < step.size(); ++i) {
+    worst = std::max(worst, std::abs(stepped[i] - step[i - delay_of(levels)]));
   }
+  return worst;
+}
+
+// A sine in noise: what is left of it, as a fraction of what went in, its delay taken off.
+std::complex<double> sine_left(int levels, double amplitude_dph, double frequency_hz) {
+  const std::size_t delay = delay_of(levels);
+  std::vector<double> input = white_noise(60000);
+  for (std::size_t i = 0; i < input.size(); ++i) {
+    input[i] += amplitude_dph * std::sin(kTwoPi * frequency_hz * static_cast<double>(i) / kRateHz);
+  }
+  const auto in = component(input, frequency_hz, 20000 - delay);
+  std::vector<double> output = streamed(input, levels);
+  output.erase(output.begin(), output.begin() + static_cast<std::ptrdiff_t>(delay));
+  return component(output, frequency_hz, 20000 - delay) / in;
+}
+
+void print_levels() {
+  const double frequencies_hz[] = {0.1, 0.2, 0.5, 1, 2};
+  std::printf(
+      "noise of %.2f deg/h; error of a step of 100 deg/s, deg/h; amplitude of a sine of\n"
+      "1 deg/h, out/in, and by how many ms its delay is off\n"
+      "levels  delay, ms  noise out/in  step error",
+      kNoiseDph);
+  for (const double frequency_hz : frequencies_hz) std::printf("  %3.1f Hz", frequency_hz);
+  std::printf("  off, ms\n");
+  double min_large = 1;
+  double max_large = 1;
+  for (const int levels : {1, 2, 3, 4, 5, 6, 7}) {
+    std::printf("%6d %10.0f %13.3f %11.2f", levels,
+                1000 * static_cast<double>(delay_of(levels)) / kRateHz, noise_left(levels),
+                step_error(levels));
+    double max_off_ms = 0;
+    for (const double frequency_hz : frequencies_hz) {
+      const std::complex<double> left = sine_left(levels, 1, frequency_hz);
+      std::printf("  %6.3f", std::abs(left));
+      max_off_ms = std::max(max_off_ms, std::abs(1000 * std::arg(left) / (kTwoPi * frequency_hz)));
+      const double large = std::abs(sine_left(levels, 3600, frequency_hz));
+      min_large = std::min(min_large, large);
+      max_large = std::max(max_large, large);
+    }
+    std::printf("  %7.2f\n", max_off_ms);
+  }
+  std::printf("sines of 3600 deg/h, out/in: %.4f to %.4f\n", min_large, max_large);
 }
 
 // White noise of a sample of a recording, independent of its drift.
@@ -167,8 +178,7 @@ void print_recording(const char* path) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  print_noise_and_steps();
-  print_sines();
+  print_levels();
   const std::vector<double> noise = white_noise(400000);
   print_allan("white noise at 200 Hz, streamed, sym8 x 5, heursure soft", noise, streamed(noise, 5),
               1 / kRateHz);
