@@ -92,7 +92,7 @@ Parts run_section(const fit::Addition::RunError& run, const std::string& group) 
 }
 
 // `names`: of the effects.
-Parts remarks(const fit::Addition& addition, const std::vector<std::string>& names) {
+Parts remarks_on(const fit::Addition& addition, const std::vector<std::string>& names) {
   Parts parts;
   if (addition.row_s != addition.model.average_s) {
     parts +=
@@ -133,7 +133,7 @@ Document add_findings(const fit::Addition& addition, const std::string& model,
       written.empty()
           ? Next("nothing was written; ask what else it could be", diagnose_command(model, runs))
           : Next("look again at what the new model leaves", diagnose_command(written, runs));
-  document.parts = remarks(addition, names);
+  document.parts = remarks_on(addition, names);
   if (!addition.parts.empty()) document.parts += part_table(addition);
   if (!addition.changed.empty()) document.parts += changed_terms(addition);
   document.parts += Heading{"Before and after"} + error_table(addition);
