@@ -12,7 +12,7 @@ source cmake/bootstrap/packages.sh
 
 workbench=()
 if [[ ${1:-} == --page ]]; then
-  build_packages+=(emscripten)
+  build_packages+=(emscripten zopfli)
   workbench=(-DFOG_WORKBENCH=ON)
   shift
 fi

@@ -21,7 +21,7 @@ test_packages=(
   gcc-riscv64-unknown-elf qemu-system-misc
   openocd stlink-tools dfu-util
   dpkg-dev man-db
-  emscripten
+  emscripten zopfli
   gawk locales
   clang-tidy cppcheck gappa
   parallel

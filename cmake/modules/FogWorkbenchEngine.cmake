@@ -1,12 +1,13 @@
 # fog_workbench_engine(): the engine of `fogcomp workbench` (host_tools/workbench/engine), built with emscripten:
 # `workbench_engine`, not part of `all`, makes it; `fogcomp_engine` are the objects that embed it in a program which
 # links them. FOG_WORKBENCH=ON embeds it in fogcomp. A fogcomp without it says what is missing.
-option(FOG_WORKBENCH "Embed the engine of `fogcomp workbench` in fogcomp (needs emscripten)" OFF)
+option(FOG_WORKBENCH "Embed the engine of `fogcomp workbench` in fogcomp (needs emscripten and zopfli)" OFF)
 find_program(FOG_EMSCRIPTEN em++)
+find_program(FOG_ZOPFLI zopfli)
 function(fog_workbench_engine)
-  if(FOG_SANITIZE OR NOT FOG_EMSCRIPTEN)
+  if(FOG_SANITIZE OR NOT FOG_EMSCRIPTEN OR NOT FOG_ZOPFLI)
     if(FOG_WORKBENCH)
-      message(FATAL_ERROR "FOG_WORKBENCH needs emscripten (em++) and a build without sanitizers")
+      message(FATAL_ERROR "FOG_WORKBENCH needs emscripten (em++), zopfli and a build without sanitizers")
     endif()
     return()
   endif()
@@ -32,7 +33,7 @@ function(fog_workbench_engine)
             -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
             > "${FOG_ENGINE_FOLDER}.log"
     COMMAND ${run} --build "${FOG_ENGINE_FOLDER}"
-    COMMAND gzip -9 -n -k -f engine.wasm
+    COMMAND "${FOG_ZOPFLI}" --i1 engine.wasm # every page carries it
     COMMAND base64 -w 0 engine.wasm.gz > engine.wasm.gz.base64
     WORKING_DIRECTORY "${FOG_ENGINE_FOLDER}"
     DEPENDS ${sources}
