@@ -1,7 +1,6 @@
 #include "cli/effects_text.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "diagnosis/form_meaning.hpp"
 #include "support/text.hpp"
@@ -76,15 +75,22 @@ std::string cell(std::string text) {
   return text;
 }
 
+std::string on_board(const fog::EffectDescription& effect) {
+  if (effect.host_only != nullptr) return std::string("no: ") + effect.host_only;
+  const std::string id = format("id %d", effect.id);
+  return effect.outlives_power ? id + ", only if never switched off (`export --allow-error`)" : id;
+}
+
 std::string entry_markdown(const model::CatalogueEntry& entry) {
   const fog::EffectDescription& effect = entry.description;
   std::string text = format("## `%s`\n\n", effect.name);
   const auto row = [&text](const std::string& left, const std::string& right) {
-    text += "| " + cell(left) + " | " + cell(right) + " |\n";
+    text += "| " + left + " | " + cell(right) + " |\n";
   };
-  row(effect.title, format("`%s`", effect.equation));
+  row("equation", format("`%s`", effect.equation));
   text += "|---|---|\n";
   row("typical size", effect.typical);
+  row("example", format("`%s`", effect.example));
   row("signature", effect.signature);
   for (const auto& parameter : entry.parameters) {
     row(format("parameter `%s`", parameter.name), range(parameter));
@@ -94,29 +100,7 @@ std::string entry_markdown(const model::CatalogueEntry& entry) {
     identified.push_back(format("`%s` %s", coefficient.symbol, coefficient.unit));
   }
   row("identified", join(identified, ", "));
-  if (effect.host_only != nullptr) row("on the board", std::string("no: ") + effect.host_only);
-  if (effect.outlives_power) {
-    row("on the board", "only if never switched off (`export --allow-error`)");
-  }
   row("source", effect.source);
-  return text + "\n";
-}
-
-// A row for each set of columns, with the effects that need it.
-std::string needs_markdown(const std::vector<const model::CatalogueEntry*>& entries) {
-  std::vector<std::pair<std::string, std::string>> rows;
-  for (const model::CatalogueEntry* entry : entries) {
-    const std::vector<std::string> columns = needed_columns(*entry);
-    const std::string needs = columns.empty() ? "nothing" : "`" + join(columns, "`, `") + "`";
-    auto row = std::find_if(rows.begin(), rows.end(),
-                            [&](const auto& known) { return known.first == needs; });
-    if (row == rows.end()) row = rows.insert(row, {needs, ""});
-    const char* name = entry->description.name;
-    row->second += format(row->second.empty() ? "[`%s`](#%s)" : ", [`%s`](#%s)", name, name);
-  }
-  std::string text = "| needs beside temperature and rate | effect |\n|---|---|\n";
-  for (const auto& [needs, effects] : rows)
-    text += format("| %s | %s |\n", needs.c_str(), effects.c_str());
   return text + "\n";
 }
 
@@ -164,8 +148,15 @@ std::string effects_markdown(const std::vector<const model::CatalogueEntry*>& en
       "power-on; `input_rate_dph` on the board is what the gyro itself measures; the other columns"
       "\nreach the board in extension records (`export --extension`).\n\n"
       "In `fit --effects`, `NAME:parameter=value` gives a shape parameter; `parameter=?` or "
-      "`parameter=?[min,max]`\nidentifies one. `fogcomp effects NAME` has an example of each.\n\n";
-  text += needs_markdown(entries);
+      "`parameter=?[min,max]`\nidentifies one.\n\n"
+      "| effect | | needs | on the board |\n|---|---|---|---|\n";
+  for (const model::CatalogueEntry* entry : entries) {
+    const fog::EffectDescription& effect = entry->description;
+    text += format("| [`%s`](#%s) | %s | %s | %s |\n", effect.name, effect.name,
+                   cell(effect.title).c_str(), join(needed_columns(*entry), ", ").c_str(),
+                   on_board(effect).c_str());
+  }
+  text += "\n";
   for (const model::CatalogueEntry* entry : entries) text += entry_markdown(*entry);
   return text + forms_markdown();
 }
