@@ -27,22 +27,21 @@ class RealInstance final : public RealEffect {
   void reset(const fog::Signals<RealNumbers>& signals) override {
     if constexpr (!kFollowsRate) effect_.reset(signals);
   }
-  void step(const fog::Signals<RealNumbers>& signals, double* regressors) override {
-    if constexpr (kFollowsRate) {
-      for (std::size_t i = 0; i < regressor_count(); ++i) {
-        std::array<double, Effect<RealNumbers>::coefficients.size()> one{};
-        one[i] = 1;
-        effect_.set(signals, one.data());
-        regressors[i] = mean_at(signals.block);
-      }
-    } else {
-      effect_.step(signals, regressors);
-    }
-  }
   void run(const fog::Signals<RealNumbers>* signals, std::size_t count,
            double* regressors) override {
     const std::size_t size = regressor_count();
-    for (std::size_t i = 0; i < count; ++i) step(signals[i], regressors + i * size);
+    for (const auto* now = signals; now != signals + count; ++now, regressors += size) {
+      if constexpr (kFollowsRate) {
+        for (std::size_t i = 0; i < size; ++i) {
+          std::array<double, Effect<RealNumbers>::coefficients.size()> one{};
+          one[i] = 1;
+          effect_.set(*now, one.data());
+          regressors[i] = mean_at(now->block);
+        }
+      } else {
+        effect_.step(*now, regressors);
+      }
+    }
   }
 
  private:

@@ -36,9 +36,6 @@ class ExpressionEffect final : public RealEffect {
 
   std::size_t regressor_count() const override { return 1; }
   void reset(const fog::Signals<RealNumbers>& signals) override { evaluate(signals, true); }
-  void step(const fog::Signals<RealNumbers>& signals, double* regressors) override {
-    regressors[0] = evaluate(signals, false);
-  }
   void run(const fog::Signals<RealNumbers>* signals, std::size_t count,
            double* regressors) override {
     for (std::size_t i = 0; i < count; ++i) regressors[i] = evaluate(signals[i], false);

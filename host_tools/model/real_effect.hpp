@@ -14,11 +14,12 @@ class RealEffect {
   virtual ~RealEffect() = default;
   virtual std::size_t regressor_count() const = 0;
   virtual void reset(const fog::Signals<RealNumbers>& signals) = 0;
-  /// Advances by one block; writes regressor_count() values.
-  virtual void step(const fog::Signals<RealNumbers>& signals, double* regressors) = 0;
-  /// Advances by `count` blocks; writes the values of each, one block after the other.
+  /// Advances by `count` blocks; writes regressor_count() values of each, block after block.
   virtual void run(const fog::Signals<RealNumbers>* signals, std::size_t count,
                    double* regressors) = 0;
+  void step(const fog::Signals<RealNumbers>& signals, double* regressors) {
+    run(&signals, 1, regressors);
+  }
 };
 
 }  // namespace fogcomp::model
