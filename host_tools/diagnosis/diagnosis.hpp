@@ -105,11 +105,9 @@ std::vector<std::string> effects_together(const Diagnosis& diagnosis);
 /// "".
 std::string effect_to_add(const Diagnosis& diagnosis);
 
-/// What that effect would remove from the residual of `rows`, one recording of `data`, with all
-/// refitted: deg/h, row by row, about its mean, because the recording's bias is refitted, too.
-/// Empty if there is none to add.
-std::vector<double> removed_by_addition_dph(const Diagnosis& diagnosis, const DiagnosisData& data,
-                                            recording::RowRange rows);
+/// What that effect would remove from the residual of `data`, with all refitted: deg/h, row by row,
+/// about the mean of each recording, whose bias is refitted, too. Empty if there is none to add.
+Eigen::VectorXd removed_by_addition_dph(const Diagnosis& diagnosis, const DiagnosisData& data);
 
 struct DiagnosisSettings {
   std::optional<noise::NoiseModel>

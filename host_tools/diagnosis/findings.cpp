@@ -120,16 +120,16 @@ std::string effect_to_add(const Diagnosis& diagnosis) {
   return main == diagnosis.candidates.end() ? "" : main->effect;
 }
 
-std::vector<double> removed_by_addition_dph(const Diagnosis& diagnosis, const DiagnosisData& data,
-                                            recording::RowRange rows) {
+Eigen::VectorXd removed_by_addition_dph(const Diagnosis& diagnosis, const DiagnosisData& data) {
   const CandidateFinding* const finding = diagnosis.find(effect_to_add(diagnosis));
   if (finding == nullptr) return {};
-  const Eigen::VectorXd change =
+  Eigen::VectorXd removed =
       data.series().drift_dph(finding->completed) - data.series().drift_dph(diagnosis.terms);
-  std::vector<double> removed(change.data() + rows.first, change.data() + rows.end);
-  const double mean =
-      std::accumulate(removed.begin(), removed.end(), 0.0) / static_cast<double>(removed.size());
-  for (double& value : removed) value -= mean;
+  for (const recording::RowRange& recording : data.series().rows().runs()) {
+    auto here = series::of_rows(removed, recording);
+    here.array() -=
+        std::accumulate(here.begin(), here.end(), 0.0) / static_cast<double>(here.size());
+  }
   return removed;
 }
 

@@ -190,6 +190,7 @@ struct Run {
   std::vector<double> temperature_degc;
   std::vector<double> first_dph;
   std::vector<double> last_dph;
+  std::vector<double> taken_out_dph;           // by what is to be added; empty: nothing is
   std::vector<recording::RowRange> stretches;  // relative to the run's first row
   std::vector<recording::Segment> segments;
 };
@@ -208,7 +209,7 @@ std::vector<double> part(const Eigen::VectorXd& all, recording::RowRange range) 
 }
 
 Run columns_of(const diagnosis::DiagnosisData& data, recording::RowRange range,
-               const diagnosis::Ladder& ladder) {
+               const diagnosis::Ladder& ladder, const Eigen::VectorXd& taken_out_dph) {
   const series::Rows& rows = data.series().rows();
   Run run;
   run.range = range;
@@ -222,6 +223,7 @@ Run columns_of(const diagnosis::DiagnosisData& data, recording::RowRange range,
       column(rows, range, [](const auto& signals) { return signals.temperature; });
   run.first_dph = part(ladder.first.residual_dph, range);
   run.last_dph = part(ladder.last.residual_dph, range);
+  if (taken_out_dph.size() > 0) run.taken_out_dph = part(taken_out_dph, range);
   for (const recording::Segment& segment : data.segments()) {
     if (segment.rows.first >= range.first && segment.rows.end <= range.end) {
       run.segments.push_back(segment);
@@ -309,14 +311,12 @@ Parts run_section(const Run& run, const diagnosis::Ladder& ladder,
     residuals.push_back({"before", "measured", run.first_dph});
     residuals.push_back({"after the ladder", "residual", run.last_dph});
   }
-  const std::vector<double> taken_out =
-      diagnosis::removed_by_addition_dph(ladder.first, data, run.range);
   const std::string effect = diagnosis::effect_to_add(ladder.first);
-  if (!taken_out.empty()) {
-    residuals.push_back({verbatim(effect) + " would take out", "model", taken_out});
+  if (!run.taken_out_dph.empty()) {
+    residuals.push_back({verbatim(effect) + " would take out", "model", run.taken_out_dph});
   }
   Plot residual = time_plot("Residual, the model refitted.", "residual, deg/h", axis, residuals);
-  if (!taken_out.empty()) {
+  if (!run.taken_out_dph.empty()) {
     residual.caption =
         "On top, what " + verbatim(effect) + " would remove, with all coefficients refitted.";
   }
@@ -342,10 +342,12 @@ Document diagnose_findings(const diagnosis::Ladder& ladder, bool loop_wanted,
   document.parts = more_said(said, names) + effects_section(diagnosis);
   if (loop_wanted) document.parts += ladder_section(ladder, files, names);
   document.parts += where_section(diagnosis, data, files.runs);
+  const Eigen::VectorXd taken_out_dph = diagnosis::removed_by_addition_dph(diagnosis, data);
   const std::vector<recording::RowRange> ranges = data.series().rows().runs();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    document.parts += file_heading(files.runs[i]) + run_section(columns_of(data, ranges[i], ladder),
-                                                                ladder, data, format("run %zu", i));
+    document.parts += file_heading(files.runs[i]) +
+                      run_section(columns_of(data, ranges[i], ladder, taken_out_dph), ladder, data,
+                                  format("run %zu", i));
   }
   return document;
 }
