@@ -3,7 +3,7 @@
 Clean gyros are simulated: bias, its temperature sensitivity, white and flicker noise. Each is diagnosed. Then each
 effect that could have been seen is added to its rate, at a random shape, 0.5, 1 and 2 times the size that was stated.
 Seen: P(nothing missing) is below 0.5. Named: the effect, or a set of rivals that has it. Prints a table of Markdown."""
-import argparse, concurrent.futures, json, math, os, random, subprocess, tempfile
+import argparse, concurrent.futures, csv, json, math, os, random, subprocess, tempfile
 
 PROFILES = ("paper", "random_steps", "ramp_rates", "reversed")
 BASE = "bias,bias_temperature:order=2"
@@ -31,16 +31,11 @@ def shape_of(effect, draw):
     return effect["effect"] + (":" + ",".join(parts) if parts else "")
 
 
-def columns(path, *names):
-    with open(path) as lines:
-        head = next(lines).strip().split(",")
-        places = [head.index(name) for name in names]
-        return [[float(cells[p]) for p in places] for cells in (line.strip().split(",") for line in lines)]
-
-
-def rows_of(path):
-    with open(path) as lines:
-        return next(lines), [line.rstrip("\n").split(",") for line in lines]
+def table_of(path):
+    """Names of the columns; rows of cells."""
+    with open(path, newline="") as lines:
+        head, *rows = csv.reader(lines)
+    return head, rows
 
 
 def diagnose(tool, folder, recording):
@@ -63,8 +58,8 @@ def gyro(tool, number, catalogue):
         run(tool, "simulate", "-o", clean, "--profile", PROFILES[number % len(PROFILES)], "--preset", "none",
             "--seed", number, "--noise", noise, "--effect", f"bias:value_dph={draw.uniform(-1, 1):.4g}",
             "--effect", f"bias_temperature:slope={draw.uniform(-1e-3, 1e-3):.4g}")
-        head, rows = rows_of(clean)
-        at = head.strip().split(",").index("rate_dph")
+        head, rows = table_of(clean)
+        at = head.index("rate_dph")
         for candidate in diagnose(tool, folder, clean)["candidates"]:
             name, size = candidate["effect"], candidate["visible_from_dph"]
             if name in HAVE or name not in catalogue:
@@ -75,18 +70,20 @@ def gyro(tool, number, catalogue):
             except RuntimeError:  # of no size on this programme
                 continue
             run(tool, "apply", only, clean, "-o", parts)
-            drift = [row[0] for row in columns(parts, f"drift_{name}_dph")]
+            names, values = table_of(parts)
+            drift = [float(row[names.index(f"drift_{name}_dph")]) for row in values]
             mean = sum(drift) / len(drift)
             rms = math.sqrt(sum((d - mean) ** 2 for d in drift) / len(drift))
             if rms == 0:
                 continue
             for times in TIMES:
                 hidden = os.path.join(folder, "hidden.csv")
-                with open(hidden, "w") as out:
-                    out.write(head)
+                with open(hidden, "w", newline="") as out:
+                    writer = csv.writer(out, lineterminator="\n")
+                    writer.writerow(head)
                     for cells, value in zip(rows, drift):
                         rate = float(cells[at]) + times * size * (value - mean) / rms
-                        out.write(",".join(cells[:at] + [f"{rate:.9g}"] + cells[at + 1:]) + "\n")
+                        writer.writerow(cells[:at] + [f"{rate:.9g}"] + cells[at + 1:])
                 results.append((name, times, *found(diagnose(tool, folder, hidden), name)))
     return results
 
