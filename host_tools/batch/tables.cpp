@@ -5,9 +5,8 @@
 #include <filesystem>
 
 #include "batch/table_history.hpp"
-#include "board/header.hpp"
-#include "board/identity.hpp"
-#include "board/model_slot.hpp"
+#include "board/board_texts.hpp"
+#include "board/table_files.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
 

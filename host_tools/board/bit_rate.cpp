@@ -1,4 +1,4 @@
-#include "board/bit_rate.hpp"
+#include "board/board_port.hpp"
 
 // A file of its own: Linux' termbits.h and termios.h define the same names.
 #ifdef __linux__

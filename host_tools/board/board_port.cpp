@@ -11,8 +11,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "board/bit_rate.hpp"
-#include "board/line_text.hpp"
+#include "board/board_texts.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp::board {

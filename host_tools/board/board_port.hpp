@@ -8,6 +8,10 @@
 
 namespace fogcomp::board {
 
+/// Sets a terminal to any bit rate; termios.h has names for some alone. False, with errno, if the
+/// device or the system has no such rate.
+bool set_bit_rate(int device, std::uint32_t baud);
+
 /// A connection to a board's output port: a serial device, a pseudo-terminal, or the socket of an
 /// emulator.
 class BoardPort {

@@ -3,9 +3,13 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "board/board_port.hpp"
+#include "core/frames/health_record.hpp"
+#include "core/frames/slots_record.hpp"
 
 namespace fogcomp::board {
 
@@ -49,5 +53,18 @@ class BoardQuery {
   BoardPort& port_;
   std::size_t heard_ = 0;
 };
+
+/// Requests the health record of a board (firmware/SPEC.md), every half second. Throws InputError
+/// if no answer comes within `patience_s`.
+fog::HealthRecord query_health(BoardPort& port, const std::string& name, double patience_s);
+
+/// Contents of the slots of a board with the generic image; nothing if no answer comes within
+/// `patience_s`, as from any other image. The default time allows two requests.
+std::optional<fog::SlotsRecord> query_slots(BoardPort& port, double patience_s = 0.75);
+
+/// Why a board must not be relied on now; empty if it may. `slots`: of a board with the generic
+/// image.
+std::vector<std::string> complaints(const fog::HealthRecord& record,
+                                    const std::optional<fog::SlotsRecord>& slots);
 
 }  // namespace fogcomp::board

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "board/expression_code.hpp"
-#include "board/held_accuracy.hpp"
-#include "board/line_text.hpp"
-#include "board/settling_time.hpp"
+#include "board/board_texts.hpp"
+#include "board/delays.hpp"
 #include "board/table_parts.hpp"
 #include "core/acquisition/extension_monitor.hpp"
 #include "core/bytes/crc.hpp"

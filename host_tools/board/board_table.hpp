@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "board/identity.hpp"
-#include "board/status_names.hpp"
+#include "board/board_texts.hpp"
 #include "core/pipeline/model_parameters.hpp"
 #include "model/model.hpp"
 

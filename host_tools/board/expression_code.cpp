@@ -1,4 +1,4 @@
-#include "board/expression_code.hpp"
+#include "board/table_parts.hpp"
 
 #include <algorithm>
 #include <cmath>

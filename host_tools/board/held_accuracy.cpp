@@ -1,10 +1,10 @@
-#include "board/held_accuracy.hpp"
+#include "board/table_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "board/settling_time.hpp"
+#include "board/delays.hpp"
 #include "model/drift_model.hpp"
 
 namespace fogcomp::board {

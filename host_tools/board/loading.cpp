@@ -6,9 +6,8 @@
 #include <vector>
 
 #include "board/board_query.hpp"
-#include "board/health_query.hpp"
-#include "board/identity.hpp"
-#include "board/model_slot.hpp"
+#include "board/board_texts.hpp"
+#include "board/table_files.hpp"
 #include "core/frames/load_message.hpp"
 #include "core/pipeline/slot_loader.hpp"
 #include "support/input_error.hpp"

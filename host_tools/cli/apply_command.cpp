@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "board/status_names.hpp"
+#include "board/board_texts.hpp"
 #include "cli/board_options.hpp"
 #include "cli/command.hpp"
 #include "cli/watch.hpp"

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "board/board_table.hpp"
-#include "board/line_text.hpp"
-#include "board/status_names.hpp"
+#include "board/board_texts.hpp"
 #include "cli/option.hpp"
 #include "cli/recording_options.hpp"
 #include "support/text.hpp"

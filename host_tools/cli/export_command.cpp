@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "board/autopilot.hpp"
-#include "board/model_slot.hpp"
+#include "board/table_files.hpp"
 #include "cli/board_options.hpp"
 #include "cli/command.hpp"
 #include "cli/denoise_options.hpp"

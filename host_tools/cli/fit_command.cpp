@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "board/identity.hpp"
+#include "board/board_texts.hpp"
 #include "cli/fit_command.hpp"
 #include "cli/page_bench.hpp"
 #include "cli/watch.hpp"

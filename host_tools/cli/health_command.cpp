@@ -4,11 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "board/health_query.hpp"
-#include "board/health_verdict.hpp"
-#include "board/identity.hpp"
-#include "board/rate_response.hpp"
-#include "board/status_names.hpp"
+#include "board/board_query.hpp"
+#include "board/board_texts.hpp"
+#include "board/delays.hpp"
 #include "cli/board_options.hpp"
 #include "cli/command.hpp"
 #include "core/pipeline/model_parameters.hpp"

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <string>
 
-#include "board/identity.hpp"
+#include "board/board_texts.hpp"
 #include "board/loading.hpp"
-#include "board/model_slot.hpp"
+#include "board/table_files.hpp"
 #include "cli/board_options.hpp"
 #include "cli/command.hpp"
 #include "support/input_error.hpp"

@@ -1,6 +1,6 @@
 #include "findings/findings.hpp"
 
-#include "board/settling_time.hpp"
+#include "board/delays.hpp"
 #include "findings/figures.hpp"
 #include "findings/run_plots.hpp"
 #include "findings/run_section.hpp"

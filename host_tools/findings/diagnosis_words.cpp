@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "board/settling_time.hpp"
+#include "board/delays.hpp"
 #include "compare/comparison.hpp"
 #include "diagnosis/descriptions.hpp"
 #include "findings/figures.hpp"

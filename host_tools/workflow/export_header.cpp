@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "board/header.hpp"
-#include "board/settling_time.hpp"
+#include "board/delays.hpp"
+#include "board/table_files.hpp"
 #include "model/catalogue.hpp"
 #include "model/drift_model.hpp"
 #include "model/model_file.hpp"

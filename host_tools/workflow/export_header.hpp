@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "board/board_table.hpp"
-#include "board/rate_response.hpp"
+#include "board/delays.hpp"
 #include "board/verification.hpp"
 #include "model/model.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "board/board_source.hpp"
-#include "board/stream_source.hpp"
+#include "board/sensor_stream.hpp"
+#include "board/table_files.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 #include "workflow/export_header.hpp"

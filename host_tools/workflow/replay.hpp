@@ -7,7 +7,6 @@
 #include "board/board_table.hpp"
 #include "board/replay.hpp"
 #include "board/sensor_stream.hpp"
-#include "board/stream_source.hpp"
 #include "recording/recording.hpp"
 #include "workflow/observer.hpp"
 

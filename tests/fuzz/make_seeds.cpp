@@ -5,8 +5,7 @@
 #include <random>
 #include <string>
 
-#include "board/header.hpp"
-#include "board/model_slot.hpp"
+#include "board/table_files.hpp"
 #include "core/bytes/byte_order.hpp"
 #include "core/frames/extension_frame.hpp"
 #include "core/frames/health_record.hpp"

@@ -1,7 +1,7 @@
 // Exported headers as text.
 #include <string>
 
-#include "board/header.hpp"
+#include "board/table_files.hpp"
 #include "fuzzing.hpp"
 #include "support/input_error.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "board/verification_programme.hpp"
+#include "board/verification.hpp"
 #include "core/compensation/drift_model.hpp"
 #include "golden/effect_cases.hpp"
 

@@ -4,7 +4,7 @@
 #include <random>
 #include <string>
 
-#include "board/expression_code.hpp"
+#include "board/table_parts.hpp"
 #include "core/expression/expression_bank.hpp"
 #include "core/thermal/thermal_state.hpp"
 #include "model/drift_model.hpp"

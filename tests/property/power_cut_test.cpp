@@ -9,7 +9,7 @@
 #include <map>
 #include <string>
 
-#include "board/model_slot.hpp"
+#include "board/table_files.hpp"
 #include "core/bytes/crc.hpp"
 #include "core/health/image_seal.hpp"
 #include "core/pipeline/slot_loader.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "board/expression_code.hpp"
+#include "board/table_parts.hpp"
 #include "model/catalogue.hpp"
 #include "model/model.hpp"
 #include "support/sample_models.hpp"

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "board/verification_programme.hpp"
+#include "board/verification.hpp"
 #include "golden/board_stream.hpp"
 #include "golden/effect_cases.hpp"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "board/header.hpp"
+#include "board/table_files.hpp"
 #include "model/model_file.hpp"
 #include "support/output_file.hpp"
 #include "support/typical_effects.hpp"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "board/header.hpp"
+#include "board/table_files.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/sample_models.hpp"

@@ -1,4 +1,4 @@
-#include "board/health_verdict.hpp"
+#include "board/board_query.hpp"
 
 #include <gtest/gtest.h>
 

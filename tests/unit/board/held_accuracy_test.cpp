@@ -1,5 +1,5 @@
 // Time for which a held drift is as good as the model.
-#include "board/held_accuracy.hpp"
+#include "board/table_parts.hpp"
 
 #include <gtest/gtest.h>
 

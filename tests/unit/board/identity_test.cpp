@@ -1,4 +1,4 @@
-#include "board/identity.hpp"
+#include "board/board_texts.hpp"
 
 #include <gtest/gtest.h>
 

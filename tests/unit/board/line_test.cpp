@@ -11,7 +11,7 @@
 
 #include "board/board_port.hpp"
 #include "board/board_table.hpp"
-#include "board/line_text.hpp"
+#include "board/board_texts.hpp"
 #include "support/input_error.hpp"
 #include "support/sample_models.hpp"
 #include "support/typical_effects.hpp"

@@ -15,8 +15,8 @@
 #include <set>
 #include <thread>
 
-#include "board/identity.hpp"
-#include "board/model_slot.hpp"
+#include "board/board_texts.hpp"
+#include "board/table_files.hpp"
 #include "core/frames/health_record.hpp"
 #include "core/frames/health_request.hpp"
 #include "core/pipeline/slot_loader.hpp"

@@ -1,5 +1,5 @@
 // Tables as files for a programmer, and tables that exceed the generic image's capacity.
-#include "board/model_slot.hpp"
+#include "board/table_files.hpp"
 
 #include <gtest/gtest.h>
 

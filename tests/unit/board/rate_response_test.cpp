@@ -1,6 +1,6 @@
 // Delay and bandwidth that export states, against the board's denoiser itself; and the table of
 // firmware/README.md.
-#include "board/rate_response.hpp"
+#include "board/delays.hpp"
 
 #include <gtest/gtest.h>
 

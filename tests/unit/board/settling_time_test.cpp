@@ -1,5 +1,5 @@
 // Time for which a board reports settling lags after a start.
-#include "board/settling_time.hpp"
+#include "board/delays.hpp"
 
 #include <gtest/gtest.h>
 

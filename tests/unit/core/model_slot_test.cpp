@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "board/model_slot.hpp"
+#include "board/table_files.hpp"
 #include "core/bytes/crc.hpp"
 #include "core/frames/health_request.hpp"
 #include "core/frames/slots_record.hpp"

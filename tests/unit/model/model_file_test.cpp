@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "board/header.hpp"
+#include "board/table_files.hpp"
 #include "core/bytes/crc.hpp"
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "board/header.hpp"
+#include "board/table_files.hpp"
 #include "core/frames/compact_frame.hpp"
 #include "model/model_file.hpp"
 #include "support/input_error.hpp"

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-#include "board/model_slot.hpp"
+#include "board/table_files.hpp"
 #include "core/frames/compact_frame.hpp"
 #include "core/frames/health_record.hpp"
 #include "core/frames/health_request.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "board/model_slot.hpp"
+#include "board/table_files.hpp"
 #include "core/frames/kvh_frame.hpp"
 #include "core/frames/load_message.hpp"
 #include "core/pipeline/slot_loader.hpp"

@@ -1,13 +1,18 @@
-#include "board/health_verdict.hpp"
+#include "board/board_query.hpp"
 
 #include <cstdint>
 
-#include "board/status_names.hpp"
+#include "board/board_texts.hpp"
+#include "core/frames/health_request.hpp"
 #include "core/pipeline/model_parameters.hpp"
+#include "support/input_error.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::board {
+
 namespace {
+
+constexpr double kAskAgainS = 0.5;
 
 // Whether the table in use stands in for a newer one that cannot be used.
 bool uses_older_table(const fog::SlotsRecord& slots) {
@@ -20,6 +25,32 @@ bool uses_older_table(const fog::SlotsRecord& slots) {
 }
 
 }  // namespace
+
+fog::HealthRecord query_health(BoardPort& port, const std::string& name, double patience_s) {
+  fog::HealthRecord record;
+  BoardQuery query(port);
+  const auto decode = [&](const std::uint8_t* bytes) {
+    return fog::decode_health_response(bytes, record);
+  };
+  if (query.ask(fog::kHealthRequest, fog::kHealthResponseBytes, patience_s, kAskAgainS, decode)) {
+    return record;
+  }
+  throw InputError(name, query.heard_anything()
+                             ? "sends bytes but no health record; is it the output port of a "
+                               "board with this firmware?"
+                             : "no answer; is the board powered, and is this its output port?");
+}
+
+std::optional<fog::SlotsRecord> query_slots(BoardPort& port, double patience_s) {
+  fog::SlotsRecord record;
+  const auto decode = [&](const std::uint8_t* bytes) {
+    return fog::decode_slots_response(bytes, record);
+  };
+  BoardQuery query(port);
+  if (!query.ask(fog::kSlotsRequest, fog::kSlotsResponseBytes, patience_s, kAskAgainS, decode))
+    return {};
+  return record;
+}
 
 std::vector<std::string> complaints(const fog::HealthRecord& record,
                                     const std::optional<fog::SlotsRecord>& slots) {
