@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/frames/sensor_frame.hpp"
-#include "recording/output_stream_reader.hpp"
 #include "recording/recording_writer.hpp"
 #include "recording/stream_reader.hpp"
 #include "series/block_series.hpp"

@@ -10,7 +10,6 @@
 #include "cli/recording_options.hpp"
 #include "cli/watch.hpp"
 #include "recording/csv_layout.hpp"
-#include "recording/foreign_format.hpp"
 #include "recording/input_file.hpp"
 #include "support/input_error.hpp"
 #include "support/json.hpp"

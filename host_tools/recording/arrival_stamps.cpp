@@ -8,8 +8,8 @@
 
 #include "recording/decision_rules.hpp"
 #include "recording/held_rate.hpp"
+#include "recording/reading.hpp"
 #include "recording/row_range.hpp"
-#include "recording/stretches.hpp"
 #include "support/distributions.hpp"
 #include "support/evidence.hpp"
 #include "support/median.hpp"

@@ -1,4 +1,4 @@
-#include "recording/column_look.hpp"
+#include "recording/csv_layout.hpp"
 
 #include <algorithm>
 

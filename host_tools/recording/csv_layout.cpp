@@ -7,14 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "recording/column_look.hpp"
 #include "recording/column_map.hpp"
 #include "recording/column_name.hpp"
 #include "recording/columns.hpp"
 #include "recording/csv_lines.hpp"
-#include "recording/csv_times.hpp"
 #include "recording/decision_rules.hpp"
-#include "recording/digit_groups.hpp"
 #include "recording/row_filter.hpp"
 #include "support/input_error.hpp"
 #include "support/model_title.hpp"

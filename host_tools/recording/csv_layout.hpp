@@ -1,14 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "recording/csv_fields.hpp"
 #include "recording/csv_header.hpp"
 #include "recording/recording.hpp"
 #include "recording/time_scale.hpp"
+#include "support/input_error.hpp"
 
 namespace fogcomp::recording {
 
@@ -58,5 +62,45 @@ struct CsvColumns {
 /// Of the header that find_csv_layout() takes, else of the line that is most like one. What was
 /// understood is told to options.watch.
 CsvColumns look_at_columns(const FileHead& head, const ReadOptions& options);
+
+/// Columns that a recording must have: time, temperature, rate.
+constexpr std::size_t kRequired = 3;
+
+/// A line that may be the header, parted by `separator`.
+struct LikelyHeader {
+  std::vector<std::string> names{};
+  char separator = ',';
+  std::size_t line = 0;
+  std::size_t found = 0;    ///< required columns among the names
+  bool is_numbers = false;  ///< a first row instead
+
+  std::size_t first_row() const { return is_numbers ? line : line + 1; }
+  /// The larger, the likelier.
+  std::tuple<std::size_t, bool, std::ptrdiff_t, std::size_t> rank() const {
+    return {found, names.size() >= kRequired, -static_cast<std::ptrdiff_t>(line), names.size()};
+  }
+};
+
+/// "tabs", "blanks" or "';'".
+std::string separator_words(char separator);
+
+/// Fills in the columns, first rows and separator of `found`. `header`: as understood; nullptr:
+/// what the names suggest.
+void describe_columns(const LikelyHeader& likeliest, const CsvHeader* header,
+                      const std::vector<std::string_view>& lines, CsvColumns& found);
+
+/// Finds out how the times of a file are written, and sets the layout's format and, if its name has
+/// no unit, that of the column: the only one that gives a possible date or period
+/// (time_scale.hpp). `lines`: the first ones of the file. Throws InputError for times of no known
+/// form and for those that can mean several things, with the --columns that says which.
+void understand_times(const std::vector<std::string_view>& lines, const std::string& path,
+                      CsvLayout& layout);
+
+/// The refusal if the numbers of a column that is read have three digits behind their mark,
+/// all of them, and no number of the file tells what the mark is: "12,389" is 12.389 or 12389. A
+/// point between columns that commas or blanks separate is the decimal point of programs, and no
+/// question but for counts, which are whole. `lines`: the first ones of the file.
+std::optional<InputError> refusal_of_marks(const std::vector<std::string_view>& lines,
+                                           const std::string& path, const CsvLayout& layout);
 
 }  // namespace fogcomp::recording

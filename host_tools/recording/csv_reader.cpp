@@ -1,4 +1,4 @@
-#include "recording/csv_reader.hpp"
+#include "recording/reading.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,6 @@
 #include "recording/plausibility.hpp"
 #include "recording/row_filter.hpp"
 #include "recording/row_range.hpp"
-#include "recording/row_removal.hpp"
-#include "recording/sparse_columns.hpp"
-#include "recording/sparse_input_rate.hpp"
-#include "recording/stretches.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"

@@ -1,4 +1,4 @@
-#include "recording/digit_groups.hpp"
+#include "recording/csv_layout.hpp"
 
 #include <algorithm>
 

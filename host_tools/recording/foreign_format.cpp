@@ -1,4 +1,4 @@
-#include "recording/foreign_format.hpp"
+#include "recording/input_file.hpp"
 
 #include <algorithm>
 #include <cctype>

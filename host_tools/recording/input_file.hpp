@@ -1,15 +1,40 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
-#include "recording/utf16.hpp"
-
 namespace fogcomp::recording {
+
+enum class ByteOrder : std::uint8_t { little, big };
+
+/// Byte order, if a file that begins with `head` is UTF-16 text ("Unicode text" of a spreadsheet),
+/// with or without a byte order mark: nearly all of its first characters are Latin.
+std::optional<ByteOrder> utf16_order(std::string_view head);
+
+/// Converts UTF-16 to UTF-8 piece by piece. The byte order mark is dropped; invalid units become
+/// U+FFFD.
+class Utf16Decoder {
+ public:
+  explicit Utf16Decoder(ByteOrder order) : order_(order) {}
+
+  /// Largest number of UTF-8 bytes for `bytes` of input and the rest of the previous piece.
+  static constexpr std::size_t max_output(std::size_t bytes) { return bytes / 2 * 3 + 8; }
+  /// Writes the characters of a piece to `out`, at least max_output(bytes.size()) bytes, and
+  /// returns the new end.
+  char* decode(std::string_view bytes, char* out);
+
+ private:
+  char* take(std::uint32_t unit, char* out);
+
+  ByteOrder order_;
+  std::optional<unsigned char> first_byte_;  // of a unit that the next piece completes
+  std::uint32_t high_surrogate_ = 0;         // waits for its low surrogate; 0: none
+};
 
 /// A file or pipe read once from start to end through one buffer, by lines or by blocks. Reports
 /// progress if the size is known. UTF-16 text is converted to UTF-8. Errors are InputError with the
@@ -67,5 +92,13 @@ class InputFile {
   std::optional<Utf16Decoder> utf16_;
   std::function<void(const std::string&, double)> progress_;
 };
+
+/// Name of the script in importers/ that reads a file with these first bytes ("mcap"); "" if none
+/// does.
+std::string importer_of(std::string_view head);
+
+/// Throws InputError for a file of a common format that is neither text nor a sensor stream,
+/// recognised by its first bytes, with the way to a CSV.
+void refuse_foreign_format(std::string_view head, const std::string& path);
 
 }  // namespace fogcomp::recording

@@ -1,4 +1,4 @@
-#include "recording/joined_file.hpp"
+#include "recording/reading.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,6 @@
 
 #include "recording/board_limits.hpp"
 #include "recording/columns.hpp"
-#include "recording/sparse_columns.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 

@@ -5,9 +5,8 @@
 
 #include "recording/columns.hpp"
 #include "recording/decision_rules.hpp"
-#include "recording/refused_rows.hpp"
+#include "recording/reading.hpp"
 #include "recording/row_range.hpp"
-#include "recording/stretches.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "recording/line_numbers.hpp"
+#include "recording/reading.hpp"
 #include "recording/recording.hpp"
 
 namespace fogcomp::recording {

@@ -4,17 +4,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "recording/csv_reader.hpp"
 #include "recording/decision_rules.hpp"
-#include "recording/foreign_format.hpp"
-#include "recording/joined_file.hpp"
-#include "recording/line_numbers.hpp"
-#include "recording/output_stream_reader.hpp"
-#include "recording/refused_rows.hpp"
-#include "recording/sparse_input_rate.hpp"
+#include "recording/input_file.hpp"
+#include "recording/reading.hpp"
 #include "recording/stream_reader.hpp"
-#include "recording/stretches.hpp"
-#include "recording/table_flanks.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 

@@ -55,7 +55,7 @@ struct Recording {
   };
   std::vector<Label> labels;
   bool temperature_given = false;  ///< none was measured: one value for all rows
-  bool is_table = false;           ///< of means at steady temperatures (stretches.hpp)
+  bool is_table = false;           ///< of means at steady temperatures (become_table())
   /// time_s starts at the first row, because the file has calendar times.
   bool power_on_unknown = false;
   /// With power_on_unknown: the first row's time, seconds since 1970 if its calendar is known.
@@ -135,7 +135,7 @@ struct ReadOptions {
   std::optional<double> stream_rate_hz;
   /// Of all rows of a CSV without temperatures.
   std::optional<double> temperature_degc{};
-  /// A file whose columns complete those of a CSV by their times (joined_file.hpp), and its own map
+  /// A file whose columns complete those of a CSV by their times (join_file()), and its own map
   /// of columns; "": none.
   std::string join{};
   std::string join_columns{};

@@ -1,4 +1,4 @@
-#include "recording/refused_rows.hpp"
+#include "recording/reading.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 #include "recording/board_limits.hpp"
 #include "recording/columns.hpp"
 #include "recording/row_judge.hpp"
-#include "recording/row_removal.hpp"
 #include "support/evidence.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"

@@ -1,4 +1,4 @@
-#include "recording/row_removal.hpp"
+#include "recording/reading.hpp"
 
 #include <algorithm>
 

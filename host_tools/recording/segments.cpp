@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <map>
+#include <utility>
 
 #include "recording/board_limits.hpp"
 #include "recording/decision_rules.hpp"
-#include "recording/programme.hpp"
+#include "support/evidence.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"
+#include "support/units.hpp"
 
 namespace fogcomp::recording {
+
 namespace {
 
 double gap_before(const Recording& recording, std::size_t row) {
@@ -118,6 +123,141 @@ void number_repeated_names(std::vector<Segment>& segments) {
   }
 }
 
+constexpr std::size_t kMaxPoints = 4000;
+
+using Point = TemperaturePoint;
+
+std::vector<Point> decimate(const Recording& recording, RowRange rows) {
+  const std::size_t step = (rows.size() + kMaxPoints - 1) / kMaxPoints;
+  std::vector<Point> points;
+  for (std::size_t first = rows.first; first < rows.end; first += step) {
+    const std::size_t end = std::min(first + step, rows.end);
+    double sum_degc = 0;
+    for (std::size_t row = first; row < end; ++row) sum_degc += recording.temperature_degc[row];
+    points.push_back({(recording.time_s[first] + recording.time_s[end - 1]) / 2,
+                      sum_degc / static_cast<double>(end - first), first});
+  }
+  return points;
+}
+
+// Noise of the points, from second differences, which do not contain a ramp.
+double noise_degc(const std::vector<Point>& points) {
+  const double kWhiteGain = std::sqrt(6.0);
+  std::vector<double> bends;
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    bends.push_back(std::fabs(points[i].temperature_degc - 2 * points[i - 1].temperature_degc +
+                              points[i - 2].temperature_degc));
+  }
+  return sigma_by_median(std::move(bends)) / kWhiteGain;
+}
+
+// Smallest step of the sensor: 0.0625 degC for many digital ones, nearly 0 for others.
+double resolution_degc(const Recording& recording, RowRange rows) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t row = rows.first + 1; row < rows.end; ++row) {
+    const double step =
+        std::fabs(recording.temperature_degc[row] - recording.temperature_degc[row - 1]);
+    if (step > 0 && step < smallest) smallest = step;
+  }
+  return std::isfinite(smallest) ? smallest : 0;
+}
+
+// Largest deviation of the temperature from a straight line that does not count as a corner.
+double tolerance_degc(const Recording& recording, RowRange rows, const std::vector<Point>& points) {
+  return std::max({rules::kMinToleranceDegc, kCertainSigmas * noise_degc(points),
+                   rules::kToleranceSteps * resolution_degc(recording, rows)});
+}
+
+// Corners of a polygon within the tolerance of all points (Ramer, Douglas, Peucker).
+std::vector<std::size_t> find_corners(const std::vector<Point>& points, double tolerance) {
+  std::vector<std::size_t> corners{0, points.size() - 1};
+  std::vector<std::pair<std::size_t, std::size_t>> open{{0, points.size() - 1}};
+  while (!open.empty()) {
+    const auto [first, last] = open.back();
+    open.pop_back();
+    const Point& a = points[first];
+    const double slope = (points[last].temperature_degc - a.temperature_degc) /
+                         std::max(points[last].time_s - a.time_s, 1e-9);
+    double farthest = tolerance;
+    std::size_t corner = first;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double on_line = a.temperature_degc + slope * (points[i].time_s - a.time_s);
+      const double distance = std::fabs(points[i].temperature_degc - on_line);
+      if (distance > farthest) {
+        farthest = distance;
+        corner = i;
+      }
+    }
+    if (corner == first) continue;
+    corners.push_back(corner);
+    open.emplace_back(first, corner);
+    open.emplace_back(corner, last);
+  }
+  std::sort(corners.begin(), corners.end());
+  return corners;
+}
+
+/// From one corner to another.
+struct Piece {
+  Point from;
+  Point to;
+  SegmentKind kind;
+
+  double change_degc() const { return to.temperature_degc - from.temperature_degc; }
+  double duration_s() const { return to.time_s - from.time_s; }
+};
+
+SegmentKind ramp_of(double change_degc) {
+  return change_degc > 0 ? SegmentKind::ramp_up : SegmentKind::ramp_down;
+}
+
+// A soak stands: a change as large as a ramp's is one, however long it takes.
+SegmentKind kind_by_slope(const Point& from, const Point& to, double min_ramp_degc) {
+  const double change_degc = to.temperature_degc - from.temperature_degc;
+  const double minutes = (to.time_s - from.time_s) / kSecondsPerMinute;
+  const double fast_degc = rules::kMinRampDegcPerMin * minutes;
+  if (std::fabs(change_degc) < std::min(fast_degc, min_ramp_degc)) return SegmentKind::soak;
+  return ramp_of(change_degc);
+}
+
+void join_equal_neighbours(std::vector<Piece>& pieces) {
+  std::vector<Piece> joined;
+  for (const Piece& piece : pieces) {
+    if (!joined.empty() && joined.back().kind == piece.kind) {
+      joined.back().to = piece.to;
+    } else {
+      joined.push_back(piece);
+    }
+  }
+  pieces = std::move(joined);
+}
+
+// A small move is control action or overshoot of the chamber, not a ramp.
+void flatten_small_ramps(std::vector<Piece>& pieces, double min_ramp_degc) {
+  for (Piece& piece : pieces) {
+    if (std::fabs(piece.change_degc()) < min_ramp_degc) piece.kind = SegmentKind::soak;
+  }
+  join_equal_neighbours(pieces);
+}
+
+// Neighbours that each stand may move together.
+void find_slow_ramps(std::vector<Piece>& pieces, double min_ramp_degc) {
+  for (Piece& piece : pieces) {
+    if (std::fabs(piece.change_degc()) >= min_ramp_degc) piece.kind = ramp_of(piece.change_degc());
+  }
+  join_equal_neighbours(pieces);
+}
+
+// A short rest is a bend of the preceding ramp (at the start: of the following one), not a soak.
+void drop_short_soaks(std::vector<Piece>& pieces) {
+  if (pieces.size() < 2) return;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (pieces[i].kind != SegmentKind::soak || pieces[i].duration_s() >= rules::kMinSoakS) continue;
+    pieces[i].kind = pieces[i == 0 ? 1 : i - 1].kind;
+  }
+  join_equal_neighbours(pieces);
+}
+
 }  // namespace
 
 std::vector<RowRange> stretches_of(const Recording& recording, RowRange rows) {
@@ -166,6 +306,40 @@ std::vector<RowRange> unmasked_stretches(const Recording& recording) {
     }
   }
   return unmasked;
+}
+
+TemperaturePolygon temperature_polygon(const Recording& recording, RowRange rows) {
+  const std::vector<Point> points = decimate(recording, rows);
+  TemperaturePolygon polygon;
+  polygon.tolerance_degc = tolerance_degc(recording, rows, points);
+  if (points.size() < 2) return polygon;
+  for (const std::size_t corner : find_corners(points, polygon.tolerance_degc)) {
+    polygon.corners.push_back(points[corner]);
+  }
+  return polygon;
+}
+
+std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowRange rows) {
+  const auto [corners, tolerance] = temperature_polygon(recording, rows);
+  if (corners.size() < 2) return {{SegmentKind::soak, rows}};
+  const double min_ramp_degc = std::max(rules::kMinRampDegc, rules::kMinRampTolerances * tolerance);
+
+  std::vector<Piece> pieces;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const SegmentKind kind = kind_by_slope(corners[i - 1], corners[i], min_ramp_degc);
+    pieces.push_back({corners[i - 1], corners[i], kind});
+  }
+  join_equal_neighbours(pieces);
+  flatten_small_ramps(pieces, min_ramp_degc);
+  find_slow_ramps(pieces, min_ramp_degc);
+  drop_short_soaks(pieces);
+
+  std::vector<ProgrammePart> parts;
+  for (const Piece& piece : pieces) {
+    parts.push_back({piece.kind, {piece.from.first_row, piece.to.first_row}});
+  }
+  parts.back().rows.end = rows.end;
+  return parts;
 }
 
 }  // namespace fogcomp::recording

@@ -1,4 +1,4 @@
-#include "recording/sparse_columns.hpp"
+#include "recording/reading.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,6 @@
 #include "recording/board_limits.hpp"
 #include "recording/columns.hpp"
 #include "recording/decision_rules.hpp"
-#include "recording/row_removal.hpp"
-#include "recording/sparse_input_rate.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"

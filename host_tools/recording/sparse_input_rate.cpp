@@ -1,4 +1,4 @@
-#include "recording/sparse_input_rate.hpp"
+#include "recording/reading.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,11 +5,16 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "core/acquisition/reading_monitor.hpp"
+#include "core/bytes/byte_order.hpp"
+#include "core/bytes/crc.hpp"
+#include "core/frames/compact_frame.hpp"
+#include "core/frames/kvh_frame.hpp"
 #include "core/frames/stream_parser.hpp"
 #include "recording/decision_rules.hpp"
 #include "recording/recording_writer.hpp"
@@ -19,6 +24,7 @@
 #include "support/units.hpp"
 
 namespace fogcomp::recording {
+
 namespace {
 
 constexpr double kDegcPerLsb = 1.0 / 65536;
@@ -33,6 +39,119 @@ CapturedSample captured(const fog::SensorSample& sample, double dph_per_count) {
   return {sample.sequence, sample.rate_counts * dph_per_count, sample.temperature_q16 * kDegcPerLsb,
           sample.gyro_valid, sample.temperature_valid && possible};
 }
+
+// Byte positions in a KVH frame (firmware/SPEC.md).
+constexpr std::uint32_t kKvhHeader = 0xFE81FF55U;
+constexpr std::size_t kKvhRotationZ = 12;
+constexpr std::size_t kKvhStatus = 28;
+constexpr std::size_t kKvhSequence = 29;
+constexpr std::size_t kKvhTemperature = 30;
+constexpr std::size_t kKvhCrc = 32;
+constexpr unsigned kKvhZValid = 1U << 2U;
+constexpr unsigned kKvhSequences = 128;
+
+const std::uint8_t* bytes_of(std::string_view text) {
+  return reinterpret_cast<const std::uint8_t*>(text.data());
+}
+
+std::uint32_t load_big(const std::uint8_t* bytes, std::size_t count) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < count; ++i) value = (value << 8U) | bytes[i];
+  return value;
+}
+
+bool is_kvh_frame(std::string_view bytes) {
+  if (bytes.size() < fog::kKvhFrameBytes || load_big(bytes_of(bytes), 4) != kKvhHeader) {
+    return false;
+  }
+  return load_big(bytes_of(bytes) + kKvhCrc, 4) ==
+         fog::crc32(bytes_of(bytes), kKvhCrc, fog::kCrc32Initial);
+}
+
+bool is_compact_frame(std::string_view bytes, fog::OutputSample& sample) {
+  std::uint16_t delay = 0;
+  return bytes.size() >= fog::kCompactFrameBytes &&
+         fog::decode_compact_frame(bytes_of(bytes), sample, delay);
+}
+
+/// Samples of KVH frames, whose numbers have 7 bits.
+class KvhSamples {
+ public:
+  CapturedSample take(const std::uint8_t* frame) {
+    const unsigned sequence = frame[kKvhSequence];
+    if (any_) number_ = static_cast<std::uint16_t>(number_ + (sequence - last_) % kKvhSequences);
+    if (!any_) number_ = static_cast<std::uint16_t>(sequence);
+    any_ = true;
+    last_ = sequence;
+    const std::uint32_t bits = load_big(frame + kKvhRotationZ, 4);
+    float rate_radps = 0;
+    std::memcpy(&rate_radps, &bits, sizeof rate_radps);
+    const auto degc = static_cast<std::int16_t>(load_big(frame + kKvhTemperature, 2));
+    const double rate_dph = static_cast<double>(rate_radps) * kDphPerDegreePerSecond * 180 / kPi;
+    const bool valid = (frame[kKvhStatus] & kKvhZValid) != 0 && std::isfinite(rate_dph);
+    return {number_, rate_dph, static_cast<double>(degc), valid, valid};
+  }
+
+ private:
+  bool any_ = false;
+  unsigned last_ = 0;
+  std::uint16_t number_ = 0;
+};
+
+// The measured rate of the board. Whether its drift was valid does not matter.
+CapturedSample measured(const fog::OutputSample& sample) {
+  constexpr fog::Status kNotMeasured = fog::Status::gyro_invalid | fog::Status::rate_out_of_range |
+                                       fog::Status::gyro_stuck | fog::Status::rate_jump |
+                                       fog::Status::no_samples | fog::Status::self_test_failed;
+  const std::int64_t raw = std::int64_t{sample.compensated.raw()} + sample.drift.raw();
+  return {sample.sequence, std::ldexp(static_cast<double>(raw), -fog::Rate::fractional_bits),
+          std::ldexp(sample.temperature.raw(), -fog::Temperature::fractional_bits),
+          !has_any(sample.status, kNotMeasured),
+          !has_any(sample.status, fog::Status::temperature_invalid)};
+}
+
+/// Finds the frames of one kind and passes their samples on.
+class FrameFinder {
+ public:
+  FrameFinder(OutputFrames frames, SampleCollector& collector)
+      : frames_(frames), collector_(collector) {}
+
+  void take(std::string_view block) {
+    bytes_.append(block);
+    std::size_t at = 0;
+    while (bytes_.size() - at >= fog::kKvhFrameBytes) at += frame_at(at);
+    bytes_.erase(0, at);
+  }
+  /// Returns the number of bytes that belong to no good frame.
+  std::size_t finish() {
+    std::size_t at = 0;
+    while (at < bytes_.size()) at += frame_at(at);
+    return discarded_;
+  }
+
+ private:
+  // Length of the frame at `at`, or 1 if none starts there.
+  std::size_t frame_at(std::size_t at) {
+    const std::string_view rest = std::string_view(bytes_).substr(at);
+    fog::OutputSample sample;
+    if (is_kvh_frame(rest)) {
+      if (frames_ == OutputFrames::kvh) collector_.add(kvh_.take(bytes_of(rest)));
+      return fog::kKvhFrameBytes;
+    }
+    if (is_compact_frame(rest, sample)) {
+      if (frames_ == OutputFrames::compact) collector_.add(measured(sample));
+      return fog::kCompactFrameBytes;
+    }
+    ++discarded_;
+    return 1;
+  }
+
+  OutputFrames frames_;
+  SampleCollector& collector_;
+  KvhSamples kvh_;
+  std::string bytes_;
+  std::size_t discarded_ = 0;
+};
 
 }  // namespace
 
@@ -81,6 +200,49 @@ Recording read_sensor_stream(InputFile& file, const ReadOptions& options) {
     }
   }
   return collector.finish(bytes - good_bytes, "a sensor stream");
+}
+
+std::optional<OutputFrames> find_output_frames(std::string_view head) {
+  bool kvh = false;
+  std::size_t compact = 0;
+  for (std::size_t at = 0; at < head.size() && compact < 2;) {
+    const std::string_view rest = head.substr(at);
+    fog::OutputSample sample;
+    if (is_kvh_frame(rest)) {
+      kvh = true;
+      at += fog::kKvhFrameBytes;
+    } else if (is_compact_frame(rest, sample)) {
+      ++compact;  // one may be chance: its CRC has 16 bits
+      at += fog::kCompactFrameBytes;
+    } else {
+      ++at;
+    }
+  }
+  const bool all_of_it = compact == 1 && head.size() < 2 * fog::kCompactFrameBytes;
+  if (compact > 1 || all_of_it) return OutputFrames::compact;
+  return kvh ? std::optional(OutputFrames::kvh) : std::nullopt;
+}
+
+Recording read_output_stream(InputFile& file, OutputFrames frames, const ReadOptions& options) {
+  const bool compact = frames == OutputFrames::compact;
+  SampleCollector collector(file, options, compact ? fog::kCompactFrameBytes : fog::kKvhFrameBytes);
+  FrameFinder finder(frames, collector);
+  for (std::string_view block = file.next_block(); !block.empty(); block = file.next_block()) {
+    finder.take(block);
+  }
+  Recording recording = collector.finish(finder.finish(), "what a board sends");
+  options.watch.say(
+      file.path(),
+      compact ? "output of a board (compact frames): the rate is the measured one, its drift put "
+                "back"
+              : "output of a board (KVH frames): the rate is compensated already, denoised and "
+                "late, the temperature in whole degC: a model of all the drift, fast noise and "
+                "effects of the temperature rate cannot be seen in it; compact frames can show "
+                "them");
+  if (options.scale_factor) {
+    options.watch.say(file.path(), "has rates, not counts; --scale-factor has no effect");
+  }
+  return recording;
 }
 
 }  // namespace fogcomp::recording

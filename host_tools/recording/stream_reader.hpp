@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,5 +25,20 @@ std::string describe(const CaptureCounts& counts);
 /// the first. read_recording sets period and stretches. Throws InputError if there is no good
 /// frame.
 Recording read_sensor_stream(InputFile& file, const ReadOptions& options);
+
+/// Output stream of a board (firmware/SPEC.md, "Output streams").
+enum class OutputFrames : std::uint8_t {
+  kvh,
+  compact,  ///< alone, or with KVH frames, which contain less
+};
+
+/// The kind of output stream that `head` begins, if any.
+std::optional<OutputFrames> find_output_frames(std::string_view head);
+
+/// Reads it as a recording. Compact frames give the measured rate: compensated rate plus drift. KVH
+/// frames contain only the compensated, denoised rate, delayed by the denoiser, and whole degrees;
+/// the limitations are reported to options.watch. Throws InputError for a stream without a valid
+/// sample.
+Recording read_output_stream(InputFile& file, OutputFrames frames, const ReadOptions& options);
 
 }  // namespace fogcomp::recording

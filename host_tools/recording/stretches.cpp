@@ -1,4 +1,4 @@
-#include "recording/stretches.hpp"
+#include "recording/reading.hpp"
 
 #include <cmath>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "recording/table_flanks.hpp"
+#include "recording/reading.hpp"
 
 #include <algorithm>
 #include <cmath>

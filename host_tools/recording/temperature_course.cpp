@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "recording/decision_rules.hpp"
-#include "recording/programme.hpp"
 #include "recording/segments.hpp"
 #include "support/units.hpp"
 

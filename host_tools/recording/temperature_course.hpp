@@ -18,7 +18,7 @@ enum class TemperatureCourse : std::uint8_t {
 
 const char* course_name(TemperatureCourse course);
 
-/// By the straight pieces of the temperature (programme.hpp) and its soaks. A settling one has at
+/// By the straight pieces of the temperature (segments.hpp) and its soaks. A settling one has at
 /// least three, of one direction, each slower than the one before: a ramp and a soak are two. A
 /// day's takes a quarter of a day or more for its span, and turns within the recording, which lasts
 /// half a day at least.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/effect_list.hpp"
-#include "recording/stretches.hpp"
+#include "recording/reading.hpp"
 #include "unit/fit/simulated_gyro.hpp"
 
 namespace fogcomp::fit {

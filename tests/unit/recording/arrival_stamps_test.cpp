@@ -7,8 +7,8 @@
 #include <functional>
 #include <random>
 
+#include "recording/reading.hpp"
 #include "recording/recording.hpp"
-#include "recording/stretches.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 #include "unit/recording/heard_in.hpp"

@@ -1,5 +1,5 @@
 // Tables of means at steady temperatures.
-#include "recording/stretches.hpp"
+#include "recording/reading.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // A recording whose temperatures are in another file.
-#include "recording/joined_file.hpp"
+#include "recording/reading.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // An input rate that was recorded less often than the gyro's rate.
 
-#include "recording/sparse_input_rate.hpp"
+#include "recording/reading.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,6 @@
 #include <functional>
 #include <limits>
 #include <random>
-
-#include "recording/sparse_columns.hpp"
 
 namespace fogcomp::recording {
 namespace {

@@ -1,5 +1,5 @@
 // A rate table steps; the record tells its flanks, late or not, or it is of another movement.
-#include "recording/table_flanks.hpp"
+#include "recording/reading.hpp"
 
 #include <gtest/gtest.h>
 
