@@ -5,7 +5,7 @@
 #include "model/catalogue.hpp"
 #include "planning/typical_gyro.hpp"
 #include "series/signal_series.hpp"
-#include "simulation/profile_parser.hpp"
+#include "simulation/programme.hpp"
 #include "support/input_error.hpp"
 #include "support/units.hpp"
 

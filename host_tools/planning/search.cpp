@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "simulation/profile_parser.hpp"
+#include "simulation/programme.hpp"
 #include "support/parallel.hpp"
 #include "support/random.hpp"
 #include "support/text.hpp"

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "simulation/gyro_description.hpp"
-#include "simulation/simulated_recording.hpp"
+#include "simulation/simulation.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::planning {

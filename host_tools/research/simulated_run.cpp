@@ -6,8 +6,8 @@
 #include "noise/noise_floor.hpp"
 #include "recording/recording.hpp"
 #include "simulation/embedded_files.hpp"
-#include "simulation/profile_parser.hpp"
-#include "simulation/simulated_recording.hpp"
+#include "simulation/programme.hpp"
+#include "simulation/simulation.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp::research {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "simulation/coil/coil_geometry.hpp"
+#include "simulation/coil.hpp"
 #include "simulation/effects/effect.hpp"
 #include "simulation/parameters.hpp"
 #include "simulation/thermal/gyro_thermal_model.hpp"

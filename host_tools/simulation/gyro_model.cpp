@@ -6,7 +6,24 @@
 #include "support/input_error.hpp"
 
 namespace fogcomp::simulation {
+
 namespace {
+
+constexpr double kEarthHorizontal_ut = 30;
+constexpr double kLight_uw = 100;
+constexpr double kLightPerK = -1e-3;  ///< fibre and coupler losses, source efficiency
+constexpr double kLightPerVolt = 0.05;
+constexpr double kLightWander = 0.02;  ///< rms
+constexpr double kLightWander_s = 3600;
+constexpr double kSupply_v = 5;
+constexpr double kSupplyWander_v = 5e-3;  ///< rms
+constexpr double kSupplyWander_s = 600;
+
+// One exact step of a first-order Gauss-Markov process.
+double wander(double now, double rms, double tau_s, double step_s, Random& random) {
+  const double memory = std::exp(-step_s / tau_s);
+  return memory * now + rms * std::sqrt(1 - memory * memory) * random.gaussian();
+}
 
 constexpr double kEarthRate_dph = 15.041067;
 
@@ -43,6 +60,59 @@ std::vector<std::unique_ptr<Effect>> make_effects(const GyroDescription& gyro,
 }
 
 }  // namespace
+
+TemperatureSensor::TemperatureSensor(const Parameters& parameters, const std::string& name,
+                                     std::uint64_t seed)
+    : random_(seed, name),
+      place_(static_cast<int>(parameters["at"])),
+      lag_s_(parameters["lag_s"]),
+      resolution_k_(parameters["resolution_k"]),
+      noise_k_(parameters["noise_k"]),
+      offset_k_(parameters["offset_k"]) {}
+
+double TemperatureSensor::place_degc(const GyroThermalModel& thermal, double air_degc) const {
+  switch (place_) {
+    case 0:
+      return thermal.coil_outside_degc();
+    case 1:
+      return thermal.lower_flange_degc();
+    case 2:
+      return thermal.cover_degc();
+    default:
+      return air_degc;
+  }
+}
+
+double TemperatureSensor::step(const GyroThermalModel& thermal, double air_degc, double step_s) {
+  const double place = place_degc(thermal, air_degc);
+  if (!started_) element_degc_ = place;
+  started_ = true;
+  const double share = lag_s_ > 0 ? -std::expm1(-step_s / lag_s_) : 1;
+  element_degc_ += share * (place - element_degc_);
+  const double converted = element_degc_ + offset_k_ + noise_k_ * random_.gaussian();
+  return resolution_k_ > 0 ? resolution_k_ * std::round(converted / resolution_k_) : converted;
+}
+
+AmbientModel::AmbientModel(std::uint64_t seed)
+    : light_random_(seed, "light_power"), supply_random_(seed, "supply") {}
+
+Ambient AmbientModel::step(const ChamberState& chamber, const GyroThermalModel& thermal,
+                           double step_s) {
+  light_wander_ = wander(light_wander_, kLightWander, kLightWander_s, step_s, light_random_);
+  supply_wander_v_ =
+      wander(supply_wander_v_, kSupplyWander_v, kSupplyWander_s, step_s, supply_random_);
+  const Conditions& conditions = chamber.leg->conditions;
+  Ambient ambient;
+  ambient[fog::Input::magnetic] =
+      kEarthHorizontal_ut * std::cos(conditions.azimuth_deg * M_PI / 180) + conditions.field_ut +
+      chamber.stray_field_ut;
+  ambient[fog::Input::supply] = kSupply_v + supply_wander_v_;
+  ambient[fog::Input::light_power] = kLight_uw * (1 + light_wander_) *
+                                     (1 + kLightPerK * (thermal.optics_degc() - 20)) *
+                                     (1 + kLightPerVolt * supply_wander_v_);
+  ambient[fog::Input::vibration] = chamber.vibration_grms;
+  return ambient;
+}
 
 double input_rate_dph(const Conditions& conditions, double time_s, const EarthRate& earth,
                       Axis axis) {

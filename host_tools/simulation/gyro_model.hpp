@@ -4,12 +4,50 @@
 #include <optional>
 #include <vector>
 
-#include "simulation/ambient.hpp"
 #include "simulation/chamber.hpp"
+#include "simulation/effects/effect.hpp"
 #include "simulation/gyro_description.hpp"
-#include "simulation/temperature_sensor.hpp"
+#include "support/random.hpp"
 
 namespace fogcomp::simulation {
+
+/// A temperature sensor: follows the place where it is glued with a lag, and converts once per
+/// thermal step, with noise and limited resolution. Its reading is constant between conversions.
+class TemperatureSensor {
+ public:
+  /// `name` of the part: sensor or sensor2.
+  TemperatureSensor(const Parameters& parameters, const std::string& name, std::uint64_t seed);
+
+  /// Returns the new reading, degC.
+  double step(const GyroThermalModel& thermal, double air_degc, double step_s);
+
+ private:
+  double place_degc(const GyroThermalModel& thermal, double air_degc) const;
+
+  Random random_;
+  int place_;
+  double lag_s_;
+  double resolution_k_;
+  double noise_k_;
+  double offset_k_;
+  double element_degc_ = 0;
+  bool started_ = false;
+};
+
+/// Field, light power, supply and vibration at the gyro. They vary whether or not an effect depends
+/// on them, and may be recorded in any case.
+class AmbientModel {
+ public:
+  explicit AmbientModel(std::uint64_t seed);
+
+  Ambient step(const ChamberState& chamber, const GyroThermalModel& thermal, double step_s);
+
+ private:
+  Random light_random_;
+  Random supply_random_;
+  double light_wander_ = 0;
+  double supply_wander_v_ = 0;
+};
 
 /// Earth rate about the gyro's axis, beside the rate table. Without a latitude it is 0.
 struct EarthRate {

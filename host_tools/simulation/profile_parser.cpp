@@ -1,4 +1,4 @@
-#include "simulation/profile_parser.hpp"
+#include "simulation/programme.hpp"
 
 #include <algorithm>
 #include <cmath>

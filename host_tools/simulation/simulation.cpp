@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "recording/columns.hpp"
+
 namespace fogcomp::simulation {
+
 namespace {
 
 constexpr std::size_t kChunkRows = 8192;
@@ -19,6 +22,10 @@ std::vector<RowMeans::Between> channel_kinds(std::size_t effects) {
     kinds[held] = RowMeans::Between::held;
   }
   return kinds;
+}
+
+void append(std::vector<double>& all, const std::vector<double>& more) {
+  all.insert(all.end(), more.begin(), more.end());
 }
 
 }  // namespace
@@ -107,6 +114,22 @@ bool Simulation::next(RowChunk& chunk) {
   }
   quantizer_.apply(chunk.rate_dph.data(), chunk.rows());
   return true;
+}
+
+SimulatedRecording record(Simulation& simulation, double period_s) {
+  SimulatedRecording result;
+  result.effects_dph.resize(simulation.effect_names().size());
+  recording::Recording& recording = result.recording;
+  recording.period_s = period_s;
+  recording.stretch_starts = {0};
+  for (RowChunk chunk; simulation.next(chunk);) {
+    for (const recording::ColumnInfo& info : recording::kColumns)
+      append(recording[info.column], chunk[info.column]);
+    for (std::size_t i = 0; i < result.effects_dph.size(); ++i) {
+      append(result.effects_dph[i], chunk.effects_dph[i]);
+    }
+  }
+  return result;
 }
 
 }  // namespace fogcomp::simulation

@@ -9,7 +9,7 @@
 #include "model/typical_size.hpp"
 #include "simulation/embedded_files.hpp"
 #include "simulation/gyro_description.hpp"
-#include "simulation/profile_parser.hpp"
+#include "simulation/programme.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"

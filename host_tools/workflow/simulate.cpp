@@ -5,7 +5,7 @@
 
 #include "recording/columns.hpp"
 #include "simulation/embedded_files.hpp"
-#include "simulation/profile_parser.hpp"
+#include "simulation/programme.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "fuzzing.hpp"
-#include "simulation/profile_parser.hpp"
+#include "simulation/programme.hpp"
 #include "support/input_error.hpp"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -8,11 +9,21 @@
 
 #include "core/signal/inputs.hpp"
 #include "simulation/chamber.hpp"
-#include "simulation/coil/coil_error.hpp"
+#include "simulation/coil.hpp"
 #include "simulation/parameters.hpp"
 #include "simulation/thermal/gyro_thermal_model.hpp"
 
 namespace fogcomp::simulation {
+
+/// Factor by which a thermally activated process is faster at `degc` than at 20 degC.
+/// `activation_ev`: activation energy, eV.
+inline double arrhenius(double activation_ev, double degc) {
+  constexpr double kBoltzmannEv = 8.617333262e-5;
+  constexpr double kZeroDegcInKelvin = 273.15;
+  constexpr double kReferenceK = 293.15;
+  return std::exp(activation_ev / kBoltzmannEv *
+                  (1 / kReferenceK - 1 / (degc + kZeroDegcInKelvin)));
+}
 
 /// Temperature at which temperature-dependent parameters have their stated values.
 constexpr double kReference_degc = 20;

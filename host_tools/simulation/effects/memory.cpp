@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/effects/arrhenius.hpp"
+#include "simulation/coil.hpp"
+#include "simulation/effects/effect.hpp"
 #include "simulation/effects/effect_list.hpp"
-#include "simulation/effects/stress_kernel.hpp"
 
 namespace fogcomp::simulation {
 namespace {

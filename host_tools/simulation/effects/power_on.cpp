@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "simulation/effects/arrhenius.hpp"
+#include "simulation/effects/effect.hpp"
 #include "simulation/effects/effect_list.hpp"
 #include "support/random.hpp"
 

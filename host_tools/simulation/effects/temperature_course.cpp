@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "simulation/coil.hpp"
 #include "simulation/effects/effect_list.hpp"
-#include "simulation/effects/stress_kernel.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp::simulation {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "simulation/coil/coil_geometry.hpp"
-#include "simulation/coil/winding.hpp"
+#include "simulation/coil.hpp"
 #include "simulation/thermal/thermal_network.hpp"
 
 namespace fogcomp::simulation {

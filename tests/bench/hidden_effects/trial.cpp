@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "simulation/embedded_files.hpp"
-#include "simulation/profile_parser.hpp"
-#include "simulation/simulated_recording.hpp"
+#include "simulation/programme.hpp"
+#include "simulation/simulation.hpp"
 
 namespace fogcomp::bench {
 namespace {

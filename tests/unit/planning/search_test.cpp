@@ -5,7 +5,7 @@
 #include "model/effect_list.hpp"
 #include "model/typical_size.hpp"
 #include "simulation/embedded_files.hpp"
-#include "simulation/profile_parser.hpp"
+#include "simulation/programme.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp::planning {

@@ -3,8 +3,7 @@
 
 #include <cmath>
 
-#include "simulation/coil/coil_error.hpp"
-#include "simulation/effects/stress_kernel.hpp"
+#include "simulation/coil.hpp"
 
 namespace fogcomp::simulation {
 namespace {

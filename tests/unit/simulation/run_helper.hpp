@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "simulation/embedded_files.hpp"
-#include "simulation/profile_parser.hpp"
+#include "simulation/programme.hpp"
 #include "simulation/simulation.hpp"
 
 namespace fogcomp::simulation {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "simulation/coil/coil_error.hpp"
+#include "simulation/coil.hpp"
 #include "simulation/thermal/gyro_thermal_model.hpp"
 
 namespace fogcomp::simulation {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 
 namespace fogcomp::simulation {
@@ -68,5 +69,61 @@ double glass_share(const CoilGeometry& coil, const FibreMaterial& material);
 /// Volume mean of the heat capacities, Rayleigh's formula for the conductivity across parallel
 /// cylinders (Phil. Mag. 34, 481, 1892, first order).
 PackProperties pack_properties(const CoilGeometry& coil, const FibreMaterial& material);
+
+/// One value per cell of the pack: row = layer from the inside, column = axial cell from the
+/// bottom.
+using CellArray = Eigen::ArrayXXd;
+
+/// Weight of the fibre in every cell: integral of (L - 2z) dz over the fibre in it, in m^2, z being
+/// the distance along the fibre and L its length. Each turn is placed in its layer and at its
+/// height, at its true distance from the midpoint; a half that fills a layer from the bottom fills
+/// its next layer from the top.
+///
+/// The sum over all cells is zero: a uniform temperature rate makes no rate error. With this sign a
+/// coil warmed from outside has a positive error.
+CellArray winding_weights(const CoilGeometry& coil, int axial_cells);
+
+/// deg/h per rad/s.
+constexpr double kDphPerRadps = 206264.80624709636;
+
+/// Rate error due to temperature changes of the coil:
+///   W_e = n/(L D) * integral of kappa * dT/dt * (L - 2z) dz,   D the mean diameter
+/// (Shupe, Appl. Opt. 19, 654, 1980; kappa includes all causes of a phase change).
+class CoilError {
+ public:
+  CoilError(const CoilGeometry& coil, const FibreMaterial& material, int axial_cells);
+
+  /// `phase_rate_per_s`: kappa dT/dt of every cell, 1/s. Returns deg/h.
+  double rate_dph(const CellArray& phase_rate_per_s) const {
+    return (kernel_dph_s_ * phase_rate_per_s).sum();
+  }
+
+  /// Contribution of a unit of kappa dT/dt in each cell, deg/h per 1/s.
+  const CellArray& kernel_dph_s() const { return kernel_dph_s_; }
+
+  /// Error of a fibre whose midpoint is off by `length_m`, the spare lead lying on the outer layer:
+  /// deg/h per (K/s) of d/dt(T_outside - T_mean). 2 n kappa d / D.
+  double lead_dph_s_per_k(double length_m) const;
+
+  const CoilGeometry& coil() const { return coil_; }
+  const FibreMaterial& material() const { return material_; }
+
+ private:
+  CoilGeometry coil_;
+  FibreMaterial material_;
+  CellArray kernel_dph_s_;
+};
+
+/// The part of the coil integral due to thermal stress, deg/h per K/s in each cell, for an
+/// orthoradial strain of the fibre per K that varies linearly from `inside` at the spool to
+/// `outside`, both per K.
+CellArray stress_kernel(const CoilError& coil_error, double inside, double outside);
+
+/// Default strains, per K: the order of published values, 4 and 12 ppm/K at the two sides.
+constexpr double kStrainInside = 4e-6;
+constexpr double kStrainOutside = 12e-6;
+
+/// The same with the default strains, scaled so that a uniform 1 K/min gives 1 deg/h.
+CellArray unit_stress_kernel(const CoilError& coil_error);
 
 }  // namespace fogcomp::simulation

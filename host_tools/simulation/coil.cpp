@@ -1,4 +1,4 @@
-#include "simulation/coil/winding.hpp"
+#include "simulation/coil.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,10 @@
 #include <cstddef>
 #include <string_view>
 
+#include "support/units.hpp"
+
 namespace fogcomp::simulation {
+
 namespace {
 
 // Half of the fibre in each layer, from the inside; repeated over the coil. Exchanging A and B only
@@ -65,6 +68,35 @@ class FibreLayer {
 
 }  // namespace
 
+double CoilGeometry::fibre_length_m() const {
+  double length_m = 0;
+  for (int layer = 0; layer < layers; ++layer) {
+    length_m += turns_per_layer * 2 * M_PI * layer_radius_m(layer);
+  }
+  return length_m;
+}
+
+double FibreMaterial::strain_phase() const {
+  const double n = refractive_index;
+  return n * (1 - n * n / 2 *
+                      (strain_optic_p12 - poisson_ratio * (strain_optic_p11 + strain_optic_p12)));
+}
+
+double glass_share(const CoilGeometry& coil, const FibreMaterial& material) {
+  const double turn_area_m2 = coil.layer_thickness_m() * coil.height_m / coil.turns_per_layer;
+  return M_PI / 4 * material.glass_diameter_m * material.glass_diameter_m / turn_area_m2;
+}
+
+PackProperties pack_properties(const CoilGeometry& coil, const FibreMaterial& material) {
+  const double glass = glass_share(coil, material);
+  const double k_glass = material.glass_conductivity_w_per_mk;
+  const double k_matrix = material.coating_conductivity_w_per_mk;
+  const double numerator = (1 + glass) * k_glass + (1 - glass) * k_matrix;
+  const double denominator = (1 - glass) * k_glass + (1 + glass) * k_matrix;
+  return {k_matrix * numerator / denominator,
+          glass * material.glass_heat_j_per_m3k + (1 - glass) * material.coating_heat_j_per_m3k};
+}
+
 CellArray winding_weights(const CoilGeometry& coil, int axial_cells) {
   CellArray weights = CellArray::Zero(coil.layers, axial_cells);
   FibreLayer fibre(coil, weights);
@@ -95,6 +127,31 @@ CellArray winding_weights(const CoilGeometry& coil, int axial_cells) {
     from_bottom[half] = !from_bottom[half];
   }
   return weights;
+}
+
+CoilError::CoilError(const CoilGeometry& coil, const FibreMaterial& material, int axial_cells)
+    : coil_(coil),
+      material_(material),
+      kernel_dph_s_(winding_weights(coil, axial_cells) * kDphPerRadps * material.refractive_index /
+                    (coil.fibre_length_m() * coil.mean_diameter_m())) {}
+
+double CoilError::lead_dph_s_per_k(double length_m) const {
+  return kDphPerRadps * 2 * material_.refractive_index * material_.thermal_phase_per_k() *
+         length_m / coil_.mean_diameter_m();
+}
+
+CellArray stress_kernel(const CoilError& coil_error, double inside, double outside) {
+  const int layers = coil_error.coil().layers;
+  CellArray kernel = coil_error.kernel_dph_s() * coil_error.material().strain_phase();
+  for (int layer = 0; layer < layers; ++layer) {
+    kernel.row(layer) *= inside + (outside - inside) * layer / (layers - 1);
+  }
+  return kernel;
+}
+
+CellArray unit_stress_kernel(const CoilError& coil_error) {
+  const CellArray kernel = stress_kernel(coil_error, kStrainInside, kStrainOutside);
+  return kernel * (kSecondsPerMinute / kernel.sum());
 }
 
 }  // namespace fogcomp::simulation
