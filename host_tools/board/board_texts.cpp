@@ -6,7 +6,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "model/serial_number.hpp"
+#include "model/model.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 

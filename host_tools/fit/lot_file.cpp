@@ -1,7 +1,6 @@
 #include "fit/lot_file.hpp"
 
 #include "model/model_file.hpp"
-#include "model/model_file_keys.hpp"
 #include "model/model_lines.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"

@@ -15,6 +15,18 @@
 
 namespace fogcomp::model {
 
+/// Largest length of a gyro's serial number on a board.
+constexpr std::size_t kMaxSerial = 15;
+
+/// Whether `text` is valid: 1 to kMaxSerial ASCII characters without spaces.
+inline bool is_serial_number(const std::string& text) {
+  if (text.empty() || text.size() > kMaxSerial) return false;
+  for (const char character : text) {
+    if (character <= ' ' || character > '~') return false;
+  }
+  return true;
+}
+
 /// Search range of a shape parameter.
 struct ShapeBounds {
   double min = 0;
@@ -201,5 +213,10 @@ Model as_it_acts_on(Model model, const std::vector<std::uint64_t>& recordings);
 /// The model of a gyro that has been at the highest trained temperature: each highest(T) of its
 /// expressions has that value. Expressions that then are constant become a part of the bias.
 Model after_exposure(Model model);
+
+/// The term with coefficients as in the catalogue's example, deg/h; its shape stays. A coefficient
+/// that the example lacks, of a higher order or a second part, is as large as the one before it.
+/// Requires an effect of the catalogue.
+EffectTerm of_typical_size(EffectTerm term);
 
 }  // namespace fogcomp::model

@@ -8,9 +8,8 @@
 
 #include "core/denoise/denoise_parameters.hpp"
 #include "model/catalogue.hpp"
-#include "model/model_file_keys.hpp"
+#include "model/model.hpp"
 #include "model/model_lines.hpp"
-#include "model/serial_number.hpp"
 #include "support/input_error.hpp"
 #include "support/model_title.hpp"
 #include "support/output_file.hpp"

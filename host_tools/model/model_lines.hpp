@@ -9,11 +9,29 @@
 #include <utility>
 #include <vector>
 
+#include "core/bytes/crc.hpp"
 #include "model/network.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::model {
+
+// Shared by reader and writer of a model file.
+
+inline constexpr const char* kHistory = "history";
+inline constexpr const char* kHistoryFloor = "history_floor_dph";
+inline constexpr const char* kHistoryHoldout = "history_holdout_dph";
+inline constexpr const char* kHistoryForced = "history_forced";
+inline constexpr const char* kEventRecording = "event_recording";
+inline constexpr const char* kOthersFollow = "others_follow";
+inline constexpr const char* kOthersPart = "others_part";
+inline constexpr const char* kOnBoard = "on_board";
+inline constexpr const char* kTitleLine = "fogcomp-model 2";
+
+/// CRC-32 of the first `size` characters.
+inline std::uint32_t crc_of(const std::string& text, std::size_t size) {
+  return fog::crc32(reinterpret_cast<const std::uint8_t*>(text.data()), size);
+}
 
 /// Writes a model file: words separated by spaces, lines that begin with a keyword.
 class ModelWriter {

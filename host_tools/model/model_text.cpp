@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "model/catalogue.hpp"
-#include "model/model_file_keys.hpp"
 #include "model/model_lines.hpp"
 #include "support/text.hpp"
 

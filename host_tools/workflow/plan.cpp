@@ -5,8 +5,8 @@
 
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
+#include "model/model.hpp"
 #include "model/model_file.hpp"
-#include "model/typical_size.hpp"
 #include "simulation/embedded_files.hpp"
 #include "simulation/gyro_description.hpp"
 #include "simulation/programme.hpp"

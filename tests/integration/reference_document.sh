@@ -109,7 +109,7 @@ for command in commands:
         if f'"{key}"' not in everything and not any(f'"{key[i:]}"' in everything for i in range(1, len(key))):
             problems.append(f"REFERENCE.md, {command}: no code writes {key}")
 
-model_keys = re.findall(r"^    \{\"([a-z_0-9]+)\",", read("model/model_file.cpp", "model/model_file_keys.hpp"), re.M)
+model_keys = re.findall(r"^    \{\"([a-z_0-9]+)\",", read("model/model_file.cpp", "model/model_lines.hpp"), re.M)
 model_text = text[text.index("\n## Model file"):]
 for key in model_keys:
     if f"`{key}`" not in model_text:

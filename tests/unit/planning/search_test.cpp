@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "model/effect_list.hpp"
-#include "model/typical_size.hpp"
+#include "model/model.hpp"
 #include "simulation/embedded_files.hpp"
 #include "simulation/programme.hpp"
 #include "support/input_error.hpp"
