@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "network/gradient_descent.hpp"
-#include "network/uniform.hpp"
+#include "network/trainer_parts.hpp"
 
 namespace fogcomp::network {
 namespace {

@@ -1,6 +1,4 @@
-#include "network/gradient_descent.hpp"
-
-#include "network/best_weights.hpp"
+#include "network/trainer_parts.hpp"
 
 namespace fogcomp::network {
 namespace {

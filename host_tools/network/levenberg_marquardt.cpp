@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "network/best_weights.hpp"
 #include "network/trainer.hpp"
+#include "network/trainer_parts.hpp"
 #include "support/decompositions.hpp"
 
 namespace fogcomp::network {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "network/network_training.hpp"
-#include "network/uniform.hpp"
+#include "network/trainer_parts.hpp"
 
 namespace fog::test {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "network/uniform.hpp"
+#include "network/trainer_parts.hpp"
 
 namespace fogcomp::network {
 namespace {

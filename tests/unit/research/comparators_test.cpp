@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "network/uniform.hpp"
+#include "network/trainer_parts.hpp"
 #include "research/anfis.hpp"
 #include "research/cross_validation.hpp"
 #include "research/polynomial.hpp"

@@ -1,10 +1,32 @@
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <limits>
+#include <random>
 
 #include "network/trainer.hpp"
 
 namespace fogcomp::network {
+
+/// Random numbers of the trainers. The distributions of the standard libraries differ; this does
+/// not.
+class Uniform {
+ public:
+  explicit Uniform(std::uint64_t seed) : bits_(seed) {}
+
+  /// In [0, 1).
+  double unit() { return std::ldexp(static_cast<double>(bits_() >> 11U), -53); }
+  /// In [-size, size).
+  double within(double size) { return size * (2 * unit() - 1); }
+  /// 0 to count - 1.
+  std::size_t index(std::size_t count) {
+    return static_cast<std::size_t>(unit() * static_cast<double>(count));
+  }
+
+ private:
+  std::mt19937_64 bits_;
+};
 
 /// Stores the best weights of a training, judged by the held-out rows if there are any, else by the
 /// training rows.
@@ -41,5 +63,10 @@ class BestWeights {
   double mean_square_ = 0;
   Eigen::VectorXd weights_;
 };
+
+/// Gradient descent with momentum and adaptive learning rate, starting at `first`: rules and
+/// constants of MATLAB's traingdx (network/TRAINING.md).
+TrainerResult descend(const TrainingProblem& problem, const TrainerSettings& settings,
+                      const Eigen::VectorXd& first);
 
 }  // namespace fogcomp::network
