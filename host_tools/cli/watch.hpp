@@ -3,7 +3,6 @@
 #include <optional>
 #include <string>
 
-#include "support/interrupt.hpp"
 #include "support/progress.hpp"
 #include "workflow/observer.hpp"
 

@@ -3,7 +3,7 @@
 #include "report/embedded_engine.hpp"
 #include "report/embedded_page.hpp"
 #include "report/html.hpp"
-#include "support/base64.hpp"
+#include "support/text.hpp"
 
 namespace fogcomp::report {
 namespace {

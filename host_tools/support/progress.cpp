@@ -1,17 +1,27 @@
 #include "support/progress.hpp"
 
 #include <unistd.h>
-
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 
 namespace fogcomp {
+
 namespace {
 
 using Seconds = std::chrono::duration<double>;
 constexpr double kQuietSeconds = 2;
 constexpr double kRedrawSeconds = 0.1;
 constexpr int kBarWidth = 30;
+
+volatile std::sig_atomic_t g_interrupted = 0;
+// Handler restored for a second Ctrl-C: it removes unfinished files.
+void (*g_before)(int) = SIG_DFL;
+
+extern "C" void on_interrupt(int) {
+  g_interrupted = 1;
+  std::signal(SIGINT, g_before);
+}
 
 }  // namespace
 
@@ -37,6 +47,20 @@ void Progress::update(double fraction) {
   std::fprintf(stderr, "\r%s [%.*s%*s] %3.0f %%, %.0f s left\033[K", label_.c_str(), filled,
                "##############################", kBarWidth - filled, "", 100 * done,
                elapsed_s * (1 - done) / done);
+}
+
+InterruptGuard::InterruptGuard() {
+  g_interrupted = 0;
+  g_before = std::signal(SIGINT, on_interrupt);
+  if (g_before == SIG_IGN) std::signal(SIGINT, SIG_IGN);
+}
+
+InterruptGuard::~InterruptGuard() {
+  std::signal(SIGINT, g_before);
+}
+
+bool InterruptGuard::interrupted() const {
+  return g_interrupted != 0;
 }
 
 }  // namespace fogcomp

@@ -64,4 +64,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 /// (between '_'); "" if there are none or more than four.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates);
 
+/// Bytes in base64 (RFC 4648), one line.
+std::string base64(std::string_view bytes);
+
 }  // namespace fogcomp

@@ -1,4 +1,4 @@
-#include "support/interrupt.hpp"
+#include "support/progress.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
