@@ -20,7 +20,7 @@
 #include "support/output_file.hpp"
 #include "support/progress.hpp"
 #include "support/text.hpp"
-#include "workflow/lot.hpp"
+#include "workflow/prior.hpp"
 
 namespace fogcomp::cli {
 namespace {

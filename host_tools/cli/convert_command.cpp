@@ -14,7 +14,7 @@
 #include "support/input_error.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
-#include "workflow/convert.hpp"
+#include "workflow/recordings.hpp"
 
 namespace fogcomp::cli {
 namespace {

@@ -12,7 +12,7 @@
 #include "support/input_error.hpp"
 #include "support/json.hpp"
 #include "support/text.hpp"
-#include "workflow/denoise.hpp"
+#include "workflow/recordings.hpp"
 
 namespace fogcomp::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "model/catalogue.hpp"
 #include "network/network_inputs.hpp"
 #include "support/text.hpp"
-#include "workflow/fit_presets.hpp"
+#include "workflow/fit.hpp"
 
 namespace fogcomp::cli {
 

@@ -8,7 +8,7 @@
 #include "cli/watch.hpp"
 #include "findings/findings.hpp"
 #include "findings/json.hpp"
-#include "workflow/info.hpp"
+#include "workflow/recordings.hpp"
 
 namespace fogcomp::cli {
 namespace {

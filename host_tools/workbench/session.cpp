@@ -24,7 +24,7 @@
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
-#include "workflow/info.hpp"
+#include "workflow/recordings.hpp"
 
 namespace fogcomp::workbench {
 namespace {

@@ -8,7 +8,7 @@
 #include "runs/runs.hpp"
 #include "support/units.hpp"
 #include "workflow/diagnose.hpp"
-#include "workflow/fit_presets.hpp"
+#include "workflow/fit.hpp"
 #include "workflow/reading.hpp"
 
 namespace fogcomp::workflow {

@@ -10,8 +10,7 @@
 #include "runs/runs.hpp"
 #include "series/required_inputs.hpp"
 #include "support/text.hpp"
-#include "workflow/fit_presets.hpp"
-#include "workflow/older_model.hpp"
+#include "workflow/prior.hpp"
 #include "workflow/reading.hpp"
 
 namespace fogcomp::workflow {

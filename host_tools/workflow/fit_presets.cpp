@@ -1,4 +1,4 @@
-#include "workflow/fit_presets.hpp"
+#include "workflow/fit.hpp"
 
 #include <algorithm>
 

@@ -22,11 +22,9 @@
 #include "workflow/apply.hpp"
 #include "workflow/calibrate.hpp"
 #include "workflow/compare.hpp"
-#include "workflow/convert.hpp"
-#include "workflow/denoise.hpp"
 #include "workflow/diagnose.hpp"
-#include "workflow/info.hpp"
 #include "workflow/paper.hpp"
+#include "workflow/recordings.hpp"
 #include "workflow/replay.hpp"
 #include "workflow/simulate.hpp"
 

@@ -11,9 +11,10 @@
 #include "runs/runs.hpp"
 #include "workflow/fit.hpp"
 
+namespace fogcomp::workflow {
+
 /// A fit that goes on with an older model of the same gyro (FitRequest::prior), or with what its
 /// lot has taught (FitRequest::lot).
-namespace fogcomp::workflow {
 
 /// What is known before a fit.
 struct KnownBefore {
@@ -38,5 +39,19 @@ void unite_ranges(const model::Model& older, model::Model& model);
 
 /// Rms error of a model on all runs, deg/h, over means of `row_s`.
 double rms_of(const model::Model& model, const std::vector<runs::Run>& runs, double row_s);
+
+/// A gyro that has been fitted.
+struct FittedGyro {
+  std::vector<std::string> recordings;  ///< to which its model was fitted
+  std::string model_file;
+};
+
+/// Throws InputError for a fit, or a number of gyros, of which no lot can be learnt.
+void check_lot(const FitRequest& request, std::size_t gyros);
+
+/// What gyros of one design teach a further one. `request`: of their fits; its recordings are
+/// replaced. Reads each recording several times, so that it need not remember
+/// them. Throws InputError like fit::learn_lot().
+fit::Lot learn_lot(const FitRequest& request, const std::vector<FittedGyro>& gyros);
 
 }  // namespace fogcomp::workflow
