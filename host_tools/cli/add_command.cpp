@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "cli/add_command.hpp"
+#include "cli/loop_commands.hpp"
 #include "cli/page_bench.hpp"
 #include "cli/watch.hpp"
 #include "findings/findings.hpp"

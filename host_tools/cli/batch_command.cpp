@@ -8,7 +8,7 @@
 #include "batch/gnu_parallel.hpp"
 #include "batch/summary.hpp"
 #include "batch/tables.hpp"
-#include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/gyro_calibration.hpp"
 #include "findings/findings.hpp"
 #include "findings/json.hpp"

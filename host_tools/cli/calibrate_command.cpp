@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "batch/summary.hpp"
-#include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/gyro_calibration.hpp"
 #include "model/effect_list.hpp"
 #include "support/input_error.hpp"

@@ -1,6 +1,6 @@
 // fogcomp compare: one or several models against measurements.
 
-#include "cli/compare_command.hpp"
+#include "cli/loop_commands.hpp"
 #include "cli/page_bench.hpp"
 #include "cli/watch.hpp"
 #include "findings/findings.hpp"

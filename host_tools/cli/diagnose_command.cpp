@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "cli/diagnose_command.hpp"
+#include "cli/loop_commands.hpp"
 #include "cli/page_bench.hpp"
 #include "cli/watch.hpp"
 #include "findings/findings.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "board/board_texts.hpp"
-#include "cli/fit_command.hpp"
+#include "cli/loop_commands.hpp"
 #include "cli/page_bench.hpp"
 #include "cli/watch.hpp"
 #include "findings/findings.hpp"

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/arguments.hpp"
 #include "cli/axes.hpp"
 #include "cli/command.hpp"
 #include "support/input_error.hpp"

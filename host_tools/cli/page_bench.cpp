@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cli/page_rows.hpp"
+#include "cli/recording_file.hpp"
 #include "model/model_file.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"

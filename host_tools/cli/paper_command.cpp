@@ -1,6 +1,6 @@
 // fogcomp paper: the reference paper's pipeline on simulated gyros, its tables beside ours.
 
-#include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/report_option.hpp"
 #include "cli/watch.hpp"
 #include "findings/findings.hpp"

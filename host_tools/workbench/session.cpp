@@ -4,12 +4,10 @@
 #include <iterator>
 #include <new>
 
-#include "cli/add_command.hpp"
-#include "cli/arguments.hpp"
-#include "cli/diagnose_command.hpp"
+#include "cli/command.hpp"
 #include "cli/effects_text.hpp"
-#include "cli/fit_command.hpp"
-#include "cli/page_rows.hpp"
+#include "cli/loop_commands.hpp"
+#include "cli/recording_file.hpp"
 #include "findings/diagnosis_words.hpp"
 #include "findings/findings.hpp"
 #include "findings/json.hpp"

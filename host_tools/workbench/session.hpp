@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "cli/compare_command.hpp"
+#include "cli/loop_commands.hpp"
 #include "compare/model_on_runs.hpp"
 #include "diagnosis/next_step.hpp"
 #include "fit/known_regressors.hpp"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 

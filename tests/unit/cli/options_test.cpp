@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "cli/arguments.hpp"
+#include "cli/command.hpp"
 #include "cli/fit_options.hpp"
 #include "support/input_error.hpp"
 

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/arguments.hpp"
 #include "cli/command.hpp"
 #include "model/model_file.hpp"
 #include "support/output_file.hpp"
