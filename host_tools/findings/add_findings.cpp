@@ -1,9 +1,9 @@
 #include "findings/findings.hpp"
 
 #include "board/delays.hpp"
-#include "findings/figures.hpp"
 #include "findings/run_plots.hpp"
 #include "findings/run_section.hpp"
+#include "findings/text.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::findings {

@@ -6,8 +6,7 @@
 #include <limits>
 #include <string_view>
 
-#include "findings/figures.hpp"
-#include "findings/labels.hpp"
+#include "findings/text.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"
 

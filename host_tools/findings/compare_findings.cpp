@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "findings/compare_words.hpp"
-#include "findings/next_export.hpp"
+#include "findings/next_step_words.hpp"
 #include "findings/run_section.hpp"
 #include "support/text.hpp"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "compare/decision_rules.hpp"
-#include "findings/figures.hpp"
+#include "findings/text.hpp"
 #include "noise/outlier_rows.hpp"
 #include "support/evidence.hpp"
 #include "support/text.hpp"

@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "compare/comparison.hpp"
-#include "findings/figures.hpp"
-#include "findings/labels.hpp"
-#include "findings/ladder_findings.hpp"
-#include "findings/next_export.hpp"
+#include "findings/next_step_words.hpp"
 #include "findings/run_plots.hpp"
+#include "findings/text.hpp"
 #include "model/input_value.hpp"
 #include "support/text.hpp"
 

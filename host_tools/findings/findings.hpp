@@ -10,16 +10,18 @@
 #include "diagnosis/ladder.hpp"
 #include "findings/diagnosis_words.hpp"
 #include "findings/document.hpp"
+#include "findings/next_step_words.hpp"
 #include "fit/add_effect.hpp"
 #include "model/model.hpp"
 #include "planning/information.hpp"
 #include "recording/recording.hpp"
-#include "research/gyros.hpp"
+#include "research/study.hpp"
 #include "workflow/fit.hpp"
 #include "workflow/plan.hpp"
 
-/// What each command found, as its user reads it.
 namespace fogcomp::findings {
+
+// What each command found, as its user reads it.
 
 /// Output of `fogcomp info`, with plots. `summary` is that of `recording`, `visible` what it can
 /// show.
@@ -90,5 +92,16 @@ std::string network_verdict(const fit::FitResult& fit);
 
 /// One sentence for each bias but the first, where power-ons and parts of cut runs have their own.
 std::vector<Text> own_bias_words(const fit::Identification& identified);
+
+/// The stepwise selection: what each step left, why it ended, and the commands that make its model.
+/// `names`: from outside, within our own words.
+Parts ladder_section(const diagnosis::Ladder& ladder, const DiagnosedFiles& files,
+                     const std::vector<std::string>& names);
+
+/// What to do with the model that a selection wrote to files.output, whatever its steps
+/// were: to export the model if nothing is missing; to go on if only the limit of steps ended it;
+/// else, or if no board can run it, to see what it leaves, on the first holdout if there is one.
+Next next_after_ladder(const diagnosis::Ladder& ladder, const diagnosis::DiagnosisData& data,
+                       const DiagnosedFiles& files);
 
 }  // namespace fogcomp::findings

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "findings/compare_words.hpp"
-#include "findings/figures.hpp"
 #include "findings/run_section.hpp"
+#include "findings/text.hpp"
 #include "fit/decision_rules.hpp"
 #include "noise/outlier_rows.hpp"
 #include "support/text.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "findings/figures.hpp"
+#include "findings/text.hpp"
 #include "model/catalogue.hpp"
 #include "support/text.hpp"
 

@@ -4,10 +4,8 @@
 #include <cmath>
 
 #include "compare/comparison.hpp"
-#include "findings/allan_plot.hpp"
-#include "findings/figures.hpp"
-#include "findings/labels.hpp"
 #include "findings/run_plots.hpp"
+#include "findings/text.hpp"
 #include "model/effect_list.hpp"
 #include "noise/outlier_rows.hpp"
 #include "recording/rate_resolution.hpp"

@@ -1,9 +1,9 @@
-#include "findings/ladder_findings.hpp"
+#include "findings/findings.hpp"
 
 #include "findings/diagnosis_words.hpp"
-#include "findings/figures.hpp"
-#include "findings/next_export.hpp"
+#include "findings/next_step_words.hpp"
 #include "findings/run_section.hpp"
+#include "findings/text.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::findings {

@@ -1,11 +1,15 @@
 #include "findings/next_step_words.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
-#include "findings/figures.hpp"
+#include "findings/text.hpp"
 #include "support/text.hpp"
+#include "workflow/export_header.hpp"
 
 namespace fogcomp::findings {
+
 namespace {
 
 std::string what_is_tried(const diagnosis::AdditionRequest& request) {
@@ -130,6 +134,21 @@ std::vector<std::string> ladder_commands(const diagnosis::Ladder& ladder,
       read.reading.push_back(word);
   }
   return lines;
+}
+
+bool can_be_exported(const model::Model& model, const std::string& file) {
+  return workflow::export_refusal(model, file, true).empty();
+}
+
+Next next_export(Text why, const model::Model& model, const std::string& file) {
+  std::vector<std::string> command{"fogcomp", "export", file, "-o", "fog_model.h"};
+  std::string refusal = workflow::export_refusal(model, file, false);
+  if (!refusal.empty() && can_be_exported(model, file)) {
+    command.emplace_back("--extension");
+    refusal.clear();
+  }
+  if (refusal.empty()) return {std::move(why), command};
+  return words("nothing to add; for a board it is not ready: " + refusal, {file});
 }
 
 }  // namespace fogcomp::findings

@@ -6,6 +6,8 @@
 
 #include "diagnosis/ladder.hpp"
 #include "diagnosis/next_step.hpp"
+#include "findings/document.hpp"
+#include "model/model.hpp"
 
 namespace fogcomp::findings {
 
@@ -42,5 +44,12 @@ std::string step_words(const diagnosis::Ladder::Step& step);
 /// The command lines that reproduce the final model step by step, byte for byte.
 std::vector<std::string> ladder_commands(const diagnosis::Ladder& ladder,
                                          const DiagnosedFiles& files);
+
+/// Whether a board with the default settings can run the model, with the extension if it needs it.
+bool can_be_exported(const model::Model& model, const std::string& file);
+
+/// The `export` that a board's header needs, with `why`; if no board with the default settings can
+/// run the model, what stands against it.
+Next next_export(Text why, const model::Model& model, const std::string& file);
 
 }  // namespace fogcomp::findings

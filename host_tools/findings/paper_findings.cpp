@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "compare/comparison.hpp"
-#include "findings/figures.hpp"
 #include "findings/run_plots.hpp"
+#include "findings/text.hpp"
 #include "research/printed_tables.hpp"
 #include "support/text.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "findings/figures.hpp"
+#include "findings/text.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::findings {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "findings/allan_plot.hpp"
-#include "findings/figures.hpp"
+#include "findings/run_plots.hpp"
 #include "findings/run_section.hpp"
+#include "findings/text.hpp"
 #include "noise/autocorrelation.hpp"
 #include "noise/noise_coefficients.hpp"
 #include "noise/spectral_density.hpp"

@@ -5,8 +5,7 @@
 #include "compare/comparison.hpp"
 #include "compare/decision_rules.hpp"
 #include "findings/diagnosis_words.hpp"
-#include "findings/figures.hpp"
-#include "findings/labels.hpp"
+#include "findings/text.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 

@@ -1,8 +1,7 @@
 #include <cmath>
 
-#include "findings/figures.hpp"
-#include "findings/labels.hpp"
 #include "findings/run_section.hpp"
+#include "findings/text.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::findings {

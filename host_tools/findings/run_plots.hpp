@@ -7,6 +7,8 @@
 #include "compare/comparison.hpp"
 #include "compare/dependence.hpp"
 #include "findings/plot.hpp"
+#include "noise/allan.hpp"
+#include "noise/noise_coefficients.hpp"
 #include "recording/segments.hpp"
 
 namespace fogcomp::findings {
@@ -62,5 +64,16 @@ Plot with_loop(Plot over_temperature, const compare::Loop& loop);
 
 /// Colour of the i-th of several similar curves.
 std::string part_colour(std::size_t i);
+
+/// An Allan deviation in deg/h, with its colour in the other plots.
+struct AllanCurve {
+  Text label;
+  std::string colour;
+  const std::vector<noise::AllanPoint>& points;
+};
+
+/// Allan deviations with their standard deviations; for the last one also the fitted slopes of IEEE
+/// Std 952 that the data show, and their sum.
+Plot allan_plot(const std::vector<AllanCurve>& curves, const noise::NoiseCoefficients& fitted);
 
 }  // namespace fogcomp::findings

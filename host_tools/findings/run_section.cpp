@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "findings/compare_words.hpp"
-#include "findings/figures.hpp"
-#include "findings/labels.hpp"
 #include "findings/run_plots.hpp"
+#include "findings/text.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::findings {

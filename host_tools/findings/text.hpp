@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/signal/inputs.hpp"
 
 namespace fogcomp::findings {
 
@@ -40,5 +43,32 @@ Text verbatim(const std::string& name);
 
 /// File names without folders, or full paths where two would be equal.
 std::vector<std::string> short_names(const std::vector<std::string>& paths);
+
+/// Four significant digits of a value in any unit; whole numbers unchanged.
+Text significant(double value);
+
+/// A rate in deg/h: four significant digits, no finer than the 1e-6 of a recording.
+Text number(double rate_dph);
+/// The same; "-" if there is none.
+Text dph(const std::optional<double>& value);
+
+/// "0.0424 +- 0.0067": a value and its standard deviation in the same unit, both to the second
+/// digit of the latter. `sign`: "+" before a positive value.
+std::string with_sigma(double value, double sigma, bool sign = false);
+
+/// "12 %"
+std::string percent(double share);
+
+/// "input rate, °/h": an input with its unit, for an axis.
+Text input_label(fog::Input input);
+/// The same without the unit.
+Text input_name(fog::Input input);
+
+/// Text for the name of a variable, such as "temperature_rate".
+Text variable_label(const std::string& variable);
+
+/// Text with unit for a value of a batch, such as "holdout_drift_dph" or "warm_up.tau"; empty if
+/// the name suffices.
+Text figure_label(const std::string& figure);
 
 }  // namespace fogcomp::findings

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "findings/figures.hpp"
+#include "findings/text.hpp"
 #include "report/embedded_page.hpp"
 #include "report/html.hpp"
 #include "report/page_frame.hpp"

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <string_view>
 
-#include "findings/figures.hpp"
+#include "findings/text.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::report {

@@ -7,7 +7,6 @@
 #include "compare/branches.hpp"
 #include "diagnosis/structure.hpp"
 #include "findings/compare_words.hpp"
-#include "findings/labels.hpp"
 #include "findings/run_plots.hpp"
 #include "findings/text.hpp"
 #include "model/catalogue.hpp"

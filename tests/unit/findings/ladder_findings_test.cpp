@@ -1,6 +1,6 @@
 // What is proposed for the model that a selection wrote depends on how it ended, not on its steps.
 
-#include "findings/ladder_findings.hpp"
+#include "findings/findings.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "findings/figures.hpp"
-#include "findings/labels.hpp"
-
 namespace fogcomp::findings {
 namespace {
 
