@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <sstream>
 
 #include "batch/fingerprint.hpp"
+#include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::batch {
+
 namespace {
 
 constexpr const char* kTitle = "fogcomp-batch 3";
@@ -24,6 +27,23 @@ std::string fingerprint_of_file(const std::string& path) {
   Fingerprint fingerprint;
   fingerprint.add_file(path);
   return fingerprint.text();
+}
+
+constexpr const char* kDiagnosisTitle = "fogcomp-diagnosis 1";
+constexpr const char* kLastLine = "end";
+
+std::string path_in(const std::string& folder) {
+  return folder + "/diagnosis.txt";
+}
+
+void take_line(GyroDiagnosis& diagnosis, const std::string& key, const std::string& rest) {
+  if (key == "inputs") diagnosis.fingerprint = rest;
+  if (key == "verdict") diagnosis.verdict = rest;
+  if (key == "effect") diagnosis.effects.push_back(rest);
+  if (key == "size_dph") diagnosis.size_dph = parse_number(rest).value_or(0);
+  if (key == "probability") diagnosis.probability = parse_number(rest);
+  if (key == "sentence") diagnosis.sentence = rest;
+  if (key == "next") diagnosis.next = rest;
 }
 
 }  // namespace
@@ -90,6 +110,72 @@ std::optional<GyroResult> load_result(const std::string& gyro, const std::string
     }
   }
   return result;
+}
+
+std::vector<Limit> parse_limits(const std::string& text, const std::string& file,
+                                const std::vector<std::string>& known) {
+  std::vector<Limit> limits;
+  const std::vector<std::string> lines = split(text, '\n');
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string line(trim(lines[i].substr(0, lines[i].find('#'))));
+    if (line.empty()) continue;
+    const std::string where = file + format(":%zu", i + 1);
+    std::istringstream words(line);
+    std::string figure;
+    std::string relation;
+    std::string number;
+    words >> figure >> relation >> number;
+    const auto value = parse_number(number);
+    if (!value || (relation != "<=" && relation != ">=") || words.rdbuf()->in_avail() > 0) {
+      throw InputError(where,
+                       "'" + line + "' is no limit; write FIGURE <= NUMBER or FIGURE >= NUMBER");
+    }
+    if (std::find(known.begin(), known.end(), figure) == known.end()) {
+      throw InputError(where, "there is no figure '" + figure + "'" + did_you_mean(figure, known) +
+                                  "; the columns of gyros.csv are figures");
+    }
+    limits.push_back({figure, relation == "<=", *value});
+  }
+  return limits;
+}
+
+std::string broken_limits(const GyroResult& result, const std::vector<Limit>& limits) {
+  std::string text;
+  for (const Limit& limit : limits) {
+    const auto value = result.figure(limit.figure);
+    if (value && limit.meets(*value)) continue;
+    text += (text.empty() ? "" : "; ") + limit.figure + " " +
+            (value ? format("%.4g", *value) : "is missing") + ", must be " +
+            format("%s %g", limit.is_max ? "<=" : ">=", limit.value);
+  }
+  return text;
+}
+
+void save_diagnosis(const GyroDiagnosis& diagnosis, const std::string& folder) {
+  std::string text = std::string(kDiagnosisTitle) + "\ninputs " + diagnosis.fingerprint + "\n";
+  if (!diagnosis.verdict.empty()) text += "verdict " + diagnosis.verdict + "\n";
+  for (const std::string& effect : diagnosis.effects) text += "effect " + effect + "\n";
+  text += format("size_dph %.6g\n", diagnosis.size_dph);
+  if (diagnosis.probability) text += format("probability %.6g\n", *diagnosis.probability);
+  text += "sentence " + displayable(diagnosis.sentence) + "\n";
+  if (!diagnosis.next.empty()) text += "next " + displayable(diagnosis.next) + "\n";
+  write_file(path_in(folder), text + kLastLine + "\n");
+}
+
+std::optional<GyroDiagnosis> load_diagnosis(const std::string& folder,
+                                            const std::string& fingerprint) {
+  if (!std::filesystem::is_regular_file(path_in(folder))) return std::nullopt;
+  const std::vector<std::string> lines = split(read_file(path_in(folder)), '\n');
+  const bool whole =
+      lines.size() > 2 && lines[0] == kDiagnosisTitle && lines[lines.size() - 2] == kLastLine;
+  if (!whole) return std::nullopt;
+  GyroDiagnosis diagnosis;
+  for (std::size_t i = 1; i + 2 < lines.size(); ++i) {
+    const std::size_t space = std::min(lines[i].find(' '), lines[i].size() - 1);
+    take_line(diagnosis, lines[i].substr(0, space), lines[i].substr(space + 1));
+  }
+  if (diagnosis.fingerprint != fingerprint) return std::nullopt;
+  return diagnosis;
 }
 
 }  // namespace fogcomp::batch

@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "batch/gyro_diagnosis.hpp"
 #include "batch/gyro_result.hpp"
-#include "batch/limits.hpp"
 #include "batch/lot.hpp"
 
 namespace fogcomp::batch {

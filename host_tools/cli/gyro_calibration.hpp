@@ -3,10 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "batch/gyro_diagnosis.hpp"
 #include "batch/gyro_folders.hpp"
 #include "batch/gyro_result.hpp"
-#include "batch/limits.hpp"
 #include "cli/board_options.hpp"
 #include "cli/fit_options.hpp"
 #include "cli/recording_options.hpp"
