@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/branches.hpp"
 #include "compare/decision_rules.hpp"
 #include "noise/autocorrelation.hpp"
 #include "support/decompositions.hpp"
@@ -12,6 +11,7 @@
 #include "support/evidence.hpp"
 
 namespace fogcomp::compare {
+
 namespace {
 
 constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);
@@ -224,6 +224,24 @@ double score_of(const Pairs& pairs, const ClassMeans& means) {
 }
 
 }  // namespace
+
+// A play operator on the temperature.
+std::vector<Branch> branches(const std::vector<double>& temperature_degc) {
+  std::vector<Branch> branch;
+  if (temperature_degc.empty()) return branch;
+  const auto [min, max] = std::minmax_element(temperature_degc.begin(), temperature_degc.end());
+  const double radius = std::max(rules::kMinPlayDegc, rules::kPlayShareOfRange * (*max - *min)) / 2;
+  double centre = temperature_degc[0];
+  Branch current = Branch::none;
+  for (const double value : temperature_degc) {
+    const double moved = std::clamp(centre, value - radius, value + radius);
+    if (moved > centre) current = Branch::heating;
+    if (moved < centre) current = Branch::cooling;
+    centre = moved;
+    branch.push_back(current);
+  }
+  return branch;
+}
 
 bool ClassTest::structured() const {
   return score > kCertainSigmas;

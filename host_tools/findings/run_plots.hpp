@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "compare/branches.hpp"
 #include "compare/comparison.hpp"
 #include "compare/dependence.hpp"
 #include "findings/plot.hpp"

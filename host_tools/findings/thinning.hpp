@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "compare/branches.hpp"
+#include "compare/dependence.hpp"
 
 namespace fogcomp::findings {
 

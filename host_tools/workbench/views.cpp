@@ -4,7 +4,7 @@
 #include <functional>
 #include <iterator>
 
-#include "compare/branches.hpp"
+#include "compare/dependence.hpp"
 #include "diagnosis/structure.hpp"
 #include "findings/compare_words.hpp"
 #include "findings/run_plots.hpp"

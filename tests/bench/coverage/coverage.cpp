@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "clean_gyro.hpp"
-#include "compare/band.hpp"
+#include "compare/model_on_runs.hpp"
 #include "noise/white_noise.hpp"
 #include "runs/runs.hpp"
 #include "support/input_error.hpp"

@@ -1,4 +1,4 @@
-#include "compare/band.hpp"
+#include "compare/model_on_runs.hpp"
 
 #include <gtest/gtest.h>
 
