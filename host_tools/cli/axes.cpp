@@ -6,8 +6,7 @@
 
 #include "cli/report_option.hpp"
 #include "findings/findings.hpp"
-#include "report/page.hpp"
-#include "report/terminal.hpp"
+#include "report/report.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 

@@ -10,7 +10,7 @@
 #include "findings/findings.hpp"
 #include "model/model.hpp"
 #include "model/model_file.hpp"
-#include "report/page.hpp"
+#include "report/report.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 

@@ -12,7 +12,7 @@
 #include "fit/effect_change.hpp"
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
-#include "report/workbench_page.hpp"
+#include "report/report.hpp"
 #include "workflow/add.hpp"
 #include "workflow/compare.hpp"
 #include "workflow/diagnose.hpp"

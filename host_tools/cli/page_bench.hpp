@@ -6,7 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/recording_options.hpp"
-#include "report/workbench_page.hpp"
+#include "report/report.hpp"
 #include "workflow/observer.hpp"
 
 namespace fogcomp::cli {

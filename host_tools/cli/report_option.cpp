@@ -2,8 +2,7 @@
 
 #include <cstdio>
 
-#include "report/page.hpp"
-#include "report/terminal.hpp"
+#include "report/report.hpp"
 
 namespace fogcomp::cli {
 

@@ -6,7 +6,7 @@
 
 #include "cli/option.hpp"
 #include "findings/document.hpp"
-#include "report/workbench_page.hpp"
+#include "report/report.hpp"
 #include "support/json.hpp"
 #include "support/output_file.hpp"
 

@@ -7,7 +7,7 @@
 #include "cli/page_bench.hpp"
 #include "cli/recording_options.hpp"
 #include "cli/watch.hpp"
-#include "report/workbench_page.hpp"
+#include "report/report.hpp"
 #include "support/input_error.hpp"
 #include "support/model_title.hpp"
 #include "support/output_file.hpp"

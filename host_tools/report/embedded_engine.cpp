@@ -1,4 +1,4 @@
-#include "report/embedded_engine.hpp"
+#include "report/embedded_page.hpp"
 
 #ifdef FOGCOMP_ENGINE
 // Defined in embedded_engine.S.in.

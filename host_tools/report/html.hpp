@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "findings/text.hpp"
+#include "report/report.hpp"
 #include "support/embedded_file.hpp"
 #include "support/json.hpp"
 
@@ -24,5 +25,17 @@ const std::string& file_of(const std::vector<EmbeddedFile>& files, const std::st
 /// is missing.
 std::string filled(const std::string& frame,
                    const std::vector<std::pair<std::string, std::string>>& parts);
+
+/// Contents of a page; all pages have the same frame (page/frame.html).
+struct PageContent {
+  std::string subject;                    ///< title of the page: the command line
+  std::string report{};                   ///< the findings as HTML; "": none
+  Json plots = Json::array();             ///< data of the report's plots (plot_json.hpp)
+  bool draws = false;                     ///< whether the report has plots
+  const WorkbenchSetup* bench = nullptr;  ///< nullptr: the page has no workbench
+};
+
+/// The whole page as HTML.
+std::string framed(const PageContent& content);
 
 }  // namespace fogcomp::report

@@ -1,4 +1,4 @@
-#include "report/terminal.hpp"
+#include "report/report.hpp"
 
 #include <algorithm>
 #include <cctype>

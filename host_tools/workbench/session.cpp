@@ -18,7 +18,7 @@
 #include "recording/columns.hpp"
 #include "recording/csv_layout.hpp"
 #include "recording/input_file.hpp"
-#include "report/plot_json.hpp"
+#include "report/plots.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"

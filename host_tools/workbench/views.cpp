@@ -14,7 +14,7 @@
 #include "model/model_file.hpp"
 #include "model/shape_limits.hpp"
 #include "model/shape_parameter.hpp"
-#include "report/plot_json.hpp"
+#include "report/plots.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::workbench {

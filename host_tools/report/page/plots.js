@@ -1,4 +1,4 @@
-// Draws the plots of a report with uPlot from the data in #plots (report/plot_json.hpp). Drag zooms, a
+// Draws the plots of a report with uPlot from the data in #plots (report/plots.hpp). Drag zooms, a
 // double click shows all, a click in the legend hides a curve. Plots of one group share cursor and
 // zoom in x.
 "use strict";

@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "report/terminal.hpp"
+#include "report/report.hpp"
 
 namespace fogcomp::findings {
 namespace {

@@ -1,6 +1,6 @@
 // A plot for a page on which no script runs.
 
-#include "report/plot_svg.hpp"
+#include "report/plots.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,10 @@
-#include "report/page.hpp"
+#include "report/report.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "report/plot_json.hpp"
-#include "report/terminal.hpp"
+#include "report/plots.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::report {

@@ -3,7 +3,13 @@
 #include <string>
 #include <vector>
 
+#include "findings/document.hpp"
+
 namespace fogcomp::report {
+
+/// The findings as lines of text without plots: the main finding, then what to do next
+/// ("next: COMMAND"), then sentences and tables. `details`: also the figures that a page draws.
+std::string terminal(const findings::Document& document, bool details = false);
 
 /// Initial state of a workbench.
 struct WorkbenchSetup {
@@ -34,5 +40,10 @@ std::string why_no_workbench();
 
 /// A self-contained HTML page that calculates. Throws InputError with why_no_workbench().
 std::string workbench_page(const WorkbenchSetup& setup);
+
+/// A self-contained HTML page: words and tables as HTML, plots as data with the script that draws
+/// them. All text is escaped. `bench`: initial state of the page's workbench; nullptr: no
+/// workbench.
+std::string page(const findings::Document& document, const WorkbenchSetup* bench = nullptr);
 
 }  // namespace fogcomp::report
