@@ -1,7 +1,7 @@
 #include "findings/json.hpp"
 
-#include "research/gyros.hpp"
 #include "research/printed_tables.hpp"
+#include "research/study.hpp"
 
 namespace fogcomp::findings {
 namespace {

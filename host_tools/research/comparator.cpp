@@ -1,16 +1,25 @@
 #include "research/comparator.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "research/anfis.hpp"
-#include "research/effects.hpp"
 #include "research/polynomial.hpp"
 #include "research/support_vectors.hpp"
-#include "research/time_network.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::research {
+
+namespace {
+
+using Eigen::Index;
+
+constexpr Index kFolds = 10;
+constexpr Index kStretches = 100;
+
+}  // namespace
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -59,6 +68,24 @@ MatrixXd time_and_temperature_of(const series::Rows& rows) {
     inputs.row(i) << rows.time_s[row] / 3600, rows.signals[row].temperature;
   }
   return inputs;
+}
+
+double cross_validated_rms(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& target,
+                           const FitAndPredict& method) {
+  const Index rows = target.size();
+  double square = 0;
+  for (Index fold = 0; fold < kFolds; ++fold) {
+    std::vector<Index> train;
+    std::vector<Index> test;
+    for (Index i = 0; i < rows; ++i) {
+      const Index stretch = i * kStretches / rows;
+      (stretch % kFolds == fold ? test : train).push_back(i);
+    }
+    const Eigen::VectorXd predicted =
+        method(inputs(train, Eigen::all), target(train), inputs(test, Eigen::all));
+    square += (target(test) - predicted).squaredNorm();
+  }
+  return std::sqrt(square / static_cast<double>(rows));
 }
 
 }  // namespace fogcomp::research

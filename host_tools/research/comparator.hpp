@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -47,5 +48,26 @@ const ComparatorEntry& find_comparator(const std::string& name);
 Eigen::MatrixXd temperature_of(const series::Rows& rows);
 Eigen::MatrixXd temperature_and_rate_of(const series::Rows& rows);
 Eigen::MatrixXd time_and_temperature_of(const series::Rows& rows);
+
+/// Predicts `test` rows after a fit to `train` rows (inputs, target; inputs).
+using FitAndPredict = std::function<Eigen::VectorXd(
+    const Eigen::MatrixXd& train, const Eigen::VectorXd& target, const Eigen::MatrixXd& test)>;
+
+/// Rms error of predictions for rows that were left out: ten folds, each of every tenth stretch of
+/// neighbouring rows (100 stretches), because single rows share noise and history with their
+/// neighbours.
+double cross_validated_rms(const Eigen::MatrixXd& inputs, const Eigen::VectorXd& target,
+                           const FitAndPredict& method);
+
+/// The reference paper's networks: inputs (time, temperature), logsig hidden neurons, tansig
+/// output, min-max normalisation of inputs and target; trained by traingdx (BP), pso-bp or ga-bp.
+std::unique_ptr<Comparator> make_bp(const ComparatorSettings& settings);
+std::unique_ptr<Comparator> make_pso_bp(const ComparatorSettings& settings);
+std::unique_ptr<Comparator> make_ga_bp(const ComparatorSettings& settings);
+
+/// Physical effects by `identify`, alone or with a network (temperature, temperature rate; lm) on
+/// their residual, like `fogcomp fit`.
+std::unique_ptr<Comparator> make_effects(const ComparatorSettings& settings);
+std::unique_ptr<Comparator> make_effects_and_network(const ComparatorSettings& settings);
 
 }  // namespace fogcomp::research

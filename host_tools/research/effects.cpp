@@ -1,4 +1,4 @@
-#include "research/effects.hpp"
+#include "research/comparator.hpp"
 
 #include "fit/identify.hpp"
 #include "fit/residual_network.hpp"

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "research/cross_validation.hpp"
+#include "research/comparator.hpp"
 #include "support/least_squares.hpp"
 #include "support/text.hpp"
 

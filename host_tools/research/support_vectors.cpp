@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "research/cross_validation.hpp"
+#include "research/comparator.hpp"
 #include "support/decompositions.hpp"
 #include "support/text.hpp"
 

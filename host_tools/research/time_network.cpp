@@ -1,4 +1,4 @@
-#include "research/time_network.hpp"
+#include "research/comparator.hpp"
 
 #include "network/network_training.hpp"
 #include "support/text.hpp"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "research/gyros.hpp"
+#include "research/study.hpp"
 #include "workflow/observer.hpp"
 
 namespace fogcomp::workflow {

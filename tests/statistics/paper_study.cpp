@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "research/gyros.hpp"
 #include "research/printed_tables.hpp"
 #include "support/text.hpp"
 

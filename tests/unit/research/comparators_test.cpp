@@ -4,7 +4,7 @@
 
 #include "network/trainer_parts.hpp"
 #include "research/anfis.hpp"
-#include "research/cross_validation.hpp"
+#include "research/comparator.hpp"
 #include "research/polynomial.hpp"
 #include "research/support_vectors.hpp"
 #include "support/input_error.hpp"
