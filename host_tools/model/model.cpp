@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "model/catalogue.hpp"
 #include "model/shape_parameter.hpp"
@@ -63,7 +64,8 @@ bool EffectTerm::acts_on(const std::vector<std::uint64_t>& recordings) const {
 
 namespace {
 
-void add_to_bias(Model& model, double dph) {
+Model with_more_bias(Model model, double dph) {
+  if (dph == 0) return model;
   constexpr const char* kBias = "bias";
   const auto bias = std::find_if(model.terms.begin(), model.terms.end(),
                                  [](const EffectTerm& term) { return term.name == kBias; });
@@ -72,6 +74,7 @@ void add_to_bias(Model& model, double dph) {
   } else {
     bias->coefficients_dph[0].value += dph;
   }
+  return model;
 }
 
 }  // namespace
@@ -85,8 +88,7 @@ Model as_it_acts_on(Model model, const std::vector<std::uint64_t>& recordings) {
       bias_dph -= term.others_part * term.coefficients_dph[0].value;
     }
   }
-  if (bias_dph != 0) add_to_bias(model, bias_dph);
-  return model;
+  return with_more_bias(std::move(model), bias_dph);
 }
 
 Model after_exposure(Model model) {
@@ -106,8 +108,7 @@ Model after_exposure(Model model) {
     terms.push_back(std::move(term));
   }
   model.terms = std::move(terms);
-  if (bias_dph != 0) add_to_bias(model, bias_dph);
-  return model;
+  return with_more_bias(std::move(model), bias_dph);
 }
 
 const EffectTerm* Model::find(const std::string& name) const {

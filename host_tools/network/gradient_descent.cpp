@@ -45,7 +45,8 @@ TrainerResult descend(const TrainingProblem& problem, const TrainerSettings& set
     gradient.swap(tried_gradient);
     best.offer(weights, cost);
   }
-  best.put_into(result);
+  result.weights = best.weights();
+  result.mean_square = best.mean_square();
   return result;
 }
 

@@ -135,7 +135,8 @@ Start train_from(const TrainingProblem& problem, const TrainerSettings& settings
     if (fall < kSmallFall * cost) break;
   }
   if (problem.held_out == nullptr) offer();
-  best.put_into(result);
+  result.weights = best.weights();
+  result.mean_square = best.mean_square();
   result.effective_parameters = evidence.gamma;
   const double score = problem.held_out == nullptr
                            ? evidence.logarithm(state.normal, state.errors, state.w)

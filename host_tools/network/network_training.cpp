@@ -1,7 +1,6 @@
 #include "network/network_training.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "network/trainer.hpp"
@@ -9,7 +8,6 @@
 #include "support/least_squares.hpp"
 
 namespace fogcomp::network {
-
 namespace {
 
 using Eigen::Index;
@@ -39,15 +37,33 @@ MatrixXd normalised(const MatrixXd& rows, const std::vector<TrainedNetwork::Inpu
   return values;
 }
 
-void set_target_scale(TrainedNetwork& network, const VectorXd& target, TargetScaling scaling) {
+struct TargetScale {
+  double centre_dph;
+  double amplitude_dph;
+};
+
+TargetScale scale_of(const VectorXd& target, TargetScaling scaling) {
   if (scaling == TargetScaling::about_zero) {
-    network.amplitude_dph = kHeadRoom * std::max(target.cwiseAbs().maxCoeff(), kMinAmplitude);
-    return;
+    return {0, kHeadRoom * std::max(target.cwiseAbs().maxCoeff(), kMinAmplitude)};
   }
   const double min = target.minCoeff();
   const double max = target.maxCoeff();
-  network.centre_dph = (min + max) / 2;
-  network.amplitude_dph = std::max((max - min) / 2, kMinAmplitude);
+  return {(min + max) / 2, std::max((max - min) / 2, kMinAmplitude)};
+}
+
+// Training rows: all but the last recording, which is held out if there are several.
+Index trained_rows(const NetworkTask& task) {
+  const auto last_run = static_cast<Index>(task.run_starts.back());
+  const Index rows = task.weights.size();
+  return last_run > 0 && task.weights.tail(rows - last_run).sum() > 0 ? last_run : rows;
+}
+
+// For targets divided by `amplitude_dph`.
+Whiten whiten_normalised(const NetworkTask& task, double amplitude_dph) {
+  if (!task.whiten) return {};
+  return [&task, amplitude_dph](const MatrixXd& values) -> MatrixXd {
+    return amplitude_dph * task.whiten(values);
+  };
 }
 
 }  // namespace
@@ -87,29 +103,12 @@ VectorXd TrainedNetwork::drift_dph(const MatrixXd& rows) const {
   return (amplitude_dph * y).array() + centre_dph;
 }
 
-namespace {
-
-// Training rows: all but the last recording, which is held out if there are several.
-Index trained_rows(const NetworkTask& task) {
-  const auto last_run = static_cast<Index>(task.run_starts.back());
-  const Index rows = task.weights.size();
-  return last_run > 0 && task.weights.tail(rows - last_run).sum() > 0 ? last_run : rows;
-}
-
-// For targets divided by `amplitude_dph`.
-Whiten whiten_normalised(const NetworkTask& task, double amplitude_dph) {
-  if (!task.whiten) return {};
-  return [&task, amplitude_dph](const MatrixXd& values) -> MatrixXd {
-    return amplitude_dph * task.whiten(values);
-  };
-}
-
-}  // namespace
-
 TrainedNetwork train_network(const NetworkTask& task, const NetworkSettings& settings) {
   TrainedNetwork network;
   network.inputs = min_max(task.inputs);
-  set_target_scale(network, task.target_dph, settings.scaling);
+  const TargetScale scale = scale_of(task.target_dph, settings.scaling);
+  network.centre_dph = scale.centre_dph;
+  network.amplitude_dph = scale.amplitude_dph;
 
   const MatrixXd inputs = normalised(task.inputs, network.inputs);
   const VectorXd target = (task.target_dph.array() - network.centre_dph) / network.amplitude_dph;

@@ -50,10 +50,8 @@ class BestWeights {
   }
   bool exhausted() const { return problem_.held_out != nullptr && since_best_ > patience_; }
 
-  void put_into(TrainerResult& result) const {
-    result.weights = weights_;
-    result.mean_square = mean_square_;
-  }
+  const Eigen::VectorXd& weights() const { return weights_; }
+  double mean_square() const { return mean_square_; }
 
  private:
   const TrainingProblem& problem_;

@@ -14,7 +14,6 @@
 #include "support/least_squares.hpp"
 
 namespace fogcomp::research {
-
 namespace {
 
 using namespace simulation;
@@ -66,7 +65,7 @@ std::vector<std::string> segments_of(const Programme& programme, const series::R
 SimulatedRun simulate_run(const std::string& profile, std::uint64_t seed,
                           const model::Model& settings) {
   GyroDescription gyro;
-  apply_preset(gyro, find_text("paper", ready_made_presets(), "preset"), "paper");
+  gyro.apply_preset(find_text("paper", ready_made_presets(), "preset"), "paper");
   const Programme programme =
       parse_profile(find_text(profile, ready_made_profiles(), "profile"), profile, seed);
   SimulatedRecording samples = simulate(gyro, programme, seed);

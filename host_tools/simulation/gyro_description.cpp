@@ -106,7 +106,7 @@ GyroThermalDesign GyroDescription::thermal_design() const {
   return design;
 }
 
-void apply_preset(GyroDescription& gyro, const std::string& text, const std::string& file) {
+void GyroDescription::apply_preset(const std::string& text, const std::string& file) {
   std::size_t number = 0;
   for (const std::string& line : split(text, '\n')) {
     ++number;
@@ -115,16 +115,16 @@ void apply_preset(GyroDescription& gyro, const std::string& text, const std::str
       if (!word.empty()) words.push_back(word);
     }
     if (words.empty()) continue;
-    gyro.set(file + ":" + std::to_string(number), words.front(), {words.begin() + 1, words.end()});
+    set(file + ":" + std::to_string(number), words.front(), {words.begin() + 1, words.end()});
   }
 }
 
-void apply_option(GyroDescription& gyro, const std::string& where, const std::string& option) {
+void GyroDescription::apply_option(const std::string& where, const std::string& option) {
   const std::size_t colon = option.find(':');
   const std::string name = option.substr(0, colon);
-  gyro.set(where, name,
-           colon == std::string::npos ? std::vector<std::string>{}
-                                      : split(option.substr(colon + 1), ','));
+  set(where, name,
+      colon == std::string::npos ? std::vector<std::string>{}
+                                 : split(option.substr(colon + 1), ','));
 }
 
 }  // namespace fogcomp::simulation

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -36,6 +35,11 @@ class GyroDescription {
   /// InputError `where: …` for an unknown name (with the nearest one) or a bad value.
   void set(const std::string& where, const std::string& name,
            const std::vector<std::string>& assignments);
+  /// The same by a command-line option: `NAME` or `NAME:k=v,k=v`.
+  void apply_option(const std::string& where, const std::string& option);
+  /// The same by a preset: lines `NAME name=value …`; `#` starts a comment. Throws InputError
+  /// `file:LINE: …`.
+  void apply_preset(const std::string& text, const std::string& file);
   /// Disables an effect; throws InputError if it is not enabled.
   void remove(const std::string& where, const std::string& name);
 
@@ -50,12 +54,5 @@ class GyroDescription {
   std::vector<ActiveEffect> effects_;
   std::vector<Parameters> parts_;
 };
-
-/// Applies a preset to `gyro`: lines `NAME name=value …`; `#` starts a comment. Throws InputError
-/// `file:LINE: …`.
-void apply_preset(GyroDescription& gyro, const std::string& text, const std::string& file);
-
-/// Applies a command-line option `NAME` or `NAME:k=v,k=v`.
-void apply_option(GyroDescription& gyro, const std::string& where, const std::string& option);
 
 }  // namespace fogcomp::simulation

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <utility>
 
 #include "model/drift_model.hpp"
 #include "model/model_file.hpp"

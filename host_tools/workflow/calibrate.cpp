@@ -43,8 +43,9 @@ const HoldOutFigure kHoldOutFigures[] = {
      [](const compare::Comparison& run) { return std::optional(run.outside.temperature); }},
 };
 
-void add_fit_figures(Figures& figures, const FitOutcome& fit) {
+Figures fit_figures(const FitOutcome& fit) {
   const model::Model& model = fit.model;
+  Figures figures;
   figures.emplace_back("rows", static_cast<double>(fit.rows));
   figures.emplace_back("noise_dprh", model.noise_dph_rthz / std::sqrt(kSecondsPerHour));
   figures.emplace_back("fit_raw_std_dph", fit.result.raw_std_dph);
@@ -56,9 +57,11 @@ void add_fit_figures(Figures& figures, const FitOutcome& fit) {
   figures.emplace_back("fit_misfit", fit.result.identified.birge_ratio);
   figures.emplace_back("fit_outliers", static_cast<double>(fit.result.identified.outliers));
   figures.emplace_back("network_hidden", static_cast<double>(model.network.hidden.biases.size()));
+  return figures;
 }
 
-void add_hold_out_figures(Figures& figures, const compare::ModelOnRuns& hold_outs) {
+Figures hold_out_figures(const compare::ModelOnRuns& hold_outs) {
+  Figures figures;
   for (const HoldOutFigure& figure : kHoldOutFigures) {
     std::optional<double> worst;
     for (const compare::ModelOnRun& run : hold_outs.runs) {
@@ -67,10 +70,12 @@ void add_hold_out_figures(Figures& figures, const compare::ModelOnRuns& hold_out
     }
     if (worst) figures.emplace_back(figure.name, *worst);
   }
+  return figures;
 }
 
 // Values to be monitored from gyro to gyro: "temperature_rate.K", in the catalogue's units.
-void add_coefficients(Figures& figures, const model::Model& model) {
+Figures coefficients_of(const model::Model& model) {
+  Figures figures;
   for (const model::EffectTerm& term : model.terms) {
     const model::TermInfo info = model::info_of(term);
     for (std::size_t i = 0; i < info.parameters.size(); ++i) {
@@ -81,13 +86,15 @@ void add_coefficients(Figures& figures, const model::Model& model) {
                            model::natural_coefficient(term, i).value);
     }
   }
+  return figures;
 }
 
-void add_board_figures(Figures& figures, const ExportOutcome& board) {
-  figures.emplace_back("quantization_error_dph", board.quantization.worst_dph);
+Figures board_figures(const ExportOutcome& board) {
+  Figures figures{{"quantization_error_dph", board.quantization.worst_dph}};
   if (board.network.points > 0) {
     figures.emplace_back("network_error_dph", board.network.worst_dph);
   }
+  return figures;
 }
 
 std::vector<runs::Run> read_hold_outs(const CalibrationRequest& request, const FitOutcome& fit,
@@ -100,13 +107,13 @@ std::vector<runs::Run> read_hold_outs(const CalibrationRequest& request, const F
 }
 
 // The largest certain difference between runs of this gyro.
-void add_turn_on_figures(Figures& figures, const std::vector<compare::TurnOnBias>& turn_on) {
+Figures turn_on_figures(const std::vector<compare::TurnOnBias>& turn_on) {
   const auto largest = std::max_element(
       turn_on.begin(), turn_on.end(),
       [](const auto& a, const auto& b) { return std::fabs(a.above_dph) < std::fabs(b.above_dph); });
-  if (largest == turn_on.end()) return;
-  figures.emplace_back("turn_on_bias_dph", std::fabs(largest->above_dph));
-  figures.emplace_back("turn_on_sigma_dph", largest->sigma_dph);
+  if (largest == turn_on.end()) return {};
+  return {{"turn_on_bias_dph", std::fabs(largest->above_dph)},
+          {"turn_on_sigma_dph", largest->sigma_dph}};
 }
 
 }  // namespace
@@ -123,13 +130,13 @@ CalibrationOutcome calibrate(const CalibrationRequest& request, const Calibratio
     outcome.hold_outs.runs.push_back(compare::try_model(model, run, model.average_s));
   if (events.judged) events.judged(outcome.hold_outs);
   outcome.board = board_header(model, request.model_file, request.board, false);
-  add_fit_figures(outcome.figures, outcome.fit);
-  add_hold_out_figures(outcome.figures, outcome.hold_outs);
   runs.insert(runs.begin(), outcome.fit.runs.begin(), outcome.fit.runs.end());
   outcome.turn_on = fit::turn_on_biases(model, runs);
-  add_turn_on_figures(outcome.figures, outcome.turn_on.biases);
-  add_board_figures(outcome.figures, outcome.board);
-  add_coefficients(outcome.figures, model);
+  for (const Figures& part : {fit_figures(outcome.fit), hold_out_figures(outcome.hold_outs),
+                              turn_on_figures(outcome.turn_on.biases), board_figures(outcome.board),
+                              coefficients_of(model)}) {
+    outcome.figures.insert(outcome.figures.end(), part.begin(), part.end());
+  }
   return outcome;
 }
 

@@ -1,7 +1,5 @@
 #include "workflow/compare.hpp"
 
-#include <utility>
-
 #include "fit/turn_on_bias.hpp"
 #include "model/model_file.hpp"
 #include "support/input_error.hpp"

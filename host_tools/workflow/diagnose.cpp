@@ -27,40 +27,38 @@ double row_length_s(const DiagnoseRequest& request, const runs::RowLength& rows)
 
 // Says where the rows differ from those of `compare`, so that the results do, or from those asked
 // for.
-void note_rows(const DiagnoseRequest& request, const runs::RowLength& rows,
-               const model::Model& model, std::vector<std::string>& notes) {
+std::optional<std::string> rows_note(const DiagnoseRequest& request, const runs::RowLength& rows,
+                                     const model::Model& model) {
   const double row_s = row_length_s(request, rows);
   if (request.average_s) {
-    if (*request.average_s == row_s) return;
-    notes.push_back(
-        format("looked at in rows of %g s whatever --average, so that the ladder's end "
-               "does not depend on it; without --max-effects it takes %g s",
-               row_s, *request.average_s));
-  } else if (!rows.why.empty()) {
-    notes.push_back(rows.why);
-  } else if (row_s != model.average_s) {
-    const bool is_one_look = request.max_steps == 0;
-    notes.push_back(format("looked at in rows of %g s, so that the verdict does not depend on the "
-                           "%g s in which the model was fitted",
-                           row_s, model.average_s) +
-                    (is_one_look ? format("; --average %g takes those", model.average_s) : ""));
+    if (*request.average_s == row_s) return std::nullopt;
+    return format(
+        "looked at in rows of %g s whatever --average, so that the ladder's end "
+        "does not depend on it; without --max-effects it takes %g s",
+        row_s, *request.average_s);
   }
+  if (!rows.why.empty()) return rows.why;
+  if (row_s == model.average_s) return std::nullopt;
+  const bool is_one_look = request.max_steps == 0;
+  return format(
+             "looked at in rows of %g s, so that the verdict does not depend on the %g s in "
+             "which the model was fitted",
+             row_s, model.average_s) +
+         (is_one_look ? format("; --average %g takes those", model.average_s) : "");
 }
 
-// Whether power-ons have biases of their own; `notes` then says why.
-bool have_own_biases(const model::Model& model, const runs::Runs& judging,
-                     std::vector<std::string>& notes) {
-  if (!judging.have_several_power_ons()) return false;
+// Why power-ons have biases of their own; nothing if they have not.
+std::optional<std::string> why_own_biases(const model::Model& model, const runs::Runs& judging) {
+  if (!judging.have_several_power_ons()) return std::nullopt;
   const compare::TurnOn turn_on = fit::turn_on_biases(model, judging.all());
-  if (!turn_on.can_be_own()) return false;
+  if (!turn_on.can_be_own()) return std::nullopt;
   std::string why = turn_on.differs_words();
   if (const compare::TurnOnBias* bias = turn_on.first_certain()) {
     why = format("the bias of %s%s is %.2g +- %.1g deg/h %s that of %s", bias->run.c_str(),
                  bias->from_words().c_str(), std::abs(bias->above_dph), bias->sigma_dph,
                  bias->above_dph > 0 ? "above" : "below", bias->reference.c_str());
   }
-  notes.push_back(why + ": effects are judged and added with a bias of its own for each power-on");
-  return true;
+  return why + ": effects are judged and added with a bias of its own for each power-on";
 }
 
 }  // namespace
@@ -95,16 +93,17 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const runs::Runs& judgi
     settings.noise = diagnosis::noise_of_static(
         in_rows, recording::read_recording(*request.at_rest, reading), outcome.data);
   }
-  std::vector<std::string> notes;
-  settings.run_offsets = have_own_biases(in_rows, judging, notes);
+  const std::optional<std::string> why_own = why_own_biases(in_rows, judging);
+  settings.run_offsets = why_own.has_value();
   if (settings.run_offsets) {
     outcome.data = outcome.data.with_bias_of(series::BiasOf::power_on);
   }
   outcome.ladder =
       diagnosis::stepwise_selection(model, outcome.data, judging, request.max_steps, settings);
   outcome.ladder.first.as_given = as_given;
-  outcome.ladder.first.notes.insert(outcome.ladder.first.notes.end(), notes.begin(), notes.end());
-  note_rows(request, rows, model, outcome.ladder.first.notes);
+  for (const auto& note : {why_own, rows_note(request, rows, model)}) {
+    if (note) outcome.ladder.first.notes.push_back(*note);
+  }
   return outcome;
 }
 

@@ -71,22 +71,25 @@ Plan plan_of(const FitRequest& request) {
   return plan;
 }
 
-// Appends the actions and their results: the effects, then the network.
-void write_history(FitOutcome& outcome, const FitRequest& request, const WantedModel& wanted,
-                   const runs::Runs& runs, double before_dph) {
-  model::Model& model = outcome.model;
+// The actions and their results: the effects, then the network.
+std::vector<model::HistoryEntry> history_of(const FitOutcome& outcome, const FitRequest& request,
+                                            const WantedModel& wanted, const runs::Runs& runs,
+                                            double before_dph) {
+  const model::Model& model = outcome.model;
   const double effects_rms_dph = outcome.result.effects_rms_dph;
   const fit::Identification& identified = outcome.result.identified;
   std::string fitted = identified.prior ? prior_words(identified) : wanted.effects;
   for (const std::string& definition : request.expressions) fitted += ", " + definition;
   fitted += mask_words(request.reading);
   const std::optional<double> floor_dph = runs.noise_floor_dph(model.average_s);
-  model.history.push_back(
-      {"fit " + fitted, runs.data_hash, before_dph, effects_rms_dph, floor_dph});
-  if (!model.network.present()) return;
-  model.history.push_back(
-      {format("network %d %s", wanted.network.hidden, wanted.network.trainer.c_str()),
-       runs.data_hash, effects_rms_dph, model.residual_rms_dph, floor_dph});
+  std::vector<model::HistoryEntry> history{
+      {"fit " + fitted, runs.data_hash, before_dph, effects_rms_dph, floor_dph}};
+  if (model.network.present()) {
+    history.push_back(
+        {format("network %d %s", wanted.network.hidden, wanted.network.trainer.c_str()),
+         runs.data_hash, effects_rms_dph, model.residual_rms_dph, floor_dph});
+  }
+  return history;
 }
 
 // Each power-on has its own bias if that is asked for, or if they differ: one for all would bend
@@ -174,10 +177,10 @@ FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& obser
     const series::Rows& rows = known.series().rows();
     outcome.rows = rows.size();
     outcome.row_s = rows.row_s;
-    if (wanted.order_by_validation) choose_order(model.terms, rows);
+    if (wanted.order_by_validation) model.terms = with_best_order(std::move(model.terms), rows);
     observer.tell(kFittingEffects, 0);
     outcome.result = fit_effects(model, known, settings.identify, training, observer, turn_on);
-    if (before) unite_ranges(before->model, model);
+    if (before) model = with_ranges_of(before->model, std::move(model));
     if (observer.progress) {
       settings.network.training.go_on = [&](double done) {
         return observer.should_continue(kTraining, done);
@@ -191,9 +194,10 @@ FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& obser
   }
   const bool is_known = turn_on && !model.network.present();
   outcome.turn_on = is_known ? std::move(*turn_on) : fit::turn_on_biases(model, training);
-  write_history(outcome, request, wanted, runs,
-                request.prior ? rms_of(before->model, training, model.average_s)
-                              : outcome.result.raw_std_dph);
+  const double before_dph =
+      request.prior ? rms_of(before->model, training, model.average_s) : outcome.result.raw_std_dph;
+  for (const model::HistoryEntry& entry : history_of(outcome, request, wanted, runs, before_dph))
+    model.history.push_back(entry);
   outcome.runs = std::move(runs.training);
   return outcome;
 }

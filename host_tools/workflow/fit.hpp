@@ -105,7 +105,8 @@ WantedModel wanted_model(const FitRequest& request);
 /// wanted_model(), parse_effects() and add_expression().
 std::vector<model::EffectTerm> wanted_terms(const FitRequest& request);
 
-/// Sets the polynomial's order, 1 to 9, by cross-validation.
-void choose_order(std::vector<model::EffectTerm>& terms, const series::Rows& rows);
+/// The terms with the polynomial's order, 1 to 9, that cross-validation chooses.
+std::vector<model::EffectTerm> with_best_order(std::vector<model::EffectTerm> terms,
+                                               const series::Rows& rows);
 
 }  // namespace fogcomp::workflow

@@ -95,12 +95,14 @@ std::vector<std::string> preset_names() {
   return names;
 }
 
-void choose_order(std::vector<model::EffectTerm>& terms, const series::Rows& rows) {
+std::vector<model::EffectTerm> with_best_order(std::vector<model::EffectTerm> terms,
+                                               const series::Rows& rows) {
   const auto found = std::find_if(terms.begin(), terms.end(), [](const model::EffectTerm& term) {
     return term.name == "bias_temperature";
   });
   found->parameters[0].value =
       research::Polynomial::best_order(research::temperature_of(rows), rows.drift_dph);
+  return terms;
 }
 
 }  // namespace fogcomp::workflow

@@ -1,8 +1,5 @@
 #include "workflow/plan.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "model/model.hpp"
@@ -11,8 +8,6 @@
 #include "simulation/gyro_description.hpp"
 #include "simulation/programme.hpp"
 #include "support/input_error.hpp"
-#include "support/text.hpp"
-#include "support/units.hpp"
 
 namespace fogcomp::workflow {
 namespace {
@@ -27,12 +22,13 @@ std::vector<model::EffectTerm> typical_terms(const std::string& list) {
   return terms;
 }
 
-// Noise of the simulator's part `noise`, in its units, over what the question has.
-void take_noise(const std::vector<std::string>& options, planning::Question& question) {
+// The question with noise of the simulator's part `noise`, in its units, over what it has.
+planning::Question with_noise(const std::vector<std::string>& options,
+                              planning::Question question) {
   constexpr double kRootHourInSeconds = 60;
   simulation::GyroDescription gyro;
   for (const std::string& option : options) {
-    simulation::apply_option(gyro, "--noise " + option, "noise:" + option);
+    gyro.apply_option("--noise " + option, "noise:" + option);
   }
   const simulation::Parameters& noise = gyro.part("noise");
   for (const char* other : {"ramp", "quantization", "outliers", "outlier_dph"}) {
@@ -47,6 +43,7 @@ void take_noise(const std::vector<std::string>& options, planning::Question& que
   if (!(question.white_dph_rthz > 0)) {
     throw InputError("--noise", "without white noise hours do not count; give white=0.001");
   }
+  return question;
 }
 
 planning::Question question_of(const model::Model& model) {
@@ -75,9 +72,9 @@ planning::Question question_of(const PlanRequest& request, const planning::Opera
     question.use = planning::box_of_runs(model, chamber);
   } else {
     question.terms = typical_terms(request.effects.value_or(model::kFirstEffects));
-    take_noise({"white=0.00123,flicker=0.002"}, question);  // of the preset `paper`
+    question = with_noise({"white=0.00123,flicker=0.002"}, question);  // of the preset `paper`
   }
-  take_noise(request.noise, question);
+  question = with_noise(request.noise, question);
   question.use = planning::common_part(question.use, chamber);
   if (request.use) question.use = planning::parse_box("--use", *request.use, question.use);
   return question;

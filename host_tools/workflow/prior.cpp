@@ -17,7 +17,6 @@
 #include "workflow/fit.hpp"
 
 namespace fogcomp::workflow {
-
 namespace {
 
 void refuse_beside(const char* known, const char* option, bool given) {
@@ -31,9 +30,20 @@ void refuse_gyro_of(const model::Model& older, const FitRequest& request) {
                                        "; give the older model of this gyro");
 }
 
-void unite(const std::optional<model::Range>& older, std::optional<model::Range>& range) {
-  if (!older || !range) return;
-  *range = {std::min(older->min, range->min), std::max(older->max, range->max)};
+std::optional<model::Range> united(const std::optional<model::Range>& older,
+                                   const std::optional<model::Range>& range) {
+  if (!older || !range) return range;
+  return model::Range{std::min(older->min, range->min), std::max(older->max, range->max)};
+}
+
+// Of the files of runs: recording::rows_hash.
+std::vector<std::uint64_t> hashes_of(const std::vector<runs::Run>& runs) {
+  std::vector<std::uint64_t> hashes;
+  for (const runs::Run& run : runs) {
+    const auto& own = run.blocks.recordings;
+    hashes.insert(hashes.end(), own.begin(), own.end());
+  }
+  return hashes;
 }
 
 }  // namespace
@@ -65,15 +75,6 @@ std::optional<KnownBefore> known_before(const FitRequest& request) {
   return before;
 }
 
-std::vector<std::uint64_t> hashes_of(const std::vector<runs::Run>& runs) {
-  std::vector<std::uint64_t> hashes;
-  for (const runs::Run& run : runs) {
-    const auto& own = run.blocks.recordings;
-    hashes.insert(hashes.end(), own.begin(), own.end());
-  }
-  return hashes;
-}
-
 std::string prior_words(const fit::Identification& identified) {
   const fit::Prior& prior = *identified.prior;
   std::vector<std::string> effects;
@@ -89,17 +90,19 @@ std::string prior_words(const fit::Identification& identified) {
   return words;
 }
 
-void unite_ranges(const model::Model& older, model::Model& model) {
+model::Model with_ranges_of(const model::Model& older, model::Model model) {
   model.min_degc = std::min(older.min_degc, model.min_degc);
   model.max_degc = std::max(older.max_degc, model.max_degc);
-  unite(older.rate_range_degc_per_min, model.rate_range_degc_per_min);
-  unite(older.time_range_s, model.time_range_s);
-  unite(older.input_rate_range_dph, model.input_rate_range_dph);
+  model.rate_range_degc_per_min =
+      united(older.rate_range_degc_per_min, model.rate_range_degc_per_min);
+  model.time_range_s = united(older.time_range_s, model.time_range_s);
+  model.input_rate_range_dph = united(older.input_rate_range_dph, model.input_rate_range_dph);
   model::InputRanges before = older.input_ranges;
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (!model.input_ranges[i]) before[i].reset();
   }
   series::widen(model.input_ranges, before);
+  return model;
 }
 
 double rms_of(const model::Model& model, const std::vector<runs::Run>& runs, double row_s) {
@@ -139,7 +142,9 @@ fit::Lot learn_lot(const FitRequest& request, const std::vector<FittedGyro>& gyr
                        found.board_less_gyro, fit::noise_of(models[i].model)};
   };
   fit::Lot lot = fit::learn_lot(models, refit);
-  for (const fit::OwnModel& own : models) unite_ranges(own.model, lot.model);
+  for (const fit::OwnModel& own : models) {
+    lot.model = with_ranges_of(own.model, std::move(lot.model));
+  }
   return lot;
 }
 

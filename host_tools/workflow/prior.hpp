@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,10 +12,8 @@
 
 namespace fogcomp::workflow {
 
-/// A fit that goes on with an older model of the same gyro (FitRequest::prior), or with what its
-/// lot has taught (FitRequest::lot).
-
-/// What is known before a fit.
+/// What is known before a fit: an older model of the same gyro (FitRequest::prior), or what its lot
+/// has taught (FitRequest::lot).
 struct KnownBefore {
   model::Model model;           ///< the older one, or that of the lot's mean gyro
   std::optional<fit::Lot> lot;  ///< nothing: an older model
@@ -28,14 +25,11 @@ struct KnownBefore {
 /// that is no prior, and for settings that it determines.
 std::optional<KnownBefore> known_before(const FitRequest& request);
 
-/// Of the files of runs: recording::rows_hash.
-std::vector<std::uint64_t> hashes_of(const std::vector<runs::Run>& runs);
-
 /// The effects, whose they were, and what has moved, for the history.
 std::string prior_words(const fit::Identification& identified);
 
-/// What the older model was trained for, `model` is as well.
-void unite_ranges(const model::Model& older, model::Model& model);
+/// `model`, which is trained for what the older one was, as well.
+model::Model with_ranges_of(const model::Model& older, model::Model model);
 
 /// Rms error of a model on all runs, deg/h, over means of `row_s`.
 double rms_of(const model::Model& model, const std::vector<runs::Run>& runs, double row_s);

@@ -16,7 +16,6 @@
 #include "workflow/fit.hpp"
 
 namespace fogcomp::workflow {
-
 namespace {
 
 constexpr double kUsualAverageSeconds = 10;

@@ -25,18 +25,18 @@ constexpr auto kExtraInputs = [] {
 GyroDescription gyro_of(const SimulateRequest& request) {
   GyroDescription gyro;
   if (request.preset != "none") {
-    apply_preset(gyro, find_text(request.preset, ready_made_presets(), "preset"), request.preset);
+    gyro.apply_preset(find_text(request.preset, ready_made_presets(), "preset"), request.preset);
   }
   for (const std::string& name : request.without) gyro.remove("--without", name);
   for (const std::string& option : request.effects) {
-    apply_option(gyro, "--effect " + option, option);
+    gyro.apply_option("--effect " + option, option);
   }
   for (const std::string& option : request.noise) {
     if (option == "none") {
       gyro.set("--noise none", "noise",
                {"white=0", "flicker=0", "random_walk=0", "ramp=0", "quantization=0", "outliers=0"});
     } else {
-      apply_option(gyro, "--noise " + option, "noise:" + option);
+      gyro.apply_option("--noise " + option, "noise:" + option);
     }
   }
   return gyro;

@@ -71,7 +71,7 @@ recording::Recording simulated(Dice& dice, const Options& options) {
       cut(parse_profile(std::string(profile.text), std::string(profile.name), seed),
           options.rows * period_s);
   GyroDescription gyro;
-  apply_preset(gyro, find_text("paper", ready_made_presets(), "preset"), "paper");
+  gyro.apply_preset(find_text("paper", ready_made_presets(), "preset"), "paper");
   SimulationOptions settings;
   settings.rate_hz = 1 / period_s;
   settings.seed = seed;

@@ -26,7 +26,7 @@ GyroDescription natural_gyro(const CasePlan& plan) {
                              : option);
   }
   for (const HiddenEffect& effect : plan.hidden) options.push_back(effect.option(effect.natural));
-  for (const std::string& option : options) apply_option(gyro, "case", option);
+  for (const std::string& option : options) gyro.apply_option("case", option);
   return gyro;
 }
 

@@ -24,7 +24,7 @@ struct Alarms {
 Alarms alarms_of_a_paper_run(double rate_hz, const std::string& sensor) {
   namespace simulation = fogcomp::simulation;
   simulation::GyroDescription gyro = simulation::gyro_of({}, "paper");
-  simulation::apply_option(gyro, "test", sensor);
+  gyro.apply_option("test", sensor);
   const simulation::Programme programme = simulation::profile_of("paper");
   simulation::SimulationOptions options;
   options.rate_hz = rate_hz;

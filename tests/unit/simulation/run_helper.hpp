@@ -67,9 +67,9 @@ inline GyroDescription gyro_of(const std::vector<std::string>& options,
                                const std::string& preset = "none") {
   GyroDescription gyro;
   if (preset != "none") {
-    apply_preset(gyro, find_text(preset, ready_made_presets(), "preset"), preset);
+    gyro.apply_preset(find_text(preset, ready_made_presets(), "preset"), preset);
   }
-  for (const std::string& option : options) apply_option(gyro, "test", option);
+  for (const std::string& option : options) gyro.apply_option("test", option);
   return gyro;
 }
 

@@ -236,7 +236,7 @@ TEST(GyroDescription, ReadsEveryReadyMadePresetAndNamesABadLine) {
   }
   GyroDescription gyro;
   try {
-    apply_preset(gyro, "# comment\nbias value_dph=1\nsensor lag=3\n", "my.gyro");
+    gyro.apply_preset("# comment\nbias value_dph=1\nsensor lag=3\n", "my.gyro");
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()).substr(0, 10), "my.gyro:3:");
