@@ -1,7 +1,5 @@
 #include "recording/csv_layout.hpp"
 
-#include <algorithm>
-
 #include "recording/column_map.hpp"
 #include "recording/column_name.hpp"
 #include "recording/columns.hpp"
@@ -31,9 +29,10 @@ std::string separator_words(char separator) {
   return separator == ' ' ? "blanks" : std::string("'") + separator + "'";
 }
 
-void describe_columns(const LikelyHeader& likeliest, const CsvHeader* header,
-                      const std::vector<std::string_view>& lines, CsvColumns& found) {
+CsvColumns columns_in(const LikelyHeader& likeliest, const CsvHeader* header,
+                      const std::vector<std::string_view>& lines) {
   constexpr std::size_t kRowsShown = 3;
+  CsvColumns found;
   found.separator = separator_words(likeliest.separator);
   for (std::size_t i = 0; i < likeliest.names.size(); ++i) {
     found.columns.push_back(column_of(likeliest, header, i));
@@ -45,6 +44,7 @@ void describe_columns(const LikelyHeader& likeliest, const CsvHeader* header,
     std::vector<std::string>& row = found.rows.emplace_back();
     for (const std::string_view field : fields) row.push_back(printable(field));
   }
+  return found;
 }
 
 }  // namespace fogcomp::recording

@@ -206,7 +206,7 @@ class HeaderReader {
   void take_likely(std::size_t slot) {
     Fields fields = likely(slot);
     if (slot == kTimeSlot && take_time_in_parts(fields)) return;
-    if (slot == kTimeSlot) prefer_exact_name(fields);
+    if (slot == kTimeSlot) fields = exactly_named_or_all(fields);
     if (fields.empty()) return;
     const bool required = slot == kTimeSlot || slot == kTemperatureSlot || slot == kRateSlot;
     if (fields.size() == 1) return take(fields.front(), slot, std::nullopt);
@@ -214,14 +214,14 @@ class HeaderReader {
   }
 
   /// A column that is called "time" comes before "loop_time_us".
-  void prefer_exact_name(Fields& fields) const {
+  Fields exactly_named_or_all(const Fields& fields) const {
     const auto is_exact = [&](std::size_t field) { return columns_[field].stem_key == "time"; };
-    if (std::count_if(fields.begin(), fields.end(), is_exact) != 1) return;
-    fields = {*std::find_if(fields.begin(), fields.end(), is_exact)};
+    if (std::count_if(fields.begin(), fields.end(), is_exact) != 1) return fields;
+    return {*std::find_if(fields.begin(), fields.end(), is_exact)};
   }
 
   /// Takes the only two columns of time if they are called alike and are in seconds and in a finer
-  /// unit: "stamp.sec", "stamp.nanosec". Their values have to agree (csv_times.hpp).
+  /// unit: "stamp.sec", "stamp.nanosec". Their values have to agree (understand_times()).
   bool take_time_in_parts(const Fields& fields) {
     if (fields.size() != 2) return false;
     for (const auto& [whole, part] : {std::pair(fields[0], fields[1]), {fields[1], fields[0]}}) {

@@ -1,8 +1,6 @@
 #include "recording/csv_layout.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -51,17 +49,18 @@ class LayoutFinder {
   }
 
   CsvColumns columns() {
-    CsvColumns found;
+    std::string refusal;
     std::optional<CsvLayout> layout;
     try {
       layout = find();
     } catch (const InputError& error) {
-      found.refusal = error.what();
+      refusal = error.what();
     }
     if (layout) {
       likeliest_ = {layout->header.names, layout->dialect.separator, layout->lines_before_rows - 1};
     }
-    describe_columns(likeliest_, layout ? &layout->header : nullptr, lines_, found);
+    CsvColumns found = columns_in(likeliest_, layout ? &layout->header : nullptr, lines_);
+    found.refusal = std::move(refusal);
     return found;
   }
 
@@ -145,7 +144,7 @@ class LayoutFinder {
     const std::size_t below = next_line(line + 1);
     if (below < lines_.size()) {
       std::vector<std::string> fields = names_in(lines_[below], separator);
-      drop_empty_names(fields.size(), header);
+      header = without_empty_names(std::move(header), fields.size());
       while (fields.size() > header.names.size() && fields.back().empty()) fields.pop_back();
       if (fields.size() == header.names.size() && is_units_row(fields)) {
         header.units = std::move(fields);
@@ -157,9 +156,10 @@ class LayoutFinder {
   }
 
   // Of a header line that ends in a separator, unlike its rows.
-  static void drop_empty_names(std::size_t fields, HeaderLines& header) {
+  static HeaderLines without_empty_names(HeaderLines header, std::size_t fields) {
     while (fields < header.names.size() && header.names.back().empty()) header.names.pop_back();
     if (header.units.size() > header.names.size()) header.units.resize(header.names.size());
+    return header;
   }
 
   // Of the first row, whose line ends in separators, as all others must then.
@@ -174,7 +174,7 @@ class LayoutFinder {
     const std::size_t first = next_line(lines_before_rows);
     std::vector<std::string> fields;
     if (first < lines_.size()) fields = names_in(lines_[first], separator);
-    if (!fields.empty()) drop_empty_names(fields.size(), header);
+    if (!fields.empty()) header = without_empty_names(std::move(header), fields.size());
     CsvLayout layout;
     layout.lines_before_rows = lines_before_rows;
     layout.dialect.separator = separator;

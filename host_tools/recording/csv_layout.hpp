@@ -84,10 +84,9 @@ struct LikelyHeader {
 /// "tabs", "blanks" or "';'".
 std::string separator_words(char separator);
 
-/// Fills in the columns, first rows and separator of `found`. `header`: as understood; nullptr:
-/// what the names suggest.
-void describe_columns(const LikelyHeader& likeliest, const CsvHeader* header,
-                      const std::vector<std::string_view>& lines, CsvColumns& found);
+/// Columns, first rows and separator. `header`: as understood; nullptr: what the names suggest.
+CsvColumns columns_in(const LikelyHeader& likeliest, const CsvHeader* header,
+                      const std::vector<std::string_view>& lines);
 
 /// Finds out how the times of a file are written, and sets the layout's format and, if its name has
 /// no unit, that of the column: the only one that gives a possible date or period

@@ -21,13 +21,17 @@ constexpr double kTemperatureLsbPerDegc = 65536;
 
 // Rounds to the raw integer of a frame. Values beyond it are clamped and invalid, as from a
 // demodulator at full scale.
-std::int32_t to_raw(double value, bool& valid) {
+struct RawValue {
+  std::int32_t raw;
+  bool valid;
+};
+RawValue to_raw(double value) {
   constexpr double kMin = std::numeric_limits<std::int32_t>::min();
   constexpr double kMax = std::numeric_limits<std::int32_t>::max();
   const double rounded = std::nearbyint(value);
-  valid = rounded >= kMin && rounded <= kMax;
-  if (std::isnan(rounded)) return 0;
-  return static_cast<std::int32_t>(std::clamp(rounded, kMin, kMax));
+  if (std::isnan(rounded)) return {0, false};
+  return {static_cast<std::int32_t>(std::clamp(rounded, kMin, kMax)),
+          rounded >= kMin && rounded <= kMax};
 }
 
 std::size_t index_of(const std::vector<Column>& columns, Column wanted) {
@@ -41,8 +45,7 @@ std::size_t index_of(const std::vector<Column>& columns, Column wanted) {
 }  // namespace
 
 std::optional<fog::ExtensionFrame> extension_frame(fog::Input input, double value) {
-  bool fits = false;
-  const std::int32_t raw = to_raw(std::ldexp(value, fog::ExtensionValue::fractional_bits), fits);
+  const auto [raw, fits] = to_raw(std::ldexp(value, fog::ExtensionValue::fractional_bits));
   if (!fits) return std::nullopt;
   return fog::encode_extension_frame({input, fog::ExtensionValue::from_raw(raw)});
 }
@@ -101,9 +104,12 @@ void RecordingWriter::append_stream(const std::vector<const double*>& values, st
     // The number follows from the time, so that a gap in time is a gap in the sequence. The frame
     // keeps the low 16 bits: gaps of 65536 samples or more are shortened accordingly.
     sample.sequence = static_cast<std::uint16_t>(std::llround(time_s[row] * rate_hz_));
-    sample.rate_counts = to_raw(rate_dph[row] * counts_per_dph, sample.gyro_valid);
-    sample.temperature_q16 =
-        to_raw(temperature_degc[row] * kTemperatureLsbPerDegc, sample.temperature_valid);
+    const RawValue rate = to_raw(rate_dph[row] * counts_per_dph);
+    sample.rate_counts = rate.raw;
+    sample.gyro_valid = rate.valid;
+    const RawValue temperature = to_raw(temperature_degc[row] * kTemperatureLsbPerDegc);
+    sample.temperature_q16 = temperature.raw;
+    sample.temperature_valid = temperature.valid;
     const fog::SensorFrame frame = fog::encode_sensor_frame(sample);
     file_.write(frame.data(), frame.size());
   }

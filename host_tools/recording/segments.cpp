@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <utility>
@@ -15,113 +14,13 @@
 #include "support/units.hpp"
 
 namespace fogcomp::recording {
-
 namespace {
 
-double gap_before(const Recording& recording, std::size_t row) {
-  return recording.time_s[row] - recording.time_s[row - 1];
-}
-
-// Divides [0, rows) before each stretch whose gap is longer than `shortest_s`.
-std::vector<RowRange> cut_at_gaps(const Recording& recording, RowRange rows, double shortest_s) {
-  std::vector<RowRange> parts;
-  for (const RowRange& stretch : stretches_of(recording, rows)) {
-    if (!parts.empty() && gap_before(recording, stretch.first) <= shortest_s) {
-      parts.back().end = stretch.end;
-    } else {
-      parts.push_back(stretch);
-    }
-  }
-  return parts;
-}
-
-double median_temperature_degc(const Recording& recording, RowRange rows) {
-  constexpr std::size_t kEnough = 10000;
-  const std::size_t step = rows.size() / kEnough + 1;
-  std::vector<double> values;
-  for (std::size_t row = rows.first; row < rows.end; row += step) {
-    values.push_back(recording.temperature_degc[row]);
-  }
-  return median(std::move(values));
-}
-
-// A ramp is named by the temperatures of the neighbouring soaks; without a soak, by its first or
-// last temperature.
-std::string name_of(const Recording& recording, const std::vector<ProgrammePart>& parts,
-                    std::size_t i) {
-  const auto level = [&](std::size_t part) {
-    return std::lround(median_temperature_degc(recording, parts[part].rows));
-  };
-  if (parts[i].kind == SegmentKind::soak) return format("soak %ld", level(i));
-  const bool soak_before = i > 0 && parts[i - 1].kind == SegmentKind::soak;
-  const bool soak_after = i + 1 < parts.size() && parts[i + 1].kind == SegmentKind::soak;
-  const std::vector<double>& temperature = recording.temperature_degc;
-  const long from = soak_before ? level(i - 1) : std::lround(temperature[parts[i].rows.first]);
-  const long to = soak_after ? level(i + 1) : std::lround(temperature[parts[i].rows.end - 1]);
-  return format("ramp %ld..%ld", from, to);
-}
-
-Segment segment_of(const Recording& recording, const std::string& name, SegmentKind kind,
-                   RowRange rows) {
-  return {name, kind, recording.time_s[rows.first],
-          recording.time_s[rows.end - 1] + recording.period_s, rows};
-}
-
-std::vector<Segment> segments_by_temperature(const Recording& recording) {
-  std::vector<Segment> segments;
-  const RowRange all{0, recording.rows()};
-  for (const RowRange& programme : cut_at_gaps(recording, all, kHoldSeconds)) {
-    const std::vector<ProgrammePart> parts = find_programme_parts(recording, programme);
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      const std::string name = name_of(recording, parts, i);
-      for (const RowRange& rows : cut_at_gaps(recording, parts[i].rows, rules::kMaxDropoutS)) {
-        segments.push_back(segment_of(recording, name, parts[i].kind, rows));
-      }
-    }
-  }
-  return segments;
-}
-
-// Kind of the longest part of a labelled segment.
-SegmentKind kind_of(const Recording& recording, RowRange rows) {
-  const std::vector<ProgrammePart> parts = find_programme_parts(recording, rows);
-  return std::max_element(parts.begin(), parts.end(),
-                          [](const ProgrammePart& a, const ProgrammePart& b) {
-                            return a.rows.size() < b.rows.size();
-                          })
-      ->kind;
-}
-
-std::vector<Segment> segments_by_label(const Recording& recording) {
-  std::vector<RowRange> ranges;
-  std::vector<std::string> names;
-  if (recording.labels.front().first_row > 0) {
-    ranges.push_back({0, recording.labels.front().first_row});
-    names.emplace_back("unlabelled");
-  }
-  for (std::size_t i = 0; i < recording.labels.size(); ++i) {
-    const bool last = i + 1 == recording.labels.size();
-    ranges.push_back({recording.labels[i].first_row,
-                      last ? recording.rows() : recording.labels[i + 1].first_row});
-    const std::string& text = recording.labels[i].text;
-    names.push_back(text.empty() ? "unlabelled" : text);
-  }
-  std::vector<Segment> segments;
-  for (std::size_t i = 0; i < ranges.size(); ++i) {
-    for (const RowRange& rows : cut_at_gaps(recording, ranges[i], rules::kMaxDropoutS)) {
-      segments.push_back(segment_of(recording, names[i], kind_of(recording, rows), rows));
-    }
-  }
-  return segments;
-}
-
-void number_repeated_names(std::vector<Segment>& segments) {
-  std::map<std::string, int> times;
-  for (Segment& segment : segments) {
-    const int time = ++times[segment.name];
-    if (time > 1) segment.name += format(" (%d)", time);
-  }
-}
+/// One soak or ramp of a chamber programme.
+struct ProgrammePart {
+  SegmentKind kind = SegmentKind::soak;
+  RowRange rows;
+};
 
 constexpr std::size_t kMaxPoints = 4000;
 
@@ -220,7 +119,7 @@ SegmentKind kind_by_slope(const Point& from, const Point& to, double min_ramp_de
   return ramp_of(change_degc);
 }
 
-void join_equal_neighbours(std::vector<Piece>& pieces) {
+std::vector<Piece> with_equal_neighbours_joined(const std::vector<Piece>& pieces) {
   std::vector<Piece> joined;
   for (const Piece& piece : pieces) {
     if (!joined.empty() && joined.back().kind == piece.kind) {
@@ -229,33 +128,166 @@ void join_equal_neighbours(std::vector<Piece>& pieces) {
       joined.push_back(piece);
     }
   }
-  pieces = std::move(joined);
+  return joined;
 }
 
 // A small move is control action or overshoot of the chamber, not a ramp.
-void flatten_small_ramps(std::vector<Piece>& pieces, double min_ramp_degc) {
+std::vector<Piece> with_small_ramps_flat(std::vector<Piece> pieces, double min_ramp_degc) {
   for (Piece& piece : pieces) {
     if (std::fabs(piece.change_degc()) < min_ramp_degc) piece.kind = SegmentKind::soak;
   }
-  join_equal_neighbours(pieces);
+  return with_equal_neighbours_joined(pieces);
 }
 
 // Neighbours that each stand may move together.
-void find_slow_ramps(std::vector<Piece>& pieces, double min_ramp_degc) {
+std::vector<Piece> with_slow_ramps(std::vector<Piece> pieces, double min_ramp_degc) {
   for (Piece& piece : pieces) {
     if (std::fabs(piece.change_degc()) >= min_ramp_degc) piece.kind = ramp_of(piece.change_degc());
   }
-  join_equal_neighbours(pieces);
+  return with_equal_neighbours_joined(pieces);
 }
 
 // A short rest is a bend of the preceding ramp (at the start: of the following one), not a soak.
-void drop_short_soaks(std::vector<Piece>& pieces) {
-  if (pieces.size() < 2) return;
+std::vector<Piece> without_short_soaks(std::vector<Piece> pieces) {
+  if (pieces.size() < 2) return pieces;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (pieces[i].kind != SegmentKind::soak || pieces[i].duration_s() >= rules::kMinSoakS) continue;
     pieces[i].kind = pieces[i == 0 ? 1 : i - 1].kind;
   }
-  join_equal_neighbours(pieces);
+  return with_equal_neighbours_joined(pieces);
+}
+
+// Divides the rows into soaks and ramps by their temperature. A ramp changes by at least 2 degC at
+// 0.05 degC/min or more; a soak lasts at least 2 min unless it is the only part. A ramp ends when
+// the temperature has settled to about 0.5 degC, so the tail of a chamber with a time constant
+// belongs to it. Noise and resolution of the sensor raise these limits as necessary.
+std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowRange rows) {
+  const auto [corners, tolerance] = temperature_polygon(recording, rows);
+  if (corners.size() < 2) return {{SegmentKind::soak, rows}};
+  const double min_ramp_degc = std::max(rules::kMinRampDegc, rules::kMinRampTolerances * tolerance);
+
+  std::vector<Piece> pieces;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const SegmentKind kind = kind_by_slope(corners[i - 1], corners[i], min_ramp_degc);
+    pieces.push_back({corners[i - 1], corners[i], kind});
+  }
+  pieces = with_equal_neighbours_joined(pieces);
+  pieces = with_small_ramps_flat(std::move(pieces), min_ramp_degc);
+  pieces = with_slow_ramps(std::move(pieces), min_ramp_degc);
+  pieces = without_short_soaks(std::move(pieces));
+
+  std::vector<ProgrammePart> parts;
+  for (const Piece& piece : pieces) {
+    parts.push_back({piece.kind, {piece.from.first_row, piece.to.first_row}});
+  }
+  parts.back().rows.end = rows.end;
+  return parts;
+}
+
+double gap_before(const Recording& recording, std::size_t row) {
+  return recording.time_s[row] - recording.time_s[row - 1];
+}
+
+// Divides [0, rows) before each stretch whose gap is longer than `shortest_s`.
+std::vector<RowRange> cut_at_gaps(const Recording& recording, RowRange rows, double shortest_s) {
+  std::vector<RowRange> parts;
+  for (const RowRange& stretch : stretches_of(recording, rows)) {
+    if (!parts.empty() && gap_before(recording, stretch.first) <= shortest_s) {
+      parts.back().end = stretch.end;
+    } else {
+      parts.push_back(stretch);
+    }
+  }
+  return parts;
+}
+
+double median_temperature_degc(const Recording& recording, RowRange rows) {
+  constexpr std::size_t kEnough = 10000;
+  const std::size_t step = rows.size() / kEnough + 1;
+  std::vector<double> values;
+  for (std::size_t row = rows.first; row < rows.end; row += step) {
+    values.push_back(recording.temperature_degc[row]);
+  }
+  return median(std::move(values));
+}
+
+// A ramp is named by the temperatures of the neighbouring soaks; without a soak, by its first or
+// last temperature.
+std::string name_of(const Recording& recording, const std::vector<ProgrammePart>& parts,
+                    std::size_t i) {
+  const auto level = [&](std::size_t part) {
+    return std::lround(median_temperature_degc(recording, parts[part].rows));
+  };
+  if (parts[i].kind == SegmentKind::soak) return format("soak %ld", level(i));
+  const bool soak_before = i > 0 && parts[i - 1].kind == SegmentKind::soak;
+  const bool soak_after = i + 1 < parts.size() && parts[i + 1].kind == SegmentKind::soak;
+  const std::vector<double>& temperature = recording.temperature_degc;
+  const long from = soak_before ? level(i - 1) : std::lround(temperature[parts[i].rows.first]);
+  const long to = soak_after ? level(i + 1) : std::lround(temperature[parts[i].rows.end - 1]);
+  return format("ramp %ld..%ld", from, to);
+}
+
+Segment segment_of(const Recording& recording, const std::string& name, SegmentKind kind,
+                   RowRange rows) {
+  return {name, kind, recording.time_s[rows.first],
+          recording.time_s[rows.end - 1] + recording.period_s, rows};
+}
+
+std::vector<Segment> segments_by_temperature(const Recording& recording) {
+  std::vector<Segment> segments;
+  const RowRange all{0, recording.rows()};
+  for (const RowRange& programme : cut_at_gaps(recording, all, kHoldSeconds)) {
+    const std::vector<ProgrammePart> parts = find_programme_parts(recording, programme);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::string name = name_of(recording, parts, i);
+      for (const RowRange& rows : cut_at_gaps(recording, parts[i].rows, rules::kMaxDropoutS)) {
+        segments.push_back(segment_of(recording, name, parts[i].kind, rows));
+      }
+    }
+  }
+  return segments;
+}
+
+// Kind of the longest part of a labelled segment.
+SegmentKind kind_of(const Recording& recording, RowRange rows) {
+  const std::vector<ProgrammePart> parts = find_programme_parts(recording, rows);
+  return std::max_element(parts.begin(), parts.end(),
+                          [](const ProgrammePart& a, const ProgrammePart& b) {
+                            return a.rows.size() < b.rows.size();
+                          })
+      ->kind;
+}
+
+std::vector<Segment> segments_by_label(const Recording& recording) {
+  std::vector<RowRange> ranges;
+  std::vector<std::string> names;
+  if (recording.labels.front().first_row > 0) {
+    ranges.push_back({0, recording.labels.front().first_row});
+    names.emplace_back("unlabelled");
+  }
+  for (std::size_t i = 0; i < recording.labels.size(); ++i) {
+    const bool last = i + 1 == recording.labels.size();
+    ranges.push_back({recording.labels[i].first_row,
+                      last ? recording.rows() : recording.labels[i + 1].first_row});
+    const std::string& text = recording.labels[i].text;
+    names.push_back(text.empty() ? "unlabelled" : text);
+  }
+  std::vector<Segment> segments;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    for (const RowRange& rows : cut_at_gaps(recording, ranges[i], rules::kMaxDropoutS)) {
+      segments.push_back(segment_of(recording, names[i], kind_of(recording, rows), rows));
+    }
+  }
+  return segments;
+}
+
+std::vector<Segment> with_repeated_names_numbered(std::vector<Segment> segments) {
+  std::map<std::string, int> times;
+  for (Segment& segment : segments) {
+    const int time = ++times[segment.name];
+    if (time > 1) segment.name += format(" (%d)", time);
+  }
+  return segments;
 }
 
 }  // namespace
@@ -274,10 +306,8 @@ std::vector<RowRange> stretches_of(const Recording& recording, RowRange rows) {
 }
 
 std::vector<Segment> find_segments(const Recording& recording) {
-  std::vector<Segment> segments =
-      recording.labels.empty() ? segments_by_temperature(recording) : segments_by_label(recording);
-  number_repeated_names(segments);
-  return segments;
+  return with_repeated_names_numbered(recording.labels.empty() ? segments_by_temperature(recording)
+                                                               : segments_by_label(recording));
 }
 
 std::vector<Segment> segments_on(std::vector<Segment> segments, const std::vector<double>& time_s,
@@ -317,29 +347,6 @@ TemperaturePolygon temperature_polygon(const Recording& recording, RowRange rows
     polygon.corners.push_back(points[corner]);
   }
   return polygon;
-}
-
-std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowRange rows) {
-  const auto [corners, tolerance] = temperature_polygon(recording, rows);
-  if (corners.size() < 2) return {{SegmentKind::soak, rows}};
-  const double min_ramp_degc = std::max(rules::kMinRampDegc, rules::kMinRampTolerances * tolerance);
-
-  std::vector<Piece> pieces;
-  for (std::size_t i = 1; i < corners.size(); ++i) {
-    const SegmentKind kind = kind_by_slope(corners[i - 1], corners[i], min_ramp_degc);
-    pieces.push_back({corners[i - 1], corners[i], kind});
-  }
-  join_equal_neighbours(pieces);
-  flatten_small_ramps(pieces, min_ramp_degc);
-  find_slow_ramps(pieces, min_ramp_degc);
-  drop_short_soaks(pieces);
-
-  std::vector<ProgrammePart> parts;
-  for (const Piece& piece : pieces) {
-    parts.push_back({piece.kind, {piece.from.first_row, piece.to.first_row}});
-  }
-  parts.back().rows.end = rows.end;
-  return parts;
 }
 
 }  // namespace fogcomp::recording

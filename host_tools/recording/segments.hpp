@@ -21,10 +21,10 @@ struct Segment {
   RowRange rows;       ///< in the series
 };
 
-/// Soaks and ramps that cover all rows in order, from the temperature (find_programme_parts) or
-/// from the file's `segment` column; names have temperatures in whole degC. A gap of more than 1 s
-/// starts a new segment; in a shorter one, such as a lost sample at 200 Hz, neither temperature nor
-/// drift changes. (stretch_starts has every gap.)
+/// Soaks and ramps that cover all rows in order, from the temperature or from the file's `segment`
+/// column; names have temperatures in whole degC. A gap of more than 1 s starts a new segment; in a
+/// shorter one, such as a lost sample at 200 Hz, neither temperature nor drift changes.
+/// (stretch_starts has every gap.)
 std::vector<Segment> find_segments(const Recording& recording);
 
 /// The same segments in another series of the same run, whose `rows` have these times: a row
@@ -37,12 +37,6 @@ std::vector<RowRange> stretches_of(const Recording& recording, RowRange rows);
 
 /// The stretches without a gap and without a masked time, of the whole recording.
 std::vector<RowRange> unmasked_stretches(const Recording& recording);
-
-/// One soak or ramp of a chamber programme.
-struct ProgrammePart {
-  SegmentKind kind = SegmentKind::soak;
-  RowRange rows;
-};
 
 /// Mean temperature of a few rows.
 struct TemperaturePoint {
@@ -57,11 +51,5 @@ struct TemperaturePolygon {
   double tolerance_degc = 0;                ///< by noise and resolution of the sensor
 };
 TemperaturePolygon temperature_polygon(const Recording& recording, RowRange rows);
-
-/// Divides the rows into soaks and ramps by their temperature. A ramp changes by at least 2 degC at
-/// 0.05 degC/min or more; a soak lasts at least 2 min unless it is the only part. A ramp ends when
-/// the temperature has settled to about 0.5 degC, so the tail of a chamber with a time constant
-/// belongs to it. Noise and resolution of the sensor raise these limits as necessary.
-std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowRange rows);
 
 }  // namespace fogcomp::recording

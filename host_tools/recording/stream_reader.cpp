@@ -1,17 +1,13 @@
 #include "recording/stream_reader.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "core/acquisition/reading_monitor.hpp"
-#include "core/bytes/byte_order.hpp"
 #include "core/bytes/crc.hpp"
 #include "core/frames/compact_frame.hpp"
 #include "core/frames/kvh_frame.hpp"
@@ -24,7 +20,6 @@
 #include "support/units.hpp"
 
 namespace fogcomp::recording {
-
 namespace {
 
 constexpr double kDegcPerLsb = 1.0 / 65536;
@@ -68,10 +63,13 @@ bool is_kvh_frame(std::string_view bytes) {
          fog::crc32(bytes_of(bytes), kKvhCrc, fog::kCrc32Initial);
 }
 
-bool is_compact_frame(std::string_view bytes, fog::OutputSample& sample) {
+// The sample of the compact frame with which `bytes` begin, if they do.
+std::optional<fog::OutputSample> compact_sample(std::string_view bytes) {
+  fog::OutputSample sample;
   std::uint16_t delay = 0;
-  return bytes.size() >= fog::kCompactFrameBytes &&
-         fog::decode_compact_frame(bytes_of(bytes), sample, delay);
+  if (bytes.size() < fog::kCompactFrameBytes) return std::nullopt;
+  if (!fog::decode_compact_frame(bytes_of(bytes), sample, delay)) return std::nullopt;
+  return sample;
 }
 
 /// Samples of KVH frames, whose numbers have 7 bits.
@@ -133,13 +131,12 @@ class FrameFinder {
   // Length of the frame at `at`, or 1 if none starts there.
   std::size_t frame_at(std::size_t at) {
     const std::string_view rest = std::string_view(bytes_).substr(at);
-    fog::OutputSample sample;
     if (is_kvh_frame(rest)) {
       if (frames_ == OutputFrames::kvh) collector_.add(kvh_.take(bytes_of(rest)));
       return fog::kKvhFrameBytes;
     }
-    if (is_compact_frame(rest, sample)) {
-      if (frames_ == OutputFrames::compact) collector_.add(measured(sample));
+    if (const std::optional<fog::OutputSample> sample = compact_sample(rest)) {
+      if (frames_ == OutputFrames::compact) collector_.add(measured(*sample));
       return fog::kCompactFrameBytes;
     }
     ++discarded_;
@@ -207,11 +204,10 @@ std::optional<OutputFrames> find_output_frames(std::string_view head) {
   std::size_t compact = 0;
   for (std::size_t at = 0; at < head.size() && compact < 2;) {
     const std::string_view rest = head.substr(at);
-    fog::OutputSample sample;
     if (is_kvh_frame(rest)) {
       kvh = true;
       at += fog::kKvhFrameBytes;
-    } else if (is_compact_frame(rest, sample)) {
+    } else if (compact_sample(rest)) {
       ++compact;  // one may be chance: its CRC has 16 bits
       at += fog::kCompactFrameBytes;
     } else {
