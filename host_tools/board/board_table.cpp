@@ -189,7 +189,7 @@ void require_held(const model::EffectTerm& term, std::size_t coefficient, int fr
       format("%s = %.5g %s is more than the board's numbers hold, %.5g %s", description.symbol,
              model::in_natural_unit(term.coefficients_dph[coefficient].value, description),
              description.unit, model::in_natural_unit(max, description), description.unit);
-  for (const model::ShapeDoubt& doubt : model::shape_doubts(term)) text += "; " + doubt.sentence;
+  for (const std::string& doubt : model::shape_doubts(term)) text += "; " + doubt;
   throw InputError("effect '" + term.name + "'",
                    text + "; fit again without it or with its shape given");
 }

@@ -208,8 +208,8 @@ std::vector<std::string> limit_words(const diagnosis::Diagnosis& diagnosis,
   }
   if (const diagnosis::CandidateFinding* finding =
           diagnosis.find(diagnosis::effect_to_add(diagnosis))) {
-    for (const model::ShapeDoubt& doubt : model::shape_doubts(finding->term())) {
-      limits.push_back("note: " + doubt.sentence);
+    for (const std::string& doubt : model::shape_doubts(finding->term())) {
+      limits.push_back("note: " + doubt);
     }
   }
   return limits;

@@ -209,8 +209,7 @@ void judge_model(model::Model& model, const NoiseWeightedFit& fit,
                  const series::SignalSeries& series, Identification& result) {
   const series::Rows& rows = series.rows();
   for (const model::EffectTerm& term : model.terms) {
-    for (const model::ShapeDoubt& doubt : model::shape_doubts(term))
-      result.warnings.push_back(doubt.sentence);
+    for (const std::string& doubt : model::shape_doubts(term)) result.warnings.push_back(doubt);
   }
   const Eigen::MatrixXd of_noise = std::pow(std::max(1.0, result.birge_ratio), 2) * fit.covariance;
   judge_uncertainty(model, fit, of_noise, rows, result);

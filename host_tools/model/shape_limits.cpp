@@ -16,13 +16,13 @@ std::string with_unit(const char* pattern, double value, const std::string& unit
   return format(pattern, value) + (unit.empty() ? "" : " " + unit);
 }
 
-std::string bound_words(const TermInfo::Parameter& parameter, bool upper, double value,
-                        const std::string& instead) {
+std::string bound_words(const TermInfo::Parameter& parameter, bool upper, double value) {
+  const char* const instead = upper ? parameter.at_most : parameter.at_least;
   return parameter.name + " is at its " + (upper ? "upper" : "lower") + " bound " +
          with_unit("%.5g", value, parameter.unit) + ": " +
-         (instead.empty()
+         (instead == nullptr
               ? std::string("these data would have it ") + (upper ? "larger" : "smaller") + " still"
-              : instead + " would do as well");
+              : std::string(instead) + " would do as well");
 }
 
 bool is_at_bound(const ShapeParameter& shape, double value) {
@@ -32,29 +32,22 @@ bool is_at_bound(const ShapeParameter& shape, double value) {
 
 }  // namespace
 
-std::vector<ShapeDoubt> shape_doubts(const EffectTerm& term) {
-  std::vector<ShapeDoubt> doubts;
+std::vector<std::string> shape_doubts(const EffectTerm& term) {
+  std::vector<std::string> doubts;
   const TermInfo info = info_of(term);
   for (const ShapeParameter& shape : shape_parameters({term})) {
     const TermInfo::Parameter& parameter = info.parameters[shape.index];
     const double value = term.parameters[shape.index].value;
     const double sigma = term.parameters[shape.index].sigma;
     std::string words;
-    std::string instead;
-    bool upper = false;
     if (is_at_bound(shape, value)) {
-      upper = shape.to_unit(value) > 0.5;
-      const char* const becomes = upper ? parameter.at_most : parameter.at_least;
-      if (becomes != nullptr) instead = becomes;
-      words = bound_words(parameter, upper, value, instead);
+      words = bound_words(parameter, shape.to_unit(value) > 0.5, value);
     } else if (sigma >= std::abs(shape.slope(value))) {
       words = format("%s is not determined: %.5g +- %.2g", parameter.name.c_str(), value, sigma) +
               with_unit(", anywhere from %.5g", shape.min, "") +
               with_unit(" to %.5g", shape.max, parameter.unit);
     }
-    if (words.empty()) continue;
-    doubts.push_back(
-        {shape.index, "`" + term.name + "`: " + words, instead, upper && instead.empty()});
+    if (!words.empty()) doubts.push_back("`" + term.name + "`: " + words);
   }
   return doubts;
 }
