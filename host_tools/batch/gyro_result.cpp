@@ -11,7 +11,6 @@
 #include "support/text.hpp"
 
 namespace fogcomp::batch {
-
 namespace {
 
 constexpr const char* kTitle = "fogcomp-batch 3";
@@ -30,10 +29,25 @@ std::string fingerprint_of_file(const std::string& path) {
 }
 
 constexpr const char* kDiagnosisTitle = "fogcomp-diagnosis 1";
-constexpr const char* kLastLine = "end";
 
-std::string path_in(const std::string& folder) {
+std::string diagnosis_path(const std::string& folder) {
   return folder + "/diagnosis.txt";
+}
+
+// Keyword and rest of each line; nothing without a whole file of this title.
+std::optional<std::vector<std::pair<std::string, std::string>>> keyed_lines(
+    const std::string& path, const std::string& title) {
+  if (!std::filesystem::is_regular_file(path)) return std::nullopt;
+  const std::vector<std::string> lines = split(read_file(path), '\n');
+  if (lines.size() <= 2 || lines[0] != title || lines[lines.size() - 2] != kEnd) {
+    return std::nullopt;
+  }
+  std::vector<std::pair<std::string, std::string>> keyed;
+  for (std::size_t i = 1; i + 2 < lines.size(); ++i) {
+    const std::size_t space = std::min(lines[i].find(' '), lines[i].size() - 1);
+    keyed.emplace_back(lines[i].substr(0, space), lines[i].substr(space + 1));
+  }
+  return keyed;
 }
 
 void take_line(GyroDiagnosis& diagnosis, const std::string& key, const std::string& rest) {
@@ -84,15 +98,10 @@ void save_result(const GyroResult& result, const std::string& folder) {
 }
 
 std::optional<GyroResult> load_result(const std::string& gyro, const std::string& folder) {
-  if (!std::filesystem::is_regular_file(result_path(folder))) return std::nullopt;
-  const std::vector<std::string> lines = split(read_file(result_path(folder)), '\n');
-  const bool whole = lines.size() > 2 && lines[0] == kTitle && lines[lines.size() - 2] == kEnd;
-  if (!whole) return std::nullopt;
+  const auto lines = keyed_lines(result_path(folder), kTitle);
+  if (!lines) return std::nullopt;
   GyroResult result{gyro, "", "", {}};
-  for (std::size_t i = 1; i + 2 < lines.size(); ++i) {
-    const std::size_t space = std::min(lines[i].find(' '), lines[i].size() - 1);
-    const std::string key = lines[i].substr(0, space);
-    const std::string rest = lines[i].substr(space + 1);
+  for (const auto& [key, rest] : *lines) {
     if (key == "inputs") {
       result.fingerprint = rest;
     } else if (key == "error") {
@@ -159,21 +168,15 @@ void save_diagnosis(const GyroDiagnosis& diagnosis, const std::string& folder) {
   if (diagnosis.probability) text += format("probability %.6g\n", *diagnosis.probability);
   text += "sentence " + displayable(diagnosis.sentence) + "\n";
   if (!diagnosis.next.empty()) text += "next " + displayable(diagnosis.next) + "\n";
-  write_file(path_in(folder), text + kLastLine + "\n");
+  write_file(diagnosis_path(folder), text + kEnd + "\n");
 }
 
 std::optional<GyroDiagnosis> load_diagnosis(const std::string& folder,
                                             const std::string& fingerprint) {
-  if (!std::filesystem::is_regular_file(path_in(folder))) return std::nullopt;
-  const std::vector<std::string> lines = split(read_file(path_in(folder)), '\n');
-  const bool whole =
-      lines.size() > 2 && lines[0] == kDiagnosisTitle && lines[lines.size() - 2] == kLastLine;
-  if (!whole) return std::nullopt;
+  const auto lines = keyed_lines(diagnosis_path(folder), kDiagnosisTitle);
+  if (!lines) return std::nullopt;
   GyroDiagnosis diagnosis;
-  for (std::size_t i = 1; i + 2 < lines.size(); ++i) {
-    const std::size_t space = std::min(lines[i].find(' '), lines[i].size() - 1);
-    take_line(diagnosis, lines[i].substr(0, space), lines[i].substr(space + 1));
-  }
+  for (const auto& [key, rest] : *lines) take_line(diagnosis, key, rest);
   if (diagnosis.fingerprint != fingerprint) return std::nullopt;
   return diagnosis;
 }

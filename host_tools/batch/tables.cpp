@@ -12,46 +12,45 @@
 #include "support/text.hpp"
 
 namespace fogcomp::batch {
-
 namespace {
 
 constexpr std::size_t kCrcDigits = 8;
 
-std::string limits_text(const std::vector<Limit>& limits) {
-  std::vector<std::string> texts;
-  for (const Limit& limit : limits) {
-    texts.push_back(limit.figure + (limit.is_max ? " <= " : " >= ") + format("%.7g", limit.value));
-  }
-  return join(texts, "; ");
-}
-
-TableIdentity identity_of(const board::BoardTable& table) {
-  std::array<std::uint32_t, fog::kSerialWords + fog::kProcessorWords> identity{};
-  std::copy_n(table.words.begin() + fog::kIdentityAt, identity.size(), identity.begin());
-  board::ProcessorNumber processor{};
-  std::copy_n(identity.begin() + fog::kSerialWords, processor.size(), processor.begin());
-  const bool bound = processor != board::ProcessorNumber{};
-  const std::string serial = board::serial_text(identity.data());
-  return {serial.find(',') == std::string::npos ? serial : in_quotes(serial),
-          bound ? board::processor_text(processor) : "any",
-          format("%08x", static_cast<unsigned>(table.words[fog::kIdentityAt - 1])),
-          format("%08x", static_cast<unsigned>(table.words.back()))};
-}
-
-// Limits and folder names have neither quotes nor line ends.
-std::string sheet_line(const std::string& gyro, const TableIdentity& table,
-                       const std::string& limits) {
-  return join({in_quotes(gyro), table.serial, table.processor, table.model_crc32, table.table_crc32,
-               in_quotes(gyro + ".bin"), in_quotes(gyro + ".hex"), in_quotes(limits)},
-              ",") +
-         "\n";
-}
-
-}  // namespace
-
+// A cell of a sheet; for texts without quotes and line ends.
 std::string in_quotes(const std::string& text) {
   return "\"" + text + "\"";
 }
+
+/// Identity of a table, as texts.
+struct TableIdentity {
+  std::string serial;     ///< of the gyro, as a cell
+  std::string processor;  ///< that it is bound to; empty: any
+  std::string model_crc32;
+  std::string table_crc32;
+};
+
+/// All tables that a gyro ever had: OUT/history/tables.csv, one line each, and the tables
+/// themselves. Nothing is removed or written twice.
+class TableHistory {
+ public:
+  /// History of the batch with results in `folder`; read if it exists.
+  explicit TableHistory(const std::string& folder);
+
+  /// Number of this table: that of the gyro's last one if it is the same, else the next. Throws
+  /// InputError if the gyro's last line was not written by batch.
+  std::uint32_t sequence_of(const std::string& gyro, const TableIdentity& table) const;
+
+  /// Stores the `bytes` of a table, unless they are stored already.
+  void add(const std::string& gyro, std::uint32_t sequence, const TableIdentity& table,
+           const std::string& limits, const std::string& bytes);
+
+ private:
+  std::string last_line(const std::string& gyro) const;
+
+  std::string folder_;
+  std::string path_;
+  std::string text_;
+};
 
 TableHistory::TableHistory(const std::string& folder)
     : folder_(folder + "/history"), path_(folder_ + "/tables.csv") {
@@ -94,6 +93,38 @@ std::string TableHistory::last_line(const std::string& gyro) const {
   if (at == std::string::npos) return "";
   return text_.substr(at + 1, text_.find('\n', at + 1) - at - 1);
 }
+
+std::string limits_text(const std::vector<Limit>& limits) {
+  std::vector<std::string> texts;
+  for (const Limit& limit : limits) {
+    texts.push_back(limit.figure + (limit.is_max ? " <= " : " >= ") + format("%.7g", limit.value));
+  }
+  return join(texts, "; ");
+}
+
+TableIdentity identity_of(const board::BoardTable& table) {
+  std::array<std::uint32_t, fog::kSerialWords + fog::kProcessorWords> identity{};
+  std::copy_n(table.words.begin() + fog::kIdentityAt, identity.size(), identity.begin());
+  board::ProcessorNumber processor{};
+  std::copy_n(identity.begin() + fog::kSerialWords, processor.size(), processor.begin());
+  const bool bound = processor != board::ProcessorNumber{};
+  const std::string serial = board::serial_text(identity.data());
+  return {serial.find(',') == std::string::npos ? serial : in_quotes(serial),
+          bound ? board::processor_text(processor) : "any",
+          format("%08x", static_cast<unsigned>(table.words[fog::kIdentityAt - 1])),
+          format("%08x", static_cast<unsigned>(table.words.back()))};
+}
+
+// Limits and folder names have neither quotes nor line ends.
+std::string sheet_line(const std::string& gyro, const TableIdentity& table,
+                       const std::string& limits) {
+  return join({in_quotes(gyro), table.serial, table.processor, table.model_crc32, table.table_crc32,
+               in_quotes(gyro + ".bin"), in_quotes(gyro + ".hex"), in_quotes(limits)},
+              ",") +
+         "\n";
+}
+
+}  // namespace
 
 void write_tables(const Summary& summary, const std::string& folder) {
   const std::string tables = folder + "/tables";

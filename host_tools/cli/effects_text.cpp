@@ -8,6 +8,15 @@
 namespace fogcomp::cli {
 namespace {
 
+// Columns of a recording that an effect needs beside the three required ones.
+std::vector<std::string> needed_columns(const model::CatalogueEntry& entry) {
+  std::vector<std::string> columns;
+  for (const fog::InputDescription& input : fog::kInputTable) {
+    if (has(entry.description.needs, input.input)) columns.emplace_back(input.column);
+  }
+  return columns;
+}
+
 std::string without_value(const fog::ParameterDescription& parameter) {
   const std::string start = format("%g", parameter.default_milli / 1000.0);
   if (parameter.scale == fog::Scale::whole) return start;
@@ -117,14 +126,6 @@ std::string forms_markdown() {
 }
 
 }  // namespace
-
-std::vector<std::string> needed_columns(const model::CatalogueEntry& entry) {
-  std::vector<std::string> columns;
-  for (const fog::InputDescription& input : fog::kInputTable) {
-    if (has(entry.description.needs, input.input)) columns.emplace_back(input.column);
-  }
-  return columns;
-}
 
 std::string effects_text(const std::vector<const model::CatalogueEntry*>& entries) {
   if (entries.size() == 1) return entry_text(*entries.front());

@@ -8,9 +8,6 @@
 
 namespace fogcomp::cli {
 
-/// Columns of a recording that an effect needs beside the three required ones.
-std::vector<std::string> needed_columns(const model::CatalogueEntry& entry);
-
 /// All data of an entry, for scripts.
 Json effect_json(const model::CatalogueEntry& entry);
 

@@ -13,7 +13,6 @@
 #include "support/output_file.hpp"
 
 namespace fogcomp::recording {
-
 namespace {
 
 constexpr std::uint32_t kByteOrderMark = 0xFEFF;
@@ -67,14 +66,16 @@ constexpr std::size_t kFewestBufferBytes = 1U << 16U;
 constexpr std::size_t kPieceBytes = 1U << 14U;
 constexpr const char* kStandardInput = "/dev/stdin";
 
-}  // namespace
-
+// Byte order, if a file that begins with `head` is UTF-16 text ("Unicode text" of a spreadsheet),
+// with or without a byte order mark: nearly all of its first characters are Latin.
 std::optional<ByteOrder> utf16_order(std::string_view head) {
   for (const ByteOrder order : {ByteOrder::little, ByteOrder::big}) {
     if (is_text_in(head, order)) return order;
   }
   return std::nullopt;
 }
+
+}  // namespace
 
 char* Utf16Decoder::decode(std::string_view bytes, char* out) {
   for (const char each : bytes) {

@@ -12,10 +12,6 @@ namespace fogcomp::recording {
 
 enum class ByteOrder : std::uint8_t { little, big };
 
-/// Byte order, if a file that begins with `head` is UTF-16 text ("Unicode text" of a spreadsheet),
-/// with or without a byte order mark: nearly all of its first characters are Latin.
-std::optional<ByteOrder> utf16_order(std::string_view head);
-
 /// Converts UTF-16 to UTF-8 piece by piece. The byte order mark is dropped; invalid units become
 /// U+FFFD.
 class Utf16Decoder {

@@ -12,12 +12,17 @@ bool names_file(const std::string& run, const std::string& path) {
   return run.empty() || run == path || run == path.substr(path.rfind('/') + 1);
 }
 
+namespace {
+
+// Throws InputError if the run of an option is none of the files.
 void require_file_of(const char* option, const std::string& run,
                      const std::vector<std::string>& files) {
   const bool known = std::any_of(files.begin(), files.end(),
                                  [&](const std::string& file) { return names_file(run, file); });
   if (!known) throw InputError(option, "names " + run + ", which is none of the runs");
 }
+
+}  // namespace
 
 Mask parse_mask(const std::string& text) {
   const auto fail = [&](const std::string& what) {

@@ -16,10 +16,6 @@ struct Mask {
 /// Whether the run of an option, path or name of a file or "" for all, is the file at `path`.
 bool names_file(const std::string& run, const std::string& path);
 
-/// Throws InputError if it is none of the files.
-void require_file_of(const char* option, const std::string& run,
-                     const std::vector<std::string>& files);
-
 /// Reads `FROM..TO` or `RUN:FROM..TO`, seconds. Throws InputError for anything else.
 Mask parse_mask(const std::string& text);
 

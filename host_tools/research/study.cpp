@@ -13,7 +13,6 @@
 #include "support/parallel.hpp"
 
 namespace fogcomp::research {
-
 namespace {
 
 constexpr double kRow = 10;  // s
@@ -79,6 +78,17 @@ double median_of(const std::vector<Study>& studies, Value value) {
   return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
+// Settings common to all runs of a study. Must outlive them.
+const model::Model& study_model() {
+  static const model::Model model = [] {
+    model::Model settings;
+    settings.average_s = kRow;
+    settings.derivative_tau_s = kDerivativeTau;
+    return settings;
+  }();
+  return model;
+}
+
 }  // namespace
 
 const char* const kStudyEffects =
@@ -106,16 +116,6 @@ Eigen::VectorXd Study::of_segment(const std::string& name, const Eigen::VectorXd
     if (run.segments[i] == name) rows.push_back(static_cast<Eigen::Index>(i));
   }
   return values(rows);
-}
-
-const model::Model& study_model() {
-  static const model::Model model = [] {
-    model::Model settings;
-    settings.average_s = kRow;
-    settings.derivative_tau_s = kDerivativeTau;
-    return settings;
-  }();
-  return model;
 }
 
 Study run_study(const StudySettings& settings) {

@@ -50,7 +50,7 @@ struct Study {
   MeanStd raw;
   std::vector<double> held_out_raw_std_dph;
   std::vector<double> held_out_floor_dph;
-  double estimate_floor_dph = 0;  ///< of the error on its own run; see research/estimate_floor.hpp
+  double estimate_floor_dph = 0;  ///< of the error on its own run; see simulated_run.hpp
   std::vector<double> held_out_estimate_floor_dph;
   std::vector<ModelResult> models;
 
@@ -70,9 +70,6 @@ struct StudySettings {
 
 /// Effects of the study's models: the simulator's physics in terms of the catalogue.
 extern const char* const kStudyEffects;
-
-/// Settings common to all runs of a study. Must outlive them.
-const model::Model& study_model();
 
 Study run_study(const StudySettings& settings);
 
@@ -95,7 +92,7 @@ struct ModelMedians {
 };
 std::vector<ModelMedians> medians_of(const std::vector<Study>& studies);
 
-/// Medians over the gyros of the error due to noise alone (research/estimate_floor.hpp).
+/// Medians over the gyros of the error due to noise alone (simulated_run.hpp).
 struct FloorMedians {
   double own_dph = 0;
   std::vector<double> held_out_dph;  ///< per held-out profile

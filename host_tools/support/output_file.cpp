@@ -76,14 +76,6 @@ void forget_unfinished(const std::string& path) {
   }
 }
 
-// Canonical path, independent of links and spelling.
-std::filesystem::path canonical_place(const std::string& path) {
-  std::error_code error;
-  const std::filesystem::path place =
-      std::filesystem::weakly_canonical(std::filesystem::absolute(resolve_links(path)), error);
-  return error ? std::filesystem::path(path) : place;
-}
-
 // Blocks signals between creating a file and registering it for removal.
 class SignalsHeld {
  public:
@@ -111,13 +103,8 @@ std::optional<int> own_descriptor(const std::string& path) {
   return std::nullopt;
 }
 
-}  // namespace
-
-void require_printable_name(const std::string& path) {
-  if (!has_control_character(path)) return;
-  throw InputError(path, "has a control character in its name; rename it");
-}
-
+// Path that a write to `path` reaches: the target of a symbolic link, even if it does not exist,
+// else `path` itself. Throws InputError for circular links.
 std::string resolve_links(const std::string& path) {
   namespace fs = std::filesystem;
   constexpr int kMaxLinks = 40;  // as in Linux
@@ -130,6 +117,21 @@ std::string resolve_links(const std::string& path) {
     target = target.parent_path() / next;  // just `next` if it is absolute
   }
   throw InputError(path, "is a link that leads to itself; name a file");
+}
+
+// Canonical path, independent of links and spelling.
+std::filesystem::path canonical_place(const std::string& path) {
+  std::error_code error;
+  const std::filesystem::path place =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(resolve_links(path)), error);
+  return error ? std::filesystem::path(path) : place;
+}
+
+}  // namespace
+
+void require_printable_name(const std::string& path) {
+  if (!has_control_character(path)) return;
+  throw InputError(path, "has a control character in its name; rename it");
 }
 
 bool same_file(const std::string& a, const std::string& b) {

@@ -12,10 +12,6 @@ namespace fogcomp {
 /// printed.
 void require_printable_name(const std::string& path);
 
-/// Path that a write to `path` reaches: the target of a symbolic link, even if it does not exist,
-/// else `path` itself. Throws InputError for circular links.
-std::string resolve_links(const std::string& path);
-
 /// Whether two paths name the same regular file, through any links and spellings, or the same place
 /// for a new file. Pipes and devices, which are not replaced, are never the same.
 bool same_file(const std::string& a, const std::string& b);
