@@ -1,7 +1,6 @@
 #include "board/autopilot.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "support/input_error.hpp"
 #include "support/text.hpp"

@@ -9,7 +9,6 @@
 #include "support/text.hpp"
 
 namespace fogcomp::board {
-
 namespace {
 
 constexpr double kAskAgainS = 0.5;

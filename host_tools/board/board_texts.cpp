@@ -11,7 +11,6 @@
 #include "support/text.hpp"
 
 namespace fogcomp::board {
-
 namespace {
 
 constexpr std::array<const char*, fog::SerialLine::kFormats> kFormats{"8N1", "8N2", "8E1",

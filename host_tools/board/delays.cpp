@@ -9,7 +9,6 @@
 #include "support/text.hpp"
 
 namespace fogcomp::board {
-
 namespace {
 
 // Lags of lags settle one after the other: the largest sum of time constants that are nested.

@@ -13,7 +13,6 @@
 #include "support/text.hpp"
 
 namespace fogcomp::board {
-
 namespace {
 
 constexpr std::size_t kRowsBetweenProgress = 4096;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 
 #include "board/delays.hpp"
@@ -20,7 +19,6 @@
 #include "support/text.hpp"
 
 namespace fogcomp::board {
-
 namespace {
 
 constexpr const char* kTableStart = "fog_model[FOG_MODEL_WORDS] = {";

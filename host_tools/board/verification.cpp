@@ -1,7 +1,6 @@
 #include "board/verification.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -11,7 +10,6 @@
 #include "model/drift_model.hpp"
 
 namespace fogcomp::board {
-
 namespace {
 
 constexpr double kRatesDegcPerMin[] = {0.2, 0.5, 1, 3, 10, 30};

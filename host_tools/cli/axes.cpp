@@ -1,6 +1,5 @@
 #include "cli/axes.hpp"
 
-#include <algorithm>
 #include <cctype>
 #include <cstdio>
 

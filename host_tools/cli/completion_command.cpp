@@ -1,6 +1,5 @@
 // fogcomp completion: data for a shell to complete command lines, from the commands' descriptions.
 
-#include <algorithm>
 #include <cstdio>
 
 #include "cli/command.hpp"

@@ -1,7 +1,6 @@
 // fogcomp fit: recordings -> model file.
 
 #include <cstdio>
-#include <optional>
 
 #include "board/board_texts.hpp"
 #include "cli/loop_commands.hpp"

@@ -1,6 +1,3 @@
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "cli/command.hpp"
 #include "cli/recording_options.hpp"

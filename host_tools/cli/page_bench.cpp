@@ -6,7 +6,6 @@
 #include "cli/recording_file.hpp"
 #include "model/model_file.hpp"
 #include "support/output_file.hpp"
-#include "support/text.hpp"
 #include "workflow/reading.hpp"
 
 namespace fogcomp::cli {

@@ -12,7 +12,6 @@
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
-
 namespace {
 
 std::string csv_of(const recording::Recording& recording) {

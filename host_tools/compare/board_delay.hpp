@@ -1,8 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
-#include <vector>
 
 #include "compare/comparison.hpp"
 #include "model/model.hpp"

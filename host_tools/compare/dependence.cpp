@@ -11,7 +11,6 @@
 #include "support/evidence.hpp"
 
 namespace fogcomp::compare {
-
 namespace {
 
 constexpr std::size_t kNoClass = static_cast<std::size_t>(-1);

@@ -11,7 +11,6 @@
 #include "support/units.hpp"
 
 namespace fogcomp::compare {
-
 namespace {
 
 constexpr double kMean_s = 600;

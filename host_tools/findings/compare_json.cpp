@@ -1,6 +1,5 @@
 #include "findings/json.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace fogcomp::findings {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "compare/decision_rules.hpp"
 #include "findings/text.hpp"

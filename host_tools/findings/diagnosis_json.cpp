@@ -1,6 +1,5 @@
 #include "findings/diagnosis_words.hpp"
 #include "findings/json.hpp"
-#include "support/text.hpp"
 
 namespace fogcomp::findings {
 namespace {

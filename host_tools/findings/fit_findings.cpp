@@ -5,7 +5,6 @@
 #include "findings/compare_words.hpp"
 #include "findings/run_section.hpp"
 #include "findings/text.hpp"
-#include "fit/decision_rules.hpp"
 #include "noise/outlier_rows.hpp"
 #include "support/text.hpp"
 

@@ -9,7 +9,6 @@
 #include "workflow/export_header.hpp"
 
 namespace fogcomp::findings {
-
 namespace {
 
 std::string what_is_tried(const diagnosis::AdditionRequest& request) {

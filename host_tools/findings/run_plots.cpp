@@ -11,7 +11,6 @@
 #include "support/units.hpp"
 
 namespace fogcomp::findings {
-
 namespace {
 
 std::vector<const std::vector<double>*> columns_of(const std::vector<Trace>& traces) {

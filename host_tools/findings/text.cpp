@@ -1,7 +1,6 @@
 #include "findings/text.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -11,7 +10,6 @@
 #include "support/text.hpp"
 
 namespace fogcomp::findings {
-
 namespace {
 
 constexpr std::pair<std::string_view, std::string_view> kSigns[] = {

@@ -1,7 +1,6 @@
 #include "findings/thinning.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "recording/segments.hpp"

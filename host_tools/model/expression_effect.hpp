@@ -2,8 +2,6 @@
 
 #include <array>
 #include <limits>
-#include <memory>
-#include <string>
 #include <vector>
 
 #include "core/thermal/first_order_lag.hpp"

@@ -1,7 +1,5 @@
 #include "model/model_file.hpp"
 
-#include <cstdint>
-
 #include "model/catalogue.hpp"
 #include "model/model_lines.hpp"
 #include "support/text.hpp"

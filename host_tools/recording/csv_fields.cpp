@@ -9,7 +9,6 @@
 
 #include "recording/decimal.hpp"
 #include "support/text.hpp"
-#include "support/units.hpp"
 
 namespace fogcomp::recording {
 namespace {

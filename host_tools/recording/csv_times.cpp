@@ -1,14 +1,12 @@
 #include "recording/csv_layout.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "recording/column_map.hpp"
 #include "recording/columns.hpp"
 #include "recording/csv_fields.hpp"
 #include "recording/csv_lines.hpp"
-#include "recording/decision_rules.hpp"
 #include "recording/time_scale.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"

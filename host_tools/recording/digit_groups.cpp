@@ -2,10 +2,7 @@
 
 #include <algorithm>
 
-#include "recording/column_map.hpp"
-#include "recording/columns.hpp"
 #include "recording/csv_lines.hpp"
-#include "support/text.hpp"
 
 namespace fogcomp::recording {
 namespace {

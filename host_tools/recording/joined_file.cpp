@@ -1,7 +1,6 @@
 #include "recording/reading.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>

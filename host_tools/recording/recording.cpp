@@ -1,10 +1,7 @@
 #include "recording/recording.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
 
-#include "recording/decision_rules.hpp"
 #include "recording/input_file.hpp"
 #include "recording/reading.hpp"
 #include "recording/stream_reader.hpp"

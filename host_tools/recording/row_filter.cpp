@@ -1,7 +1,6 @@
 #include "recording/row_filter.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "recording/column_map.hpp"

@@ -8,7 +8,6 @@
 #include "core/acquisition/reading_monitor.hpp"
 #include "recording/board_limits.hpp"
 #include "recording/decision_rules.hpp"
-#include "support/units.hpp"
 
 namespace fogcomp::recording {
 namespace {

@@ -10,7 +10,6 @@
 #include "recording/columns.hpp"
 #include "recording/stream_reader.hpp"
 #include "support/input_error.hpp"
-#include "support/text.hpp"
 
 namespace fogcomp::recording {
 

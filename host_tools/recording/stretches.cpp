@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 #include "recording/decision_rules.hpp"

@@ -12,7 +12,6 @@
 #include "support/text.hpp"
 
 namespace fogcomp::report {
-
 namespace {
 
 using findings::Document;

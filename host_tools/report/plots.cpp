@@ -7,7 +7,6 @@
 #include "support/text.hpp"
 
 namespace fogcomp::report {
-
 namespace {
 
 using findings::Band;

@@ -1,6 +1,5 @@
 #include "research/comparator.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -11,7 +10,6 @@
 #include "support/text.hpp"
 
 namespace fogcomp::research {
-
 namespace {
 
 using Eigen::Index;

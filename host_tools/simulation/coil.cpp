@@ -9,7 +9,6 @@
 #include "support/units.hpp"
 
 namespace fogcomp::simulation {
-
 namespace {
 
 // Half of the fibre in each layer, from the inside; repeated over the coil. Exchanging A and B only

@@ -6,7 +6,6 @@
 #include "support/input_error.hpp"
 
 namespace fogcomp::simulation {
-
 namespace {
 
 constexpr double kEarthHorizontal_ut = 30;

@@ -6,7 +6,6 @@
 #include "recording/columns.hpp"
 
 namespace fogcomp::simulation {
-
 namespace {
 
 constexpr std::size_t kChunkRows = 8192;

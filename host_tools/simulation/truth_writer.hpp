@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "simulation/simulation.hpp"
 #include "support/output_file.hpp"

@@ -6,7 +6,6 @@
 #include <cstdio>
 
 namespace fogcomp {
-
 namespace {
 
 using Seconds = std::chrono::duration<double>;

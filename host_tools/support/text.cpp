@@ -10,7 +10,6 @@
 #include <numeric>
 
 namespace fogcomp {
-
 namespace {
 
 // Optimal string alignment: insert, delete, substitute, swap neighbours.

@@ -10,7 +10,6 @@
 #include "findings/run_plots.hpp"
 #include "findings/text.hpp"
 #include "model/catalogue.hpp"
-#include "model/input_value.hpp"
 #include "model/model_file.hpp"
 #include "model/shape_limits.hpp"
 #include "model/shape_parameter.hpp"
