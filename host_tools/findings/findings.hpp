@@ -13,7 +13,7 @@
 #include "findings/next_step_words.hpp"
 #include "fit/add_effect.hpp"
 #include "model/model.hpp"
-#include "planning/information.hpp"
+#include "planning/first_model.hpp"
 #include "recording/recording.hpp"
 #include "research/study.hpp"
 #include "workflow/fit.hpp"
@@ -23,10 +23,9 @@ namespace fogcomp::findings {
 
 // What each command found, as its user reads it.
 
-/// Output of `fogcomp info`, with plots. `summary` is that of `recording`, `visible` what it can
-/// show.
+/// Output of `fogcomp info`, with plots. `summary` and `prospect` are those of `recording`.
 Document info_findings(const recording::Recording& recording, const compare::RunSummary& summary,
-                       const std::vector<planning::VisibleSize>& visible = {});
+                       const planning::Prospect& prospect = {});
 
 /// `model`: its FitOutcome::on_its_runs().
 Document fit_findings(const workflow::FitOutcome& fit, const compare::ModelOnRuns& model);

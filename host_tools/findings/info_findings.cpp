@@ -6,7 +6,6 @@
 #include "compare/comparison.hpp"
 #include "findings/run_plots.hpp"
 #include "findings/text.hpp"
-#include "model/effect_list.hpp"
 #include "noise/outlier_rows.hpp"
 #include "recording/rate_resolution.hpp"
 #include "recording/stream_reader.hpp"
@@ -42,7 +41,8 @@ Finding find_in_table(const recording::Recording& table, const compare::RunSumma
             "bias,bias_temperature:order=2" + turned}}};
 }
 
-Finding find(const recording::Recording& recording, const compare::RunSummary& summary) {
+Finding find(const recording::Recording& recording, const compare::RunSummary& summary,
+             const std::string& first_effects) {
   if (recording.is_table) return find_in_table(recording, summary);
   const std::optional<double> drift = summary.drift_dph(summary.bias);
   const double length_s = recording.time_s.back() - recording.time_s.front();
@@ -66,10 +66,9 @@ Finding find(const recording::Recording& recording, const compare::RunSummary& s
     return {"the temperature stands still: " + error,
             {"this run shows noise and warm-up only; record one in which the temperature moves"}};
   }
-  return {
-      number(*drift) + " deg/h of drift: " + error,
-      {"fit physical effects to it, then look at what they leave",
-       {"fogcomp", "fit", recording.file, "-o", "gyro.model", "--effects", model::kFirstEffects}}};
+  return {number(*drift) + " deg/h of drift: " + error,
+          {"fit physical effects to it, then look at what they leave",
+           {"fogcomp", "fit", recording.file, "-o", "gyro.model", "--effects", first_effects}}};
 }
 
 std::string duration(double seconds) {
@@ -345,8 +344,9 @@ Parts over_inputs(const compare::RunSummary& summary) {
 }  // namespace
 
 Document info_findings(const recording::Recording& recording, const compare::RunSummary& summary,
-                       const std::vector<planning::VisibleSize>& visible) {
-  const Finding finding = find(recording, summary);
+                       const planning::Prospect& prospect) {
+  const Finding finding = find(recording, summary, prospect.first_effects);
+  const std::vector<planning::VisibleSize>& visible = prospect.visible;
   Document document{"fogcomp info " + recording.file, finding.found, finding.next,
                     leads_of(recording, summary, visible)};
   document.parts = extent(recording) + Sentence{programme_words(summary)} +

@@ -57,7 +57,7 @@ Json capture_json(const recording::CaptureCounts& counts) {
 }  // namespace
 
 Json info_json(const recording::Recording& recording, const compare::RunSummary& summary,
-               const std::vector<planning::VisibleSize>& visible) {
+               const planning::Prospect& prospect) {
   Json object = Json::object();
   object.set("file", recording.file)
       .set("rows", recording.rows())
@@ -90,7 +90,8 @@ Json info_json(const recording::Recording& recording, const compare::RunSummary&
            sensitivity.cooling_dph_per_degc_per_min)
       .set("hysteresis_dph", sensitivity.hysteresis_dph)
       .set("hysteresis_at_degc", sensitivity.hysteresis_at_degc)
-      .set("visible", visible_json(visible));
+      .set("first_effects", prospect.first_effects)
+      .set("visible", visible_json(prospect.visible));
   return object;
 }
 

@@ -11,6 +11,7 @@
 #include "diagnosis/ladder.hpp"
 #include "findings/diagnosis_words.hpp"
 #include "fit/add_effect.hpp"
+#include "planning/first_model.hpp"
 #include "research/study.hpp"
 #include "support/json.hpp"
 #include "workflow/fit.hpp"
@@ -41,7 +42,7 @@ inline Json text_or_null(const std::string& text) {
 }
 
 Json info_json(const recording::Recording& recording, const compare::RunSummary& summary,
-               const std::vector<planning::VisibleSize>& visible = {});
+               const planning::Prospect& prospect = {});
 Json visible_json(const std::vector<planning::VisibleSize>& sizes);
 
 /// `output`: the model file that was written.

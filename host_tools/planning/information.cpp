@@ -17,8 +17,6 @@
 namespace fogcomp::planning {
 namespace {
 
-constexpr double kBandsPerOctave = 6;
-constexpr double kMinWhite_dph = 1e-6;  // no gyro has less noise
 // Standard deviation of a coefficient before the recording, in its size: nearly nothing is known.
 constexpr double kWide = 10;
 
@@ -55,12 +53,7 @@ Information::Information(const series::SignalSeries& series,
     : series_(series),
       terms_(terms),
       recorded_(recorded),
-      bands_(stretches_within(series.rows(), recorded), kBandsPerOctave) {
-  const double white = std::pow(std::max(noise.white_dph, kMinWhite_dph), 2);
-  const double flicker = std::pow(noise.flicker_dph, 2) / white;
-  const double walk =
-      std::pow(noise.walk_dph_per_rth, 2) * series.rows().row_s / kSecondsPerHour / white;
-  weights_ = (white * bands_.noise_density(flicker, walk)).inverse().matrix();
+      rows_(stretches_within(series.rows(), recorded), series.rows().row_s, noise) {
   set_columns();
 }
 
@@ -94,7 +87,7 @@ DriftError Information::error() const {
   const Eigen::LLT<Eigen::MatrixXd> information(information_of(columns_));
   const Eigen::MatrixXd known = measured(columns_);
   const auto count = static_cast<double>(known.rows());
-  const Eigen::MatrixXd moved = information.solve(products(columns_, inexact_));
+  const Eigen::MatrixXd moved = information.solve(rows_.products(columns_, inexact_));
   DriftError error;
   error.noise_dph = std::sqrt(information.matrixL().solve(known.transpose()).squaredNorm() / count);
   error.formulas_dph = std::sqrt((known * moved - measured(inexact_)).squaredNorm() / count);
@@ -109,8 +102,8 @@ VisibleSize Information::visible(const model::EffectTerm& term) const {
   const Eigen::MatrixXd of_others = columns_(Eigen::all, others);
   const Eigen::MatrixXd beside = side_by_side({of_others, inexact_}, columns_.rows());
   const Eigen::MatrixXd drift = series_.drift_dph({term});
-  const Eigen::MatrixXd shared = products(beside, drift);
-  const double alone = products(drift, drift)(0, 0);
+  const Eigen::MatrixXd shared = rows_.products(beside, drift);
+  const double alone = rows_.products(drift, drift)(0, 0);
   const Eigen::LLT<Eigen::MatrixXd> information(information_of(beside));
   const double left = alone - information.matrixL().solve(shared).squaredNorm();
   constexpr double kRounding = 1e-9;
@@ -138,36 +131,10 @@ Eigen::MatrixXd Information::measured(const Eigen::MatrixXd& columns) const {
   return behind > 0 ? columns.bottomRows(behind) : columns;
 }
 
-// left^T W right over the recorded rows, W the inverse of the noise's covariance.
-Eigen::MatrixXd Information::products(const Eigen::MatrixXd& left,
-                                      const Eigen::MatrixXd& right) const {
-  return judge::weighted(bands_.products(bands_.modes(left), bands_.modes(right)), weights_,
-                         left.cols());
-}
-
 // Of columns that have a variance of 1 beforehand.
 Eigen::MatrixXd Information::information_of(const Eigen::MatrixXd& columns) const {
-  return products(columns, columns) + Eigen::MatrixXd::Identity(columns.cols(), columns.cols());
-}
-
-std::vector<VisibleSize> visible_in(const series::SignalSeries& series,
-                                    std::vector<model::EffectTerm> terms, fog::InputMask inputs) {
-  const series::Rows& rows = series.rows();
-  std::vector<Eigen::MatrixXd> regressors;
-  for (model::EffectTerm& term : terms) {
-    term = model::of_typical_size(term);
-    regressors.push_back(series.regressors(term));
-  }
-  judge::Rows judged;
-  judged.row_s = rows.row_s;
-  judged.drift_dph = rows.drift_dph;
-  judged.columns = side_by_side(regressors, rows.size());
-  judged.prior_sigma = Eigen::VectorXd::Zero(judged.columns.cols());
-  judged.first_found = judged.columns.cols();
-  judged.weights = rows.weights;
-  judged.stretches = rows.stretches();
-  const judge::NoiseLevels noise = judge::Prediction(judged).noise();
-  return Information(series, terms, noise, rows.size()).visible_of_catalogue(inputs);
+  return rows_.products(columns, columns) +
+         Eigen::MatrixXd::Identity(columns.cols(), columns.cols());
 }
 
 }  // namespace fogcomp::planning

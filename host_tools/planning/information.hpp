@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "judge/mode_bands.hpp"
 #include "judge/prediction.hpp"
 #include "model/model.hpp"
+#include "planning/weighted_rows.hpp"
 #include "series/signal_series.hpp"
 
 namespace fogcomp::planning {
@@ -48,22 +48,15 @@ class Information {
  private:
   void set_columns();
   Eigen::MatrixXd measured(const Eigen::MatrixXd& columns) const;
-  Eigen::MatrixXd products(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right) const;
   Eigen::MatrixXd information_of(const Eigen::MatrixXd& columns) const;
 
   const series::SignalSeries& series_;
   const std::vector<model::EffectTerm>& terms_;
   Eigen::Index recorded_;
-  judge::ModeBands bands_;
-  Eigen::VectorXd weights_;  // of each band: inverse variance of a mode
+  WeightedRows rows_;
   Eigen::MatrixXd columns_;  // each in units of what it may be beforehand
   Eigen::MatrixXd inexact_;
   std::vector<std::string> owners_;  // of each column: the name of its effect
 };
-
-/// What the rows of a recording show beside `terms`, which need no coefficients, in the noise that
-/// is found in them.
-std::vector<VisibleSize> visible_in(const series::SignalSeries& series,
-                                    std::vector<model::EffectTerm> terms, fog::InputMask inputs);
 
 }  // namespace fogcomp::planning

@@ -123,6 +123,26 @@ OperatingBox box_of_runs(const model::Model& model, const OperatingBox& others) 
   return box;
 }
 
+OperatingBox box_of_rows(const series::Rows& rows) {
+  OperatingBox box;
+  box.temperature_degc = {HUGE_VAL, -HUGE_VAL};
+  model::Range rate{HUGE_VAL, -HUGE_VAL};
+  double fastest = kPossibleRamp.min;
+  for (const auto& signals : rows.signals) {
+    box.temperature_degc.min = std::min(box.temperature_degc.min, signals.temperature);
+    box.temperature_degc.max = std::max(box.temperature_degc.max, signals.temperature);
+    fastest = std::max(fastest, std::abs(signals.temperature_rate));
+    rate.min = std::min(rate.min, signals.block.input_rate);
+    rate.max = std::max(rate.max, signals.block.input_rate);
+  }
+  fastest = std::min(fastest, kPossibleRamp.max);
+  box.ramp_degc_per_min = {-fastest, fastest};
+  if (rate.min < rate.max) {
+    box.rate_dps = std::max(std::abs(rate.min), std::abs(rate.max)) / kDphPerDegreePerSecond;
+  }
+  return box;
+}
+
 OperatingBox common_part(const OperatingBox& box, const OperatingBox& other) {
   const auto common = [](const model::Range& a, const model::Range& b) {
     const model::Range range{std::max(a.min, b.min), std::min(a.max, b.max)};

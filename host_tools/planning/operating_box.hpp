@@ -3,6 +3,7 @@
 #include <string>
 
 #include "model/model.hpp"
+#include "series/rows.hpp"
 
 namespace fogcomp::planning {
 
@@ -27,6 +28,10 @@ std::string box_text(const OperatingBox& box);
 /// The box of the runs that a model was fitted to; what an old model file does not say is as in
 /// `others`.
 OperatingBox box_of_runs(const model::Model& model, const OperatingBox& others);
+
+/// Of these rows: their temperatures, at their fastest ramp both ways, and their largest input rate
+/// if that varies.
+OperatingBox box_of_rows(const series::Rows& rows);
 
 /// What lies in both; of temperatures that do not meet, the first's.
 OperatingBox common_part(const OperatingBox& box, const OperatingBox& other);

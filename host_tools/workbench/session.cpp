@@ -167,7 +167,7 @@ Json Session::info(const Words& words) {
   parse_words(call, words);
   const workflow::InfoOutcome found =
       workflow::info({call.arguments[0], call.recording.value(), std::nullopt}, observer());
-  return findings::info_json(found.recording, found.summary, found.visible);
+  return findings::info_json(found.recording, found.summary, found.prospect);
 }
 
 Json Session::fit(const Words& words) {

@@ -5,12 +5,10 @@
 
 #include "denoise/denoise_parts.hpp"
 #include "diagnosis/decision_rules.hpp"
-#include "model/effect_list.hpp"
 #include "noise/white_noise.hpp"
 #include "recording/plausibility.hpp"
 #include "recording/segments.hpp"
 #include "runs/row_length.hpp"
-#include "series/signal_series.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 #include "workflow/fit.hpp"
@@ -20,16 +18,11 @@ namespace {
 
 constexpr double kUsualAverageSeconds = 10;
 
-std::vector<planning::VisibleSize> visible_sizes(const compare::RunSummary& summary,
-                                                 double length_s) {
-  model::Model settings;
-  settings.average_s = runs::sufficient_row_s(length_s);
-  settings.derivative_tau_s = kDerivativeTau_s;
+planning::Prospect prospect_of(const compare::RunSummary& summary, double length_s) {
   const series::BlockSeries blocks = series::make_blocks(summary.blocks);
-  series::SignalSeries series(settings, series::Phase::zero);
-  series.add(blocks);
-  if (series.rows().size() < diagnosis::rules::kMinRows) return {};
-  return planning::visible_in(series, model::parse_effects(model::kFirstEffects), blocks.inputs);
+  const double row_s = runs::sufficient_row_s(length_s);
+  if (length_s < diagnosis::rules::kMinRows * row_s) return {};
+  return planning::prospect_of(blocks, row_s, kDerivativeTau_s);
 }
 
 DenoiseOutcome::MeanAndStd statistics(const std::vector<double>& values,
@@ -77,7 +70,7 @@ InfoOutcome info(const InfoRequest& request, const Observer& observer) {
   }
   observer.say(recording::doubts(run, noise::white_noise_dph_rthz(run)));
   outcome.summary = compare::summarize(run, request.average_s.value_or(kUsualAverageSeconds));
-  outcome.visible = visible_sizes(outcome.summary, length_s);
+  outcome.prospect = prospect_of(outcome.summary, length_s);
   return outcome;
 }
 

@@ -6,7 +6,7 @@
 
 #include "compare/run_summary.hpp"
 #include "denoise/denoise.hpp"
-#include "planning/information.hpp"
+#include "planning/first_model.hpp"
 #include "recording/recording.hpp"
 #include "workflow/observer.hpp"
 
@@ -31,8 +31,7 @@ struct InfoRequest {
 struct InfoOutcome {
   recording::Recording recording;
   compare::RunSummary summary;
-  /// From which size on it shows each effect beside model::kFirstEffects; empty if it is too short.
-  std::vector<planning::VisibleSize> visible;
+  planning::Prospect prospect;  ///< of too short a recording, the usual one
 };
 
 /// Throws InputError like read_recording(), and for a recording without two means of average_s.
