@@ -42,8 +42,8 @@ function writeExpected() {
   fs.writeFileSync("ulog.csv", [`time_s,temperature_degc,${AXES}`, ...single, ""].join("\n"));
   const matrix = rows.map((_, i) => rate(i).join(","));
   fs.writeFileSync("matrix.csv", ["gyro_1 [rad/s],gyro_2 [rad/s],gyro_3 [rad/s]", ...matrix, ""].join("\n"));
-  const flat = rows.map((_, i) => [seconds(stampNs(i)), i % 100 ? temperature(i) : "", rate(i)[2], i].join(","));
-  fs.writeFileSync("parquet.csv", ["stamp [s],temp [degC],gyro_z [rad/s],n", ...flat, ""].join("\n"));
+  const flat = rows.map((_, i) => [seconds(stampNs(i)), i % 100 ? temperature(i) : "", rate(i)[2], i, (i * -0.01).toFixed(2)].join(","));
+  fs.writeFileSync("parquet.csv", ["stamp [s],temp [degC],gyro_z [rad/s],n,volt", ...flat, ""].join("\n"));
   const columns = rows.map((_, i) => [rate(i)[2], temperature(i), stampNs(i)].join(","));
   fs.writeFileSync("hdf5.csv", ["gyro_z [rad/s],temp [degC],time [ns]", ...columns, ""].join("\n"));
 }
@@ -279,12 +279,14 @@ async function writeParquet(filename) {
   const { parquetWriteFile } = await imported("hyparquet-writer/src/node.js");
   const of = (value) => Array.from({ length: SAMPLES }, (_, i) => value(i));
   const time = { type: "TIMESTAMP", isAdjustedToUTC: true, unit: "NANOS" };
+  const volt = { converted_type: "DECIMAL", precision: 12, scale: 2 };
   const schema = [
-    { name: "root", num_children: 5 },
+    { name: "root", num_children: 6 },
     { name: "stamp", type: "INT64", repetition_type: "REQUIRED", logical_type: time },
     { name: "temp [degC]", type: "DOUBLE", repetition_type: "OPTIONAL" },
     { name: "gyro_z [rad/s]", type: "DOUBLE", repetition_type: "REQUIRED" },
     { name: "n", type: "INT32", repetition_type: "REQUIRED" },
+    { name: "volt", type: "FIXED_LEN_BYTE_ARRAY", type_length: 8, repetition_type: "REQUIRED", ...volt },
     { name: "note", type: "BYTE_ARRAY", repetition_type: "REQUIRED", converted_type: "UTF8" },
   ];
   const columnData = [
@@ -292,6 +294,7 @@ async function writeParquet(filename) {
     { name: "temp [degC]", data: of((i) => (i % 100 ? temperature(i) : null)) },
     { name: "gyro_z [rad/s]", data: of((i) => rate(i)[2]) },
     { name: "n", data: of((i) => i) },
+    { name: "volt", data: of((i) => i * -0.01) },
     { name: "note", data: of(() => "at rest") },
   ];
   await parquetWriteFile({ filename, columnData, schema, rowGroupSize: 150 });
