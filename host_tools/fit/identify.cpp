@@ -155,12 +155,13 @@ void set_gyro(model::Model& model, const std::optional<GyroFit>& gyro) {
   for (std::size_t i = 0; i < model.terms.size(); ++i) model.terms[i].gyro = gyro->terms[i];
 }
 
-// If the worst uncertainty of the drift in a soak or at power-on exceeds the drift, warns that no
-// compensation would be as good.
+// If the worst uncertainty of the drift in a soak or at power-on exceeds what the drift does about
+// its mean, warns that a constant would be as good.
 void judge_uncertainty(model::Model& model, const NoiseWeightedFit& fit,
                        const Eigen::MatrixXd& covariance, const series::Rows& rows,
                        Identification& result) {
-  const double drift_dph = weighted_rms(rows.drift_dph, rows.weights);
+  const double mean_dph = rows.drift_dph.dot(rows.weights) / rows.weights.sum();
+  const double drift_dph = weighted_rms(rows.drift_dph.array() - mean_dph, rows.weights);
   model.uncertain.reset();
   const bool needs_time = has(model::needs_of(model), fog::Input::elapsed);
   for (const bool at_power_on : {false, true}) {

@@ -165,7 +165,7 @@ struct Model {
   /// A fit whose compensation may be worse than none.
   struct Uncertain {
     double sigma_dph = 0;      ///< of the drift, in the soak with the largest uncertainty
-    double drift_dph = 0;      ///< rms of the drift to be removed from the training data
+    double drift_dph = 0;      ///< rms of the drift about its mean in the training data
     bool at_power_on = false;  ///< not in a soak: the recordings began later than a board does
 
     /// "in a soak the drift is known to +- ...: record ..., or leave effects out".

@@ -62,8 +62,8 @@ TEST(ShapeLimits, NameAnEffectThatIsNotSeen) {
             "`bias`: none of its coefficients is larger than its uncertainty");
 }
 
-// The model of some effects after the first rows of the sample gyro's run.
-Model fitted_to(std::size_t rows, const std::string& effects) {
+// The model of some effects after the first rows of the sample gyro's run, with a further bias.
+Model fitted_to(std::size_t rows, const std::string& effects, double bias_dph = 0) {
   recording::Recording recording =
       fog::test::recording_of(fog::test::truth(), fog::test::kQuietNoise, 1);
   for (auto* column : {&recording.time_s, &recording.temperature_degc, &recording.rate_dph}) {
@@ -71,6 +71,7 @@ Model fitted_to(std::size_t rows, const std::string& effects) {
   }
   for (std::size_t row = 0; row < recording.rows(); ++row) {
     recording.temperature_degc[row] += 0.001 * static_cast<double>(row * row % 7);  // a sensor's
+    recording.rate_dph[row] += bias_dph;
   }
   Model model = fog::test::model_of(parse_effects(effects));
   series::SignalSeries series(model);
@@ -89,8 +90,13 @@ TEST(UncertainFit, IsMarkedWhereNoCompensationWouldDoBetter) {
   EXPECT_FALSE(read.uncertain->at_power_on);
 }
 
+TEST(UncertainFit, IsMarkedWhateverTheBias) {
+  EXPECT_TRUE(fitted_to(30, "bias,bias_temperature", 1e8).uncertain.has_value());
+}
+
 TEST(UncertainFit, IsNotMarkedWhereTheDataSufficeForTheEffects) {
   EXPECT_FALSE(fitted_to(30, "bias").uncertain.has_value());
+  EXPECT_FALSE(fitted_to(30, "bias", 1e8).uncertain.has_value());
   EXPECT_FALSE(fitted_to(100000, "bias,bias_temperature").uncertain.has_value());
 }
 
