@@ -13,16 +13,19 @@ mapfile -t commands < <(fogcomp --help | sed -nE 's/^  ([a-z]+) .*/\1/p')
 ((${#commands[@]} > 10)) || fail "commands: ${commands[*]}"
 fogcomp man >fogcomp.1
 (($(fogcomp --help | wc -L) <= 80)) || fail "--help is $(fogcomp --help | wc -L) columns wide"
+manual=$(<fogcomp.1)
+declare -A options # of each command
 for command in "${commands[@]}"; do
   fogcomp "$command" --help >short
   (($(wc -l <short) <= 24)) || fail "$command --help has $(wc -l <short) lines"
   (($(wc -L <short) <= 80)) || fail "$command --help is $(wc -L <short) columns wide"
   (($(grep -c '^example: ' short) == 1)) || fail "$command --help has no example"
-  fogcomp help "$command" >long
   # Every option has its entry in the manual, and at least its name on the screen.
-  for option in $(sed -nE 's/^  (--?[a-z][a-z-]*).*/\1/p' long); do
-    grep -qF -- "\\fB${option//-/\\-}\\fR" fogcomp.1 || fail "$option is not in the manual"
-    grep -qE -- "(^|[ :])$option( |\$)" short || fail "$option is not in $command --help"
+  options[$command]=$(fogcomp help "$command" | sed -nE 's/^  (--?[a-z][a-z-]*).*/\1/p')
+  screen=" $(<short) "
+  for option in ${options[$command]}; do
+    [[ $manual == *"\\fB${option//-/\\-}\\fR"* ]] || fail "$option is not in the manual"
+    [[ $screen =~ [[:space:]:]$option[[:space:]] ]] || fail "$option is not in $command --help"
   done
 done
 
@@ -69,14 +72,18 @@ complete_words() {
   COMP_WORDS=(fogcomp "$@")
   COMP_CWORD=$#
   _fogcomp
-  printf '%s\n' "${COMPREPLY[@]}"
 }
-# grep must read to the end: after grep -q the writer may die of SIGPIPE, and the pipeline fails.
+# offered EXPECTED...: these are among the last completions. No pipe and no grep, of which there would be hundreds.
+offered() {
+  local word
+  for word in "$@"; do
+    [[ " ${COMPREPLY[*]} " == *" $word "* ]] || fail "fogcomp ${COMP_WORDS[*]:1}: no $word in ${COMPREPLY[*]}"
+  done
+}
+# offers EXPECTED WORD...: it is one of the completions of the last word.
 offers() {
-  local expected=$1
-  shift
-  complete_words "$@" | grep -xF -- "$expected" >/dev/null ||
-    fail "fogcomp $*: no $expected in $(complete_words "$@" | head -n 5)"
+  complete_words "${@:2}"
+  offered "$1"
 }
 offers diagnose d
 offers --effect-expr fit run.csv --eff
@@ -87,10 +94,11 @@ offers reversed simulate --profile rev
 offers thermal_lag add gyro.model ther
 offers polarization_ripple effects pol
 offers --limits batch gyros --lim
-[[ -z $(complete_words fit --seed '') ]] || fail "a number is completed"
+complete_words fit --seed ''
+[[ -z ${COMPREPLY[*]} ]] || fail "a number is completed"
 for command in "${commands[@]}"; do
-  for option in $(fogcomp help "$command" | sed -nE 's/^  (--?[a-z][a-z-]*).*/\1/p'); do
-    offers "$option" "$command" "$option"
-  done
+  complete_words "$command" -
+  # shellcheck disable=SC2086
+  offered ${options[$command]}
 done
 echo "${#commands[@]} commands: help, examples, manual and completion agree"
