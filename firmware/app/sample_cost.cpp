@@ -92,7 +92,7 @@ void run() {
   platform::start_board();
   self_test().run_all();
   platform::start_instruction_counter();
-  samples_alone = (model().parameters.needs() & kAllExtensionInputs) == 0U;
+  samples_alone = (needs_of(model().parameters) & kAllExtensionInputs) == 0U;
   const semihosting::File input = semihosting::open("in.bin", semihosting::Mode::kRead);
   Pipeline& product = pipeline();
   Cost samples;

@@ -4,16 +4,12 @@
 #include <memory>
 #include <vector>
 
-#include "core/denoise/any_denoiser.hpp"
-#include "core/pipeline/compensator.hpp"
+#include "core/acquisition/sample_time.hpp"
+#include "core/pipeline/model_parameters.hpp"
+#include "core/signal/output_sample.hpp"
 #include "core/signal/span.hpp"
 
 namespace fogcomp::board {
-
-/// The firmware's own pipeline with capacity for any model.
-using HostCompensator =
-    fog::Compensator<fog::kAnyModel.effects, fog::kAnyModel.expressions,
-                     fog::kAnyModel.network_inputs, fog::kAnyTaps, fog::kAnyModel.levels>;
 
 /// Statistics of a replay.
 struct ReplaySummary {
@@ -28,6 +24,7 @@ class Replay {
  public:
   /// `parameters` and their table must outlive this object.
   explicit Replay(const fog::ModelParameters& parameters);
+  ~Replay();
 
   /// Feeds a piece of the stream, whose samples arrived at `time`; returns the resulting output,
   /// valid until the next call. Without a time the length of a gap follows from the sequence
@@ -36,11 +33,12 @@ class Replay {
                                      fog::SampleTime time = {});
 
   /// The sample of the last output.
-  const fog::OutputSample& last() const { return compensator_->last(); }
+  const fog::OutputSample& last() const;
   const ReplaySummary& summary() const { return summary_; }
 
  private:
-  std::unique_ptr<HostCompensator> compensator_;
+  struct Pipeline;  // here it would be compiled by everyone who replays
+  std::unique_ptr<Pipeline> pipeline_;
   std::vector<std::uint8_t> output_;
   ReplaySummary summary_;
 };

@@ -8,8 +8,8 @@
 #include "board/delays.hpp"
 #include "core/bytes/byte_order.hpp"
 #include "core/bytes/crc.hpp"
-#include "core/effects/registry.hpp"
 #include "core/health/image_seal.hpp"
+#include "core/pipeline/model_needs.hpp"
 #include "core/pipeline/model_slot.hpp"
 #include "model/catalogue.hpp"
 #include "model/model_file.hpp"
@@ -249,7 +249,7 @@ double BoardSource::scale_factor() const {
 }
 
 fog::InputMask BoardSource::needs() const {
-  return is_model_ ? model::needs_of(model_) : read_board_table(table_, path_).needs();
+  return is_model_ ? model::needs_of(model_) : fog::needs_of(read_board_table(table_, path_));
 }
 
 const BoardTable& BoardSource::table(const BoardSettings& settings) {

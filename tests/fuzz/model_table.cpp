@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "board/replay.hpp"
+#include "board/host_compensator.hpp"
 #include "core/bytes/byte_order.hpp"
 #include "fuzzing.hpp"
 #include "support/overflow_guard.hpp"

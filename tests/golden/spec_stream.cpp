@@ -15,7 +15,7 @@
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-using Pipeline = fog::Compensator<fog::kAnyModel.effects, fog::kAnyModel.expressions,
+using Pipeline = fog::Compensator<fog::kAllEffects, fog::kAnyModel.expressions,
                                   fog::kAnyModel.network_inputs, fog::kAnyTaps, fog::kMaxLevels>;
 
 constexpr int kSamples = 1300;

@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "board/replay.hpp"
+#include "board/host_compensator.hpp"
 #include "board/sensor_stream.hpp"
 #include "model/drift_model.hpp"
 #include "series/block_walk.hpp"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <random>
 
-#include "board/replay.hpp"
+#include "board/host_compensator.hpp"
 #include "support/overflow_guard.hpp"
 #include "support/sample_models.hpp"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "board/replay.hpp"
+#include "board/host_compensator.hpp"
 #include "core/frames/sensor_frame.hpp"
 #include "recording/recording.hpp"
 #include "support/sample_models.hpp"

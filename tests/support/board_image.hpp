@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "board/board_table.hpp"
-#include "board/replay.hpp"
+#include "board/host_compensator.hpp"
 #include "core/frames/sensor_frame.hpp"
 
 // The code of a flash image, fed with bytes and read by its frames, for whole boards in tests.

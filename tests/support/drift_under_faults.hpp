@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "board/replay.hpp"
+#include "core/compensation/drift_model.hpp"
+#include "core/pipeline/model_needs.hpp"
 #include "support/board_image.hpp"
 #include "support/faulty_line.hpp"
 #include "support/sample_models.hpp"
@@ -257,7 +258,7 @@ class DriftUnderFaults {
     explicit Witness(const ModelParameters& parameters)
         : model_(parameters.thermal, parameters.effects, parameters.expressions, parameters.network,
                  parameters.policy),
-          collector_(parameters.needs()) {}
+          collector_(needs_of(parameters)) {}
 
     void take(Temperature temperature, Elapsed elapsed, bool ends_block) {
       drift_ = model_.drift();
@@ -271,7 +272,7 @@ class DriftUnderFaults {
     Rate drift() const { return drift_; }
 
    private:
-    using Model = DriftModel<kAnyModel.effects, kAnyModel.expressions, kAnyModel.network_inputs>;
+    using Model = DriftModel<kAllEffects, kAnyModel.expressions, kAnyModel.network_inputs>;
 
     Model model_;
     BlockCollector<Model::inputs> collector_;

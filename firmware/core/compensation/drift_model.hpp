@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/compensation/drift_policy.hpp"
 #include "core/effects/effect_bank.hpp"
 #include "core/expression/expression_bank.hpp"
 #include "core/fixed_point/fixed.hpp"
@@ -12,13 +13,6 @@
 #include "core/thermal/thermal_state.hpp"
 
 namespace fog {
-
-/// Limits of how long the model may run without valid inputs, and its settling time.
-struct DriftPolicy {
-  std::uint32_t hold_blocks = 0;      ///< last drift is used for at most this many
-  std::uint32_t accurate_blocks = 0;  ///< ... and is as good as the model for this many
-  std::uint32_t settle_blocks = 0;    ///< time that the lags need after a (re)start
-};
 
 /// After a hold, the drift counts as unsure for kUnsureHolds times the length of the hold. The
 /// temperature may have left the assumed straight line: heating that began at half time gives an

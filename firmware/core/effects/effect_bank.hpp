@@ -9,6 +9,7 @@
 
 #include "core/bytes/state_carrier.hpp"
 #include "core/effects/effect.hpp"
+#include "core/effects/effect_parameters.hpp"
 #include "core/effects/registry.hpp"
 #include "core/fixed_point/fixed.hpp"
 #include "core/signal/quantities.hpp"
@@ -34,21 +35,6 @@ struct HasState<Effect,
 
 }  // namespace detail
 
-/// Constants of an effect that the model does not use: every constructor accepts zeros.
-inline constexpr std::array<std::int32_t, 16> kZeroConstants{};
-
-/// One effect as stored in the model table.
-struct EffectParameters {
-  const std::int32_t* constants = kZeroConstants.data();
-  Span<const std::int32_t> coefficients;  ///< one per regressor; empty: the effect is off
-
-  bool enabled() const { return coefficients.size != 0; }
-};
-
-/// Fractional bits of coefficients: at least those of Rate, more if their size allows.
-constexpr int kMinCoefficientFraction = Rate::fractional_bits;
-constexpr int kMaxCoefficientFraction = 40;
-
 /// Largest product in a weighted_sum(), of any words of the table and any regressors.
 constexpr std::int64_t kMaxWeightedProduct = power_of_two<std::int64_t>(
     62 - (kMinCoefficientFraction + Regressor::fractional_bits - DriftSum::fractional_bits));
@@ -59,19 +45,6 @@ static_assert(kMaxCoefficientFraction + Regressor::fractional_bits - DriftSum::f
               62);  // rounded_product()'s
 // EffectBank::set(): any word in the format of a Coefficient.
 static_assert(31 + BoardNumbers::Coefficient::fractional_bits - kMinCoefficientFraction <= 63);
-
-struct EffectsParameters {
-  std::array<EffectParameters, kMaxEffects> by_id{};
-  int coefficient_fraction = 0;  ///< fractional bits of every coefficient, deg/h
-
-  EffectMask enabled() const {
-    EffectMask mask = 0;
-    for (std::size_t id = 0; id < kMaxEffects; ++id) {
-      if (by_id[id].enabled()) mask |= EffectMask{1} << id;
-    }
-    return mask;
-  }
-};
 
 /// The effects of a model and their sum. Only effects in kCompiled exist in the image; read_model
 /// refuses a table that enables another one.

@@ -2,7 +2,8 @@
 
 #include <cstddef>
 
-#include "core/effects/effect_bank.hpp"
+#include "core/effects/effect_parameters.hpp"
+#include "core/effects/registry.hpp"
 
 namespace fog {
 
@@ -36,10 +37,6 @@ bool effect_fits(std::size_t id, const EffectParameters& effect, std::size_t con
 }
 
 }  // namespace detail
-
-/// Whether an effect of a table can be constructed in this image.
-using EffectCheck = bool (*)(std::size_t id, const EffectParameters& effect,
-                             std::size_t constant_count);
 
 /// The check of an image with the effects in kCompiled.
 template <EffectMask kCompiled>

@@ -11,6 +11,7 @@
 #include "core/compensation/drift_model.hpp"
 #include "core/denoise/denoiser.hpp"
 #include "core/denoise/optional_denoiser.hpp"
+#include "core/effects/effect_check.hpp"
 #include "core/frames/compact_frame.hpp"
 #include "core/frames/delta_angle.hpp"
 #include "core/frames/kvh_frame.hpp"
@@ -20,6 +21,7 @@
 #include "core/health/image_seal.hpp"
 #include "core/health/integrity_token.hpp"
 #include "core/pipeline/block_clock.hpp"
+#include "core/pipeline/model_needs.hpp"
 #include "core/pipeline/model_parameters.hpp"
 #include "core/signal/output_sample.hpp"
 #include "core/thermal/block_collector.hpp"
@@ -90,11 +92,11 @@ class Compensator {
         rotation_(parameters),
         sends_undelayed_((parameters.output_options & kRotationIsUndelayed) != 0U),
         monitor_(parameters.acquisition),
-        extension_monitor_(parameters.needs(), parameters.acquisition.input_limits,
+        extension_monitor_(needs_of(parameters), parameters.acquisition.input_limits,
                            parameters.acquisition.sample_period_us, kConfirmUs),
         block_clock_(parameters.samples_per_block),
-        collector_(parameters.needs()),
-        pending_(parameters.needs()),
+        collector_(needs_of(parameters)),
+        pending_(needs_of(parameters)),
         drift_model_(parameters.thermal, parameters.effects, parameters.expressions,
                      parameters.network, parameters.policy),
         catch_up_steps_(parameters.catch_up_steps()),

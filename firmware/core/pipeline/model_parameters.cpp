@@ -7,6 +7,7 @@
 #include "core/acquisition/extension_monitor.hpp"
 #include "core/bytes/byte_order.hpp"
 #include "core/bytes/crc.hpp"
+#include "core/effects/effect_bank.hpp"
 #include "core/pipeline/table_reader.hpp"
 
 namespace fog {

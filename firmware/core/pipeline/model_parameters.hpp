@@ -6,10 +6,10 @@
 
 #include "core/acquisition/calibration.hpp"
 #include "core/acquisition/sample_monitor.hpp"
-#include "core/compensation/drift_model.hpp"
+#include "core/compensation/drift_policy.hpp"
 #include "core/denoise/denoise_parameters.hpp"
-#include "core/effects/effect_bank.hpp"
-#include "core/effects/effect_check.hpp"
+#include "core/effects/effect_parameters.hpp"
+#include "core/expression/expression_bank.hpp"
 #include "core/frames/output_bytes.hpp"
 #include "core/frames/serial_line.hpp"
 #include "core/network/network.hpp"
@@ -64,7 +64,7 @@ struct ModelShape {
   NetworkInputMask network_inputs = 0;
   FilterMask filters = 0;  ///< lengths of which it has the denoiser
   std::size_t levels = 0;  ///< at most
-  EffectCheck effect_fits = fog::effect_fits<kAllEffects>;
+  EffectCheck effect_fits = any_effect_fits;
   ExpressionCheck expressions_fit = fog::expressions_fit;
   OutputSelection output = OutputSelection::both;  ///< these frames; both: whatever
   OutputOptions output_options = kAllOutputOptions;
@@ -72,8 +72,11 @@ struct ModelShape {
   CostCheck is_affordable = fog::is_affordable;
 };
 
+/// The effects of any model: read_model() refuses those that no board can run.
+constexpr EffectMask kAnyEffects = ~EffectMask{0};
+
 /// Capacity for any model.
-constexpr ModelShape kAnyModel{kAllEffects, kAllExpressions, kAllNetworkInputs,
+constexpr ModelShape kAnyModel{kAnyEffects, kAllExpressions, kAllNetworkInputs,
                                filters_of(kAnyTaps), kMaxLevels};
 
 /// The owner of a model, from word kIdentityAt of the table on: four words of the gyro's serial
@@ -125,13 +128,6 @@ struct ModelParameters {
   std::uint32_t catch_up_steps() const {
     const std::uint32_t steps = policy.hold_blocks / samples_per_block;
     return steps < kMaxCatchUpSteps ? steps + 1 : kMaxCatchUpSteps;
-  }
-
-  /// Inputs that the model needs beside the coil temperature.
-  InputMask needs() const {
-    return beside_temperature(needs_of(effects.enabled()) |
-                              inputs_of_expressions(expressions.used) |
-                              inputs_of_network(network.used()));
   }
 
  private:

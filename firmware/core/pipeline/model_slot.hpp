@@ -24,7 +24,7 @@ constexpr std::size_t kModelSlots = 2;
 /// filters or more levels.
 constexpr std::size_t kGenericTaps = kOrNone + 16;  ///< sym8, db8
 constexpr std::size_t kGenericLevels = 6;           ///< 3.8 KiB of RAM; each more doubles it
-constexpr ModelShape kGenericImage{kAllEffects, kAllExpressions, kAllNetworkInputs,
+constexpr ModelShape kGenericImage{kAnyEffects, kAllExpressions, kAllNetworkInputs,
                                    filters_of(kGenericTaps), kGenericLevels};
 
 using SlotMemory = Span<const std::int32_t>;  ///< kSlotBytes

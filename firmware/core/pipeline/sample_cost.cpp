@@ -1,5 +1,7 @@
 #include "core/pipeline/sample_cost.hpp"
 
+#include "core/pipeline/model_needs.hpp"
+
 namespace fog {
 namespace {
 
@@ -24,7 +26,7 @@ static_assert(kMaxStepCost <= UINT32_MAX / 2 / kMaxCatchUpSteps, "sums fit");
 }  // namespace
 
 std::uint32_t inputs_cost(const ModelParameters& parameters) {
-  return kInputCost * count_of(parameters.needs() & kAllExtensionInputs);
+  return kInputCost * count_of(needs_of(parameters) & kAllExtensionInputs);
 }
 
 std::uint32_t denoiser_cost(const DenoiseParameters& denoise) {

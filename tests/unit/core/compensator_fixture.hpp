@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "board/replay.hpp"
+#include "board/host_compensator.hpp"
 #include "core/pipeline/compensator.hpp"
 #include "support/sample_models.hpp"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "board/replay.hpp"
+#include "board/host_compensator.hpp"
 #include "core/bytes/crc.hpp"
 #include "core/frames/delta_angle.hpp"
 #include "core/frames/kvh_bit.hpp"

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/pipeline/model_needs.hpp"
 #include "core/pipeline/model_parameters.hpp"
 #include "core/pipeline/sample_cost.hpp"
 
@@ -456,7 +457,7 @@ TEST(ModelLimits, SignalsOfTheNetworkAreTheInputsAndTheLaggedTemperature) {
     const bool beside = signal > 2 && signal < kSignals;
     const fog::InputMask needs =
         beside ? fog::bit_of(static_cast<fog::Input>(signal - 1)) : fog::InputMask{0};
-    EXPECT_EQ(got.needs(), needs) << signal;
+    EXPECT_EQ(needs_of(got), needs) << signal;
   }
 }
 

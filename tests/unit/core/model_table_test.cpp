@@ -4,6 +4,8 @@
 #include <set>
 #include <string>
 
+#include "core/compensation/drift_model.hpp"
+#include "core/pipeline/model_needs.hpp"
 #include "core/pipeline/model_parameters.hpp"
 #include "support/sample_models.hpp"
 #include "support/typical_effects.hpp"
@@ -123,7 +125,7 @@ TEST(ModelTable, SaysWhatAnExpressionNeedsBesideTheTemperature) {
     fog::ModelParameters parameters;
     ASSERT_EQ(fog::read_model({words.data(), words.size()}, fog::kAnyModel, parameters),
               ModelError::none);
-    EXPECT_EQ(parameters.needs(), mask) << text;
+    EXPECT_EQ(fog::needs_of(parameters), mask) << text;
   }
 }
 
