@@ -24,7 +24,7 @@ forbid() {
 }
 
 standard='<(array|cstddef|cstdint|initializer_list|limits|new|tuple|type_traits|utility)>'
-own=FOG_OWN_EFFECTS # a user's header of effects
+own='("fog_own_effects.hpp"|FOG_OWN_EFFECTS)' # a user's header of effects
 forbid core "\"core/|$own|$standard"
 forbid hal "$standard"
 forbid platform "\"(core/bytes/crc.hpp|core/frames/(output_bytes|serial_line).hpp|core/thermometer/|hal/|platform/|wiring.hpp\")|$standard"

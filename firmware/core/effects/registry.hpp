@@ -27,7 +27,11 @@
 #include "core/signal/quantities.hpp"
 
 // A user's own effects (TUTORIAL.md): the header that CMake's FOG_OWN_EFFECTS names defines
-// OwnEffects.
+// OwnEffects. CMake writes its name into a header and not into command lines. So only files that
+// include this one depend on the list.
+#if __has_include("fog_own_effects.hpp")
+#include "fog_own_effects.hpp"
+#endif
 #ifdef FOG_OWN_EFFECTS
 #include FOG_OWN_EFFECTS
 #else
