@@ -39,7 +39,7 @@ run_tests() {
     <(tests_of "$preset" "$@") "build/$preset/tests.txt" | sort -u)
   # shellcheck disable=SC2086
   [[ -z $targets ]] || CCACHE_BASEDIR=$PWD cmake --build "build/$preset" --target $targets || {
-    echo "1/1 Test #0: build/$preset ***Failed: it does not compile" >>"$results"
+    printf '%s\n' "1/1 Test #0: build/$preset ***Failed" "FAILED: it does not compile" >>"$results"
     status=1
     return
   }
@@ -93,7 +93,7 @@ case ${1:-} in
 esac
 
 # The end: what failed, by name and by what it said, then one plain line of counts. Cases of gtest and the scripts' fail()
-# say it in a line of their own; of other tests it is the last line. known_failures.txt says which of them are known.
+# say it in a line of their own; of other tests these are the last five lines. known_failures.txt says which are known.
 awk '
   reading == "known" {
     if (/^[^#]/) { known[++entries] = $0; found[entries] = 0 }
@@ -103,11 +103,15 @@ awk '
     name = $4
     if (/ Passed /) { ++passed; name = "" }
     else if (/\*\*\*Skipped/) { ++skipped; not_run[name]; name = "" }
-    else failed[++failures] = name
+    else {
+      failed[++failures] = name
+      if (match($0, /\*\*\*(Timeout|Exception|Not Run)[^ ]*( [A-Z][A-Za-z]+)?/))
+        ended[name] = " (" substr($0, RSTART + 3, RLENGTH - 3) ")"
+    }
     next
   }
   /^ *Start +[0-9]+: |^[0-9]+% tests passed/ { name = "" }
-  name != "" && /[^ ]/ { last[name] = $0 }
+  name != "" && /[^ ]/ { output[name, ++printed[name]] = $0 }
   name != "" && (/^\[  FAILED  \] [^ ]+[.][^ ]+/ || /^FAILED: /) {
     sub(/^\[  FAILED  \] /, ""); sub(/^FAILED: /, ""); sub(/ \([0-9]+ ms\)$/, "")
     if (!((name, $0) in seen)) said[name] = said[name] $0 "\n"
@@ -122,13 +126,18 @@ awk '
     }
     return 0
   }
+  function last_lines(test,   i, text) {
+    for (i = printed[test] - 4; i <= printed[test]; ++i) if (i > 0) text = text "\n  " output[test, i]
+    return text == "" ? "\n  it said nothing" : text
+  }
   END {
     for (i = 1; i <= failures; ++i) {
       name = failed[i]
-      count = split(said[name] != "" ? said[name] : last[name] "\n", lines, "\n") - 1
+      count = split(said[name], lines, "\n") - 1
       fresh = ""
       for (j = 1; j <= count; ++j) if (!is_known(name, lines[j])) fresh = fresh "\n  " lines[j]
-      if (count == 0 || fresh != "") { print "failed: " name fresh; ++unexpected }
+      if (count < 1 && !is_known(name, output[name, printed[name]])) fresh = last_lines(name)
+      if (fresh != "") { print "failed: " name ended[name] fresh; ++unexpected }
       else print "known failure: " name
     }
     for (i = 1; all && i <= entries; ++i) {
