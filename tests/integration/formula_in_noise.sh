@@ -7,7 +7,7 @@ source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: formula_in_noise.sh FOGCOMP}")
 enter_scratch
 
-# diagnosed SEED PART...: what is said of a gyro with these parts to a model without, in said.json and said.txt
+# diagnosed SEED PART...: what is said of a gyro with these parts to a model without, in said.json
 diagnosed() {
   local seed=$1 parts=() part
   shift
@@ -16,12 +16,12 @@ diagnosed() {
     --noise white=0.0019,flicker=0.0008 "${parts[@]}" >/dev/null
   "$fogcomp" fit run.csv -o run.model --effects bias,bias_temperature:order=2,temperature_rate >/dev/null
   "$fogcomp" diagnose run.model run.csv --json >said.json
-  "$fogcomp" diagnose run.model run.csv --details | in_full >said.txt
 }
 
 finds_the_form() { # SEED
   diagnosed "$1" squared_lag:tau_s=700,scale=60
   jq -e '.verdict == "unknown" and .forms[0].name == "lag(lag(dTdt,tau),tau)^2"' said.json >claim.txt &&
+    "$fogcomp" diagnose run.model run.csv --details | in_full >said.txt &&
     grep -q '^something is missing: what looks like slow noise follows a formula' said.txt &&
     eval "\"\$fogcomp\" $(sed -n 's/^  next: fogcomp //p' said.txt)" >added.txt
 }
