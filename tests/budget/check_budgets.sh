@@ -22,7 +22,7 @@ section_bytes() {
 
 status=0
 refuse() {
-  echo "    OVER BUDGET: $1" >&2
+  echo "FAILED: over its budget: $1" >&2
   status=1
 }
 

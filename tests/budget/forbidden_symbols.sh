@@ -18,7 +18,7 @@ for file in "$@"; do
   names=$(arm-none-eabi-nm --format=posix "$file" | cut -d' ' -f1)
   [[ -n $names ]] || fail "$file: no symbols to look at"
   if found=$(grep -E "$forbidden" <<<"$names"); then
-    echo "$file: forbidden:" $found >&2
+    echo "FAILED: $file: forbidden:" $found >&2
     status=1
   else
     echo "$file: $(wc -l <<<"$names") symbols, none forbidden"

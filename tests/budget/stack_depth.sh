@@ -23,7 +23,7 @@ vectors=$((0x$(arm-none-eabi-nm -S "$elf" | awk '/kVectors/ { print $2 }') / 4))
 arm-none-eabi-objdump -d --no-show-raw-insn "$elf" >"$scratch/code"
 
 awk -v reserve="$reserve" -v percent="$percent" -v vectors="$vectors" -v image="${elf##*/}" '
-  function fail(text) { print image ": " text > "/dev/stderr"; failed = 1; exit 1 }
+  function fail(text) { print "FAILED: " image ": " text > "/dev/stderr"; failed = 1; exit 1 }
   # Deepest below and with function f; path[f] is the next one on the way.
   function depth(f,    n, i, callee, below, max) {
     if (f in known) return known[f]
@@ -93,5 +93,5 @@ awk -v reserve="$reserve" -v percent="$percent" -v vectors="$vectors" -v image="
     printf "  running   %5d: %s\n", main, chain(main_at)
     printf "  interrupts %4d: %s\n", interrupts, nested
     printf "  fault     %5d: %s\n", fault + exception, chain(fault_at)
-    if (total > reserve * (1 - percent / 100)) fail("less than " percent " % of the stack stays free")
-  }' "$scratch/frames" "$scratch/functions" "$scratch/words" "$scratch/code" | arm-none-eabi-c++filt
+    if (total > reserve * (1 - percent / 100)) fail("less than " percent " % of the stack stays free: " total " of " reserve " bytes are taken")
+  }' "$scratch/frames" "$scratch/functions" "$scratch/words" "$scratch/code" | arm-none-eabi-c++filt || exit 1

@@ -40,6 +40,12 @@ says() {
     fail "${3:+$3: }$1 does not say '$2' but: $(cat "$1")"
 }
 
+# same_bytes EXPECTED FILE: the files are equal; else the first byte that differs is named.
+same_bytes() {
+  local difference
+  difference=$(cmp "$1" "$2" 2>&1) || fail "$difference"
+}
+
 # share MIN COUNT CLAIM...: CLAIM SEED succeeds for at least MIN of the seeds 1 to COUNT. For what a test claims of
 # chance: which seeds they are must not matter.
 share() {

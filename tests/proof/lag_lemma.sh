@@ -20,7 +20,7 @@ GAPPA
 
 failures=0
 while IFS= read -r claim; do
-  if proves "$claim"; then echo "proved: $claim"; else echo "FAILED: $claim"; failures=1; fi
+  if proves "$claim"; then echo "proved: $claim"; else echo "FAILED: not proved: $claim"; failures=1; fi
 done <<'CLAIMS'
 x in [-512, 0] /\ y in [-512, 0] -> y + s <= 131073b-40
 x in [0, 512] /\ y in [0, 512] -> y + s >= -131073b-40

@@ -42,7 +42,7 @@ image=$folder/pyboard.elf
 "$source/tests/target/build_variant.sh" "$images" stm32f405 fogcomp "$image" -DFOG_BOARD=pyboard_v11 \
   -DFOG_RESET_CLOCK=lse -DFOG_SYNC=tov
 FOG_OUTPUT_PORT=5 "$source/tests/target/run_uart.sh" netduinoplus2 "$image" "$input" "$folder/out.bin" $((36 * frames))
-cmp "$folder/expected.bin" "$folder/out.bin"
+same_bytes "$folder/expected.bin" "$folder/out.bin"
 
 # The stream says 20 degC; the sensor at the line 42. Rates are valid once it has been read, with its temperature.
 mkfifo "$folder/line.in" "$folder/line.out" 2>/dev/null || true

@@ -11,7 +11,8 @@ mkdir -p "$folder"
 
 for name in core_checks effect_outputs board_output; do
   awk -v wanted="== $name.txt" '/^== / { inside = $0 == wanted; next } inside' "$folder/console" >"$folder/$name.txt"
-  diff "$golden/$name.txt" "$folder/$name.txt"
+  difference=$(diff "$golden/$name.txt" "$folder/$name.txt") ||
+    fail "$machine: $name.txt is not the golden file: $(head -n 4 <<<"$difference" | paste -sd ' ')"
   echo "$machine: $name: $(wc -l <"$folder/$name.txt") lines, $(wc -w <"$folder/$name.txt") words as in the golden file"
 done
-! grep -q FAILED "$folder/core_checks.txt"
+! grep -q FAILED "$folder/core_checks.txt" || fail "$machine: $(grep -m 1 FAILED "$folder/core_checks.txt")"

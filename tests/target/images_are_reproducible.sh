@@ -15,5 +15,5 @@ cd "$copy"
 cmake --preset "$platform" >/dev/null
 cmake --build --preset "$platform" --target fogcomp fogcomp_bulk >/dev/null
 for image in "$images/$platform"/fogcomp{,_bulk}.{elf,bin,hex}; do
-  cmp "$image" "build/$platform/${image##*/}"
+  same_bytes "$image" "build/$platform/${image##*/}"
 done

@@ -9,4 +9,5 @@ status=0
 # Instructions count as time: the watchdog's clock and the millisecond tick go together, however busy this computer is.
 console=$("$(dirname "$0")/run_semihosted.sh" "$machine" "$elf" "$folder" -icount shift=6) || status=$?
 echo "$console"
-((status == 0)) && [[ $console =~ $watchdog_line ]]
+((status == 0)) || fail "$machine: the self-check ends with $status: ${console##*$'\n'}"
+[[ $console =~ $watchdog_line ]] || fail "$machine: no line of its watchdog step is '$watchdog_line'"
