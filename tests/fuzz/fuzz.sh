@@ -13,7 +13,13 @@ ASAN_OPTIONS=malloc_context_size=0 "$fuzzer" -close_fd_mask=3 -print_final_stats
   -artifact_prefix="$folder/broken-" "$@" "$folder/corpus" >"$folder/log" 2>&1 || status=$?
 if ((status)); then
   tail -n 3 "$folder/log"
-  for input in "$folder"/broken-*; do "$fuzzer" -timeout=10 "$input" 2>&1 | grep -vE '^INFO|Running' | head -n 20; done
+  # A fuzzer ends with 77 at what it finds, which would say of a test that it was skipped.
+  for input in "$folder"/broken-*; do
+    [[ -e $input ]] || continue
+    said=$("$fuzzer" -timeout=10 "$input" 2>&1 | grep -vE '^INFO|Running') || true
+    head -n 20 <<<"$said"
+    echo "FAILED: ${fuzzer##*/fuzz_}: ${input##*/}: $(head -n 1 <<<"$said")"
+  done
   exit 1
 fi
 awk -v name="${fuzzer##*/fuzz_}" '/stat::number_of_executed_units/ { runs = $2 } / cov: / { coverage = $4 }
