@@ -88,6 +88,9 @@ class Pipeline:
         """The bytes that are sent."""
         rate = sat32(round_shift(sample.counts * self.table.multiplier, self.table.shift))
         verdict = self.judge.judge(sample, rate)
+        self._finish(self._advance(verdict.missing))
+        if verdict.doubtful:
+            self.course.unsettle()
         good = self._start_or_stop(sample, rate, verdict)
         status = self._drift(rate, verdict)
         compensated = sat32(rate - self.course.drift)
@@ -105,7 +108,7 @@ class Pipeline:
             self._blocks(verdict, sample.temperature if good else None, compensated if well else None)
         return sent
 
-    # 1. Start or stop the model.
+    # 2. Start or stop the model.
 
     def _start_or_stop(self, sample, rate, verdict):
         """Whether the temperature is good."""
@@ -123,7 +126,7 @@ class Pipeline:
     def _all_inputs(means):
         return tuple(means.get(number, 0) for number in range(BOARD))
 
-    # 2. Drift of this sample.
+    # 3. Drift of this sample.
 
     def _drift(self, rate, verdict):
         """The status so far."""
@@ -138,7 +141,7 @@ class Pipeline:
             status |= flags.DRIFT_GIVEN_UP
         return status
 
-    # 3. Denoise.
+    # 4. Denoise.
 
     def _denoise(self, compensated, well, refused, lost):
         self.denoised = self.denoiser.denoise(compensated, well)
@@ -161,7 +164,7 @@ class Pipeline:
             status |= flags.DENOISED_REFUSED
         return status
 
-    # 4. Send the frames.
+    # 5. Send the frames.
 
     def _send(self, number, compensated, status, late):
         angle = None
@@ -177,15 +180,11 @@ class Pipeline:
         self.frames += 1
         return sent
 
-    # 5. Blocks.
+    # 1 and 6. Blocks.
 
     def _blocks(self, verdict, temperature, rate):
-        missing = verdict.missing
         for needed in self.inputs.values():
-            needed.elapsed = min(needed.elapsed + missing + 1, 2**31)
-        self._finish(self._advance(missing))
-        if verdict.doubtful:
-            self.course.unsettle()
+            needed.elapsed = min(needed.elapsed + verdict.missing + 1, 2**31)
         if temperature is not None:
             self.temperatures.append(temperature)
         if rate is not None:

@@ -201,6 +201,7 @@ class Compensator {
     begin_answer();
     const Rate measured = calibrated_rate(calibration_, sample.rate_counts);
     const SampleMonitor::Verdict verdict = monitor_.judge(sample, measured, now);
+    pass_lost_time(verdict);
     const auto temperature = Temperature::from_raw(sample.temperature_q16);
     const bool temperature_good = prepare_drift_model(verdict, temperature, measured);
     drift_model_.update_rate(measured, !has_any(verdict.status, kRateInvalid));
@@ -232,8 +233,6 @@ class Compensator {
     if (verdict.late) return result;
 
     extension_monitor_.advance(verdict.missing + 1);
-    finish_blocks(block_clock_.advance(verdict.missing));  // lost samples are elapsed time
-    if (verdict.doubtful) drift_model_.unsettle();
     if (temperature_good) collector_.add_temperature(temperature);
     if (measured_well) collector_.add_rate(result.compensated);
     end_sample();
@@ -276,6 +275,12 @@ class Compensator {
     } else if (doubtful_outputs_ > 0) {
       --doubtful_outputs_;
     }
+  }
+
+  // Lost samples are elapsed time. It has passed before this sample, whose drift may be an old one.
+  void pass_lost_time(const SampleMonitor::Verdict& verdict) {
+    finish_blocks(block_clock_.advance(verdict.missing));
+    if (verdict.doubtful) drift_model_.unsettle();
   }
 
   // Returns whether the sample's temperature may be used: without time there is no temperature

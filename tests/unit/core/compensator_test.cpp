@@ -325,8 +325,9 @@ TEST_F(CompensatorTest, TurnOfOneSample_LeftOut_DenoisedMarked) {
 TEST_F(CompensatorTest, AGapLongerThanTheHoldGivesTheDriftUp) {
   run(400);
   sequence_ = static_cast<std::uint16_t>(sequence_ + 200 * 62);
-  const OutputSample out = run(2);
+  const OutputSample out = run(1);
   EXPECT_TRUE(has_any(out.status, Status::drift_given_up));
+  EXPECT_FALSE(out.compensated_valid());
 }
 
 TEST_F(CompensatorTest, CallsAGyroStuckAfterHalfASecondOfEqualCounts) {
@@ -445,6 +446,21 @@ TEST_F(CompensatorTest, ADriftIsOutdatedWhenItWasHeldBeyondItsAccuracy) {
   EXPECT_NEAR(held, accurate + 1, 1);
   run(200 * 2);
   EXPECT_FALSE(has_any(run(1).status, Status::drift_outdated));
+}
+
+// KVH frames have no flag for lost samples: only the validity says that the drift is an old one.
+TEST_F(CompensatorTest, GapBeyondTheHoldsAccuracy_FirstSample_OutdatedAndNotValid) {
+  settings_ = {};
+  model_.rate_range_degc_per_min = fogcomp::model::Range{-3, 3};
+  model_.residual_rms_dph = 0.1;
+  restart();
+  run(200 * 220);
+  EXPECT_TRUE(run(1).compensated_valid());
+  const auto blocks = static_cast<int>(parameters_.policy.accurate_blocks) + 3;
+  sequence_ = static_cast<std::uint16_t>(sequence_ + 200 * blocks);
+  const OutputSample out = run(1);
+  EXPECT_TRUE(has_any(out.status, Status::drift_outdated));
+  EXPECT_FALSE(out.compensated_valid());
 }
 
 // An image has capacity for its own model only; the omitted parts must not matter.
