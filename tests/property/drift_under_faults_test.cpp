@@ -154,6 +154,34 @@ TEST_P(DriftWithoutAClock, IsRightWhereverTheRateIsTrusted) {
   expect_right(GetParam(), false);
 }
 
+// KVH frames have no flags. The first two were found by random_faults: the first rate
+// after a silence had the drift before it.
+class DriftOfAValidRate : public testing::TestWithParam<FaultCase> {};
+
+TEST_P(DriftOfAValidRate, IsRightWhereverTheKvhFrameIsValid) {
+  const FaultCase& c = GetParam();
+  fogcomp::model::Model model = fog::test::paper_like_model();
+  model.rate_range_degc_per_min = fogcomp::model::Range{-3, 3};
+  fog::test::TestedBoard setting;
+  setting.has_reset_clock = setting.judged_by_validity = true;
+  const DriftUnderFaults board(model, 3, setting);
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const DriftVerdict verdict = print(c.name, board.run(c.faults, kRunS, seed));
+    EXPECT_LE(verdict.worst_dph, kDriftBoundDph) << "seed " << seed;
+    EXPECT_GT(verdict.trusted, verdict.samples / 2) << "or the test says little, seed " << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Every, DriftOfAValidRate,
+    testing::Values(
+        FaultCase{"samples lost for 250 s", {at(Kind::no_samples, 0, 250)}, 0},
+        FaultCase{"reset by the pin, held for 538 s", {at(Kind::pin_reset, 0, 538)}, 0},
+        FaultCase{"temperature missing for 55 s", {at(Kind::no_temperature, 0, 55)}, 0},
+        FaultCase{
+            "a bit flipped in every sample for 300 s", {at(Kind::bits_flipped, 0, 300, 1)}, 0},
+        FaultCase{"a byte lost in one sample of 3", {at(Kind::bytes_lost, 0, 300, 3)}, 0}));
+
 fogcomp::model::Model model_with(const std::vector<fogcomp::model::EffectTerm>& terms) {
   fogcomp::model::Model model = fog::test::paper_like_model();
   model.network = {};

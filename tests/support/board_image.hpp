@@ -3,8 +3,10 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "board/board_table.hpp"
 #include "board/host_compensator.hpp"
@@ -27,6 +29,36 @@ inline constexpr std::array kFrameChoices{
 /// One for any model, or one made for a header.
 enum class ImageKind : std::uint8_t { generic, specialised };
 
+/// What the line does to the bytes of a sample.
+struct LineDamage {
+  enum class Kind : std::uint8_t { none, bit_flipped, byte_lost, bytes_added };
+  Kind kind = Kind::none;
+  std::uint32_t where = 0;  ///< any number; of added bytes, what they are
+};
+
+/// The bytes of a sample as they come out of the line.
+inline std::vector<std::uint8_t> bytes_of(const SensorSample& sample, const LineDamage& damage) {
+  const SensorFrame frame = encode_sensor_frame(sample);
+  std::vector<std::uint8_t> bytes(frame.begin(), frame.end());
+  const std::size_t at = damage.where % bytes.size();
+  switch (damage.kind) {
+    case LineDamage::Kind::none:
+      break;
+    case LineDamage::Kind::bit_flipped:
+      bytes[at] = static_cast<std::uint8_t>(bytes[at] ^ (1U << (damage.where / 16U % 8U)));
+      break;
+    case LineDamage::Kind::byte_lost:
+      bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(at));
+      break;
+    case LineDamage::Kind::bytes_added:
+      // Half of a sample like this one, so that it begins as one does, or anything.
+      bytes.insert(bytes.begin(), frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(at));
+      if (damage.where / 16U % 2U == 0) bytes[0] = static_cast<std::uint8_t>(damage.where >> 8U);
+      break;
+  }
+  return bytes;
+}
+
 /// The pipeline of an image.
 class BoardImage {
  public:
@@ -35,17 +67,22 @@ class BoardImage {
   virtual ~BoardImage() = default;
   virtual std::size_t keep(std::uint32_t* words) = 0;
   virtual void resume(std::uint32_t* words, bool was_short) = 0;
+  virtual void resume_after(std::uint32_t* words, SampleTime newest) = 0;
   virtual bool ended_block() const = 0;
 
-  /// What the board makes of the sample. One of kFramesEvery comes as bytes and is answered in
-  /// frames: these are made of nothing but what the board has found, and take two thirds of the
-  /// time.
-  OutputSample process(const SensorSample& sample, SampleTime now) {
-    if (++samples_ % kFramesEvery != 0) return judge(sample, now);
+  /// What the board makes of the sample; nothing if its bytes make none. One of kFramesEvery comes
+  /// as bytes and is answered in frames, and so do all from a damage on until the next answer.
+  /// Frames are made of nothing but what the board has found, and take two thirds of the time.
+  std::optional<OutputSample> process(const SensorSample& sample, SampleTime now,
+                                      const LineDamage& damage = {}) {
+    const bool whole = damage.kind == LineDamage::Kind::none && !in_pieces_;
+    if (whole && ++samples_ % kFramesEvery != 0) return judge(sample, now);
     std::size_t size = 0;
-    for (const std::uint8_t byte : encode_sensor_frame(sample)) {
+    for (const std::uint8_t byte : bytes_of(sample, damage)) {
       size = feed(byte, frames_.data(), now);
     }
+    in_pieces_ = size == 0;
+    if (in_pieces_ && !whole) return std::nullopt;
     if (!frames_say(last(), size)) ++false_frames_;
     return last();
   }
@@ -86,6 +123,7 @@ class BoardImage {
   const ModelParameters& parameters_;
   std::array<std::uint8_t, kMaxOutputBytes> frames_{};
   std::uint32_t samples_ = 0;
+  bool in_pieces_ = false;  // the parser may have bytes of a damaged sample
   std::uint64_t false_frames_ = 0;
 };
 
@@ -98,6 +136,9 @@ class BoardImageOf final : public BoardImage {
   }
   std::size_t keep(std::uint32_t* words) override { return pipeline_.keep(words); }
   void resume(std::uint32_t* words, bool was_short) override { pipeline_.resume(words, was_short); }
+  void resume_after(std::uint32_t* words, SampleTime newest) override {
+    pipeline_.resume_after(words, newest);
+  }
   bool ended_block() const override { return pipeline_.ended_block(); }
 
  private:
@@ -113,30 +154,38 @@ class BoardImageOf final : public BoardImage {
   Pipeline pipeline_;
 };
 
-/// The image that is built with a header of paper_like_model() without a denoiser, and these
-/// frames.
+/// The images that are built with a header of paper_like_model() without a denoiser and these
+/// frames: of the model as it is, and of one that remembers temperatures (with_memory()).
 constexpr EffectMask kPaperEffects = bit_of(effects::Bias<BoardNumbers>::description) |
                                      bit_of(effects::BiasTemperature<BoardNumbers>::description) |
                                      bit_of(effects::TemperatureRate<BoardNumbers>::description);
 constexpr NetworkInputMask kPaperInputs =
     bit_of(NetworkInput::temperature) | bit_of(NetworkInput::temperature_rate);
-template <std::size_t kFrames>
-using PaperImage = Compensator<kPaperEffects, 0, kPaperInputs, 0, 0, kFrameChoices[kFrames].output,
-                               kFrameChoices[kFrames].options>;
+constexpr EffectMask kMemoryEffects =
+    kPaperEffects | bit_of(effects::ThermalLag<BoardNumbers>::description) |
+    bit_of(effects::ThermalHysteresis<BoardNumbers>::description) |
+    bit_of(effects::WarmUp<BoardNumbers>::description);
+template <std::size_t kFrames, bool kMemory>
+using PaperImage =
+    Compensator<kMemory ? kMemoryEffects : kPaperEffects, kMemory ? kAllExpressions : 0,
+                kPaperInputs, 0, 0, kFrameChoices[kFrames].output, kFrameChoices[kFrames].options>;
 
-/// The board of a table. Throws if a specialised image has no room for it.
-template <std::size_t kFrames = 0>
+/// The board of a table. Throws if no specialised image has room for it.
+template <std::size_t kFrames = 0, bool kMemory = false>
 std::unique_ptr<BoardImage> make_image(const fogcomp::board::BoardTable& table,
                                        const ModelParameters& parameters, ImageKind kind) {
   if (kind == ImageKind::generic) {
     return std::make_unique<BoardImageOf<fogcomp::board::HostCompensator>>(parameters);
   }
   ModelParameters read;
-  if (read_model(table.span(), PaperImage<kFrames>::capacity, read) == ModelError::none) {
-    return std::make_unique<BoardImageOf<PaperImage<kFrames>>>(parameters);
+  using Image = PaperImage<kFrames, kMemory>;
+  if (read_model(table.span(), Image::capacity, read) == ModelError::none) {
+    return std::make_unique<BoardImageOf<Image>>(parameters);
   }
   if constexpr (kFrames + 1 < kFrameChoices.size()) {
-    return make_image<kFrames + 1>(table, parameters, kind);
+    return make_image<kFrames + 1, kMemory>(table, parameters, kind);
+  } else if constexpr (!kMemory) {
+    return make_image<0, true>(table, parameters, kind);
   }
   throw std::invalid_argument("no specialised image has room for the table");
 }

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -27,6 +29,7 @@ struct DriftVerdict {
   double worst_at_s = 0;
   std::uint64_t false_frames = 0;   ///< that do not say what the board has found
   std::uint64_t trusted_wrong = 0;  ///< trusted, though the gyro stands or leaps
+  double trusted_wrong_at_s = 0;    ///< the last of them
 };
 
 /// What a board is made for.
@@ -35,7 +38,12 @@ struct TestedBoard {
   double sample_rate_hz = 1e6 / kPeriodUs;
   FrameChoice frames = kFrameChoices[0];
   ImageKind image = ImageKind::generic;
-  double turns_dps = 0;  ///< how it is moved
+  double turns_dps = 0;          ///< how it is moved
+  bool has_reset_clock = false;  ///< that goes on while the board is reset
+  /// Trained range, where it is not the model's: the truth is that of the model.
+  std::optional<fogcomp::model::Range> trained{};
+  /// KVH frames have no flags: a rate that they call valid is trusted.
+  bool judged_by_validity = false;
 };
 
 /// A board with the faults, and the drift model twice: without faults or losses; and without
@@ -47,19 +55,24 @@ class DriftUnderFaults {
   explicit DriftUnderFaults(const fogcomp::model::Model& model, double max_degc_per_min = 3,
                             const TestedBoard& setting = {})
       : table_(fogcomp::board::make_board_table(
-            trained_for(without_denoiser(model), max_degc_per_min), settings_of(setting))),
+            trained_within(trained_for(without_denoiser(model), max_degc_per_min), setting.trained),
+            settings_of(setting))),
         parameters_(fogcomp::board::read_board_table(table_, "test")),
+        true_table_(fogcomp::board::make_board_table(
+            trained_for(without_denoiser(model), max_degc_per_min), settings_of(setting))),
+        true_parameters_(fogcomp::board::read_board_table(true_table_, "test")),
         max_degc_per_min_(max_degc_per_min),
         setting_(setting),
         period_us_(parameters_.acquisition.sample_period_us) {}
 
   DriftVerdict run(const std::vector<Fault>& faults, double duration_s, std::uint64_t seed) const {
     FaultyLine line(faults, seed, max_degc_per_min_, {period_us_, setting_.turns_dps});
-    Witnesses witnesses(parameters_, seed, max_degc_per_min_);
+    Witnesses witnesses(true_parameters_, seed, max_degc_per_min_);
     FaultsInTime resets(faults);
-    Board board([this] { return make_image(table_, parameters_, setting_.image); });
+    Board board([this] { return make_image(table_, parameters_, setting_.image); },
+                setting_.has_reset_clock);
     Clock clock(seed + 2);
-    Judge judge(parameters_);
+    Judge judge(parameters_, setting_.judged_by_validity);
     while (static_cast<double>(line.time_us()) < duration_s * 1e6) {
       if (board.be(worst_of(resets.at(static_cast<double>(line.time_us()) * 1e-6)))) {
         judge.forget_gyro();
@@ -67,17 +80,21 @@ class DriftUnderFaults {
       const std::vector<FaultyLine::Arrival>& arrivals = line.next();
       if (arrivals.empty()) board.wait();
       for (const FaultyLine::Arrival& arrival : arrivals) {
-        const OutputSample out =
-            board.process(arrival.sample, clock.at(arrival.time_us, setting_.has_clock));
+        const std::optional<OutputSample> answer = board.process(
+            arrival.sample, clock.at(arrival.time_us, setting_.has_clock), arrival.damage);
+        if (!answer) continue;
+        const OutputSample& out = *answer;
         const bool believed = !has_any(out.status, Status::temperature_invalid);
-        witnesses.advance_to(
-            arrival.time_us,
-            believed ? arrival.sample.temperature_q16 - raw(arrival.true_degc) : 0);
-        judge.take(out, static_cast<double>(arrival.time_us) * 1e-6,
-                   witnesses.unexplained_dph(out));
-        judge.take_gyro(out, arrival.sample.rate_counts);
+        std::optional<std::int32_t> error_q16;
+        if (believed) error_q16 = arrival.sample.temperature_q16 - raw(arrival.true_degc);
+        witnesses.advance_to(arrival.time_us, error_q16);
+        judge.take(out, static_cast<double>(arrival.time_us) * 1e-6, witnesses.error_dph(out),
+                   witnesses.explained_dph());
+        judge.take_gyro(out, arrival,
+                        static_cast<double>(arrival.time_us) / static_cast<double>(period_us_));
       }
     }
+    judge.end(witnesses.explained_dph());
     judge.verdict.false_frames = board.false_frames();
     return judge.verdict;
   }
@@ -92,6 +109,11 @@ class DriftUnderFaults {
     settings.sample_rate_hz = setting.sample_rate_hz;
     settings.output = setting.frames.output;
     settings.output_options = setting.frames.options;
+    if (setting.judged_by_validity) {
+      settings.invalidating |= Status::temperature_clamped | Status::history_unknown;
+      // A late sample may be one of a demodulator that has been away, and counts anew.
+      if (!setting.has_clock) settings.invalidating |= Status::sequence_gap;
+    }
     if (setting.sample_rate_hz > kFastHz) {
       settings.sensor_line = SerialLine(kMaxSensorBaud);
       settings.output_line = SerialLine(kMaxOutputBaud);
@@ -116,8 +138,8 @@ class DriftUnderFaults {
   // Pipeline and kept state, as in the product's main loop (firmware/app).
   class Board {
    public:
-    explicit Board(std::function<std::unique_ptr<BoardImage>()> image)
-        : image_(std::move(image)), pipeline_(image_()) {}
+    Board(std::function<std::unique_ptr<BoardImage>()> image, bool has_reset_clock)
+        : image_(std::move(image)), pipeline_(image_()), has_reset_clock_(has_reset_clock) {}
 
     /// Whether it has just been restarted.
     bool be(Reset reset) {
@@ -129,10 +151,19 @@ class DriftUnderFaults {
       }
       return false;
     }
-    OutputSample process(const SensorSample& sample, SampleTime time) {
+    /// Nothing if the bytes of the sample were damaged.
+    std::optional<OutputSample> process(const SensorSample& sample, SampleTime time,
+                                        const LineDamage& damage) {
+      const std::optional<OutputSample> out = pipeline_->process(sample, time, damage);
+      if (!out) {
+        wait();
+        return out;
+      }
       silent_ = 0;
-      const OutputSample out = pipeline_->process(sample, time);
-      if (block_ended_) size_ = pipeline_->keep(state_.data());
+      if (block_ended_) {
+        size_ = pipeline_->keep(state_.data());
+        newest_ = time;
+      }
       block_ended_ = pipeline_->ended_block();
       return out;
     }
@@ -149,12 +180,18 @@ class DriftUnderFaults {
       block_ended_ = false;
       silent_ = 0;
       if (off_ == Reset::forgets) size_ = 0;
-      if (size_ > 0) pipeline_->resume(state_.data(), off_ == Reset::keeps_state);
+      if (size_ > 0 && has_reset_clock_ && newest_.known) {
+        pipeline_->resume_after(state_.data(), newest_);
+      } else if (size_ > 0) {
+        pipeline_->resume(state_.data(), off_ == Reset::keeps_state);
+      }
       off_ = Reset::none;
     }
 
     std::function<std::unique_ptr<BoardImage>()> image_;
     std::unique_ptr<BoardImage> pipeline_;
+    bool has_reset_clock_;
+    SampleTime newest_;  // of the state
     std::array<std::uint32_t, BoardImage::kMaxStateWords> state_{};
     std::uint64_t false_frames_ = 0;
     std::size_t size_ = 0;
@@ -172,6 +209,14 @@ class DriftUnderFaults {
   static fogcomp::model::Model trained_for(fogcomp::model::Model model, double degc_per_min) {
     for (auto& input : model.network.inputs) {
       if (input.signal == NetworkInput::temperature_rate) input.half_range = 1.5 * degc_per_min;
+    }
+    return model;
+  }
+  static fogcomp::model::Model trained_within(fogcomp::model::Model model,
+                                              const std::optional<fogcomp::model::Range>& range) {
+    if (range) {
+      model.min_degc = range->min;
+      model.max_degc = range->max;
     }
     return model;
   }
@@ -196,25 +241,37 @@ class DriftUnderFaults {
 
   class Judge {
    public:
-    explicit Judge(const ModelParameters& parameters)
-        : stuck_samples_(2 * parameters.acquisition.stuck.samples),
+    Judge(const ModelParameters& parameters, bool by_validity)
+        : by_validity_(by_validity),
+          period_s_(parameters.acquisition.sample_period_us * 1e-6),
+          stuck_samples_(2 * parameters.acquisition.stuck.samples),
           largest_step_dph_(
               std::ldexp(parameters.acquisition.rate.step.raw(), -RateStep::fractional_bits)),
           dph_per_count_(3600 / paper_like_model().scale_factor) {}
 
     /// A rate must not be trusted after counts that have been equal, but for a whisper, for as long
     /// as the table says: twice that, because the whisper's first extreme begins the count anew.
-    /// Nor if it is a leap from a trusted one beyond the table's largest step.
-    void take_gyro(const OutputSample& out, std::int32_t counts) {
+    /// Nor if it is a leap from a trusted one beyond the table's largest step for each sample since
+    /// then. `at` counts sample periods.
+    void take_gyro(const OutputSample& out, const FaultyLine::Arrival& arrival, double at) {
+      const std::int32_t counts = arrival.sample.rate_counts;
       constexpr std::int64_t kWhisper = 60;  // of both signs: within the smallest stuck band
-      if (std::abs(std::int64_t{counts} - first_alike_) > kWhisper) alike_ = 0;
+      const bool alike = std::abs(std::int64_t{counts} - first_alike_) <= kWhisper;
+      if (!alike || !arrival.gyro_stands) alike_ = 0;
       if (alike_++ == 0) first_alike_ = counts;
       const double leap_dph =
           static_cast<double>(std::abs(std::int64_t{counts} - last_counts_)) * dph_per_count_;
-      const bool leaps = trusted_last_ && leap_dph > largest_step_dph_ + kRoundingDph;
+      const bool leaps =
+          trusted_last_ &&
+          leap_dph > largest_step_dph_ * std::max(1.0, std::round(at - last_at_)) + kRoundingDph;
+      // One that comes again was measured when it came first.
+      if (arrival.sample.sequence != last_sequence_) last_at_ = at;
+      last_sequence_ = arrival.sample.sequence;
       trusted_last_ = is_trusted(out);
       last_counts_ = counts;
-      verdict.trusted_wrong += trusted_last_ && (leaps || alike_ > stuck_samples_);
+      if (!trusted_last_ || (!leaps && alike_ <= stuck_samples_)) return;
+      ++verdict.trusted_wrong;
+      verdict.trusted_wrong_at_s = at * period_s_;
     }
     /// The board has.
     void forget_gyro() {
@@ -222,31 +279,61 @@ class DriftUnderFaults {
       trusted_last_ = false;
     }
 
-    void take(const OutputSample& out, double time_s, double error_dph) {
+    /// The board's blocks end at other times than the witness's: what explains an error may come a
+    /// little later.
+    void take(const OutputSample& out, double time_s, double error_dph, double explained_dph) {
       const bool trusted = is_trusted(out);
       ++verdict.samples;
       verdict.valid += out.compensated_valid();
       verdict.trusted += trusted;
       if (trusted && !trusted_before_) verdict.clean_since_s = time_s;
       trusted_before_ = trusted;
-      if (!trusted || error_dph <= verdict.worst_dph) return;
-      verdict.worst_dph = error_dph;
-      verdict.worst_at_s = time_s;
+      if (trusted && error_dph - explained_dph > verdict.worst_dph) {
+        suspects_.push_back({time_s, error_dph, explained_dph});
+      }
+      while (!suspects_.empty() && suspects_.front().time_s < time_s - kLongestBlocksS) {
+        judge_suspect(explained_dph);
+      }
+    }
+    void end(double explained_dph) {
+      while (!suspects_.empty()) judge_suspect(explained_dph);
     }
     DriftVerdict verdict;
 
    private:
     static constexpr double kRoundingDph = 0.01;
+    static constexpr double kLongestBlocksS = 2;
 
-    static bool is_trusted(const OutputSample& out) {
-      return out.compensated_valid() && out.status == Status::none;
+    // Without a denoiser both rates are the same.
+    bool is_trusted(const OutputSample& out) const {
+      return out.compensated_valid() && (by_validity_ || out.status == Status::none);
     }
+
+    struct Suspect {
+      double time_s;
+      double error_dph;
+      double explained_dph;  // at that time
+    };
+    void judge_suspect(double explained_dph) {
+      const Suspect suspect = suspects_.front();
+      suspects_.pop_front();
+      const double beyond_dph = suspect.error_dph - std::max(suspect.explained_dph, explained_dph);
+      if (beyond_dph <= verdict.worst_dph) return;
+      verdict.worst_dph = beyond_dph;
+      verdict.worst_at_s = suspect.time_s;
+    }
+
+    bool by_validity_;
+    std::deque<Suspect> suspects_;
 
     bool trusted_before_ = false;
     bool trusted_last_ = false;
     std::int32_t last_counts_ = 0;
+    double last_at_ = 0;
+    std::uint16_t last_sequence_ = 0;
     std::int32_t first_alike_ = 0;
     std::uint32_t alike_ = 0;  // counts in a row
+    double period_s_;
     std::uint32_t stuck_samples_;
     double largest_step_dph_;
     double dph_per_count_;
@@ -260,16 +347,22 @@ class DriftUnderFaults {
                  parameters.policy),
           collector_(needs_of(parameters)) {}
 
-    void take(Temperature temperature, Elapsed elapsed, bool ends_block) {
+    /// A temperature that is not believed counts where a block has no other.
+    void take(Temperature temperature, bool believed, Elapsed elapsed, bool ends_block) {
+      if (std::exchange(stepped_, false)) before_ = drift_;
       drift_ = model_.drift();
       if (!model_.started()) model_.start({temperature, Rate{}, elapsed});
-      collector_.add_temperature(temperature);
+      if (believed || (ends_block && !collector_.has_temperature())) {
+        collector_.add_temperature(temperature);
+      }
       if (!ends_block) return;
       model_.step(collector_.means(elapsed));
       collector_.clear();
+      stepped_ = true;
     }
-    /// Of the temperature taken last.
+    /// Of the temperature taken last, and of the block before.
     Rate drift() const { return drift_; }
+    Rate drift_before() const { return before_; }
 
    private:
     using Model = DriftModel<kAllEffects, kAnyModel.expressions, kAnyModel.network_inputs>;
@@ -277,6 +370,8 @@ class DriftUnderFaults {
     Model model_;
     BlockCollector<Model::inputs> collector_;
     Rate drift_{};
+    Rate before_{};
+    bool stepped_ = false;
   };
 
   // Two of them on a line without faults, of which one is told wrong temperatures.
@@ -291,28 +386,31 @@ class DriftUnderFaults {
           settle_blocks_(std::max(1, static_cast<int>(parameters.policy.settle_blocks))) {}
 
     /// Runs up to a time. Block temperatures completed in this call may be wrong by this much,
-    /// because they are means of few, late samples.
-    void advance_to(std::int64_t time_us, std::int32_t error_q16) {
+    /// because they are means of few, late samples. Nothing: the board has not believed it.
+    void advance_to(std::int64_t time_us, std::optional<std::int32_t> error_q16) {
       while (sample_ * period_us_ <= time_us) {
         const bool last = sample_ * period_us_ > time_us - kSecondUs;
         const std::int32_t right = raw(coil_.at(static_cast<double>(sample_ * period_us_) * 1e-6));
         const bool ends_block = blocks_.advance(1) > 0;
-        truth_.take(Temperature::from_raw(right), blocks_.elapsed(), ends_block);
-        told_.take(Temperature::from_raw(last ? right + error_q16 : right), blocks_.elapsed(),
-                   ends_block);
+        truth_.take(Temperature::from_raw(right), true, blocks_.elapsed(), ends_block);
+        told_.take(Temperature::from_raw(last ? right + error_q16.value_or(0) : right),
+                   !last || error_q16.has_value(), blocks_.elapsed(), ends_block);
         ++sample_;
         if (ends_block && blocks_.elapsed().raw() % settle_blocks_ == 0) {
           explained_before_dph_ = std::exchange(explained_dph_, 0);
         }
       }
+      explained_dph_ = std::max(explained_dph_, std::abs(dph(told_.drift()) - dph(truth_.drift())));
     }
-    /// Error of a drift beyond what wrong temperatures explain, or have explained while a model
-    /// settles: a board that refused some, or started anew, forgets them earlier or later than the
-    /// witness that took all.
-    double unexplained_dph(const OutputSample& out) {
+    /// Error that wrong temperatures explain, or have explained while a model settles: a board that
+    /// refused some, or started anew, forgets them earlier or later than the witness that took all.
+    double explained_dph() const { return std::max(explained_dph_, explained_before_dph_); }
+    /// Error beyond what the true drift changes in a block: a board whose blocks begin elsewhere,
+    /// as after lost samples of a demodulator that counts anew, is that much ahead or behind.
+    double error_dph(const OutputSample& out) const {
       const double truth_dph = dph(truth_.drift());
-      explained_dph_ = std::max(explained_dph_, std::abs(dph(told_.drift()) - truth_dph));
-      return std::abs(dph(out.drift) - truth_dph) - std::max(explained_dph_, explained_before_dph_);
+      return std::abs(dph(out.drift) - truth_dph) -
+             std::abs(truth_dph - dph(truth_.drift_before()));
     }
 
    private:
@@ -329,6 +427,8 @@ class DriftUnderFaults {
 
   fogcomp::board::BoardTable table_;
   ModelParameters parameters_;
+  fogcomp::board::BoardTable true_table_;
+  ModelParameters true_parameters_;
   double max_degc_per_min_;
   TestedBoard setting_;
   std::int64_t period_us_;

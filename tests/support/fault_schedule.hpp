@@ -11,6 +11,7 @@
 #include "support/drift_under_faults.hpp"
 #include "support/faulty_line.hpp"
 #include "support/text.hpp"
+#include "support/typical_effects.hpp"
 
 // Random schedules of faults: which there are, how long they last and what they draw is data.
 namespace fog::test {
@@ -30,8 +31,9 @@ constexpr double kShortestS = 0.005;
 constexpr double kLongestS = 800;
 constexpr double kApartS = 800;  // at most, of what is drawn one after the other
 constexpr double kMaxTurnDps = 500;
+constexpr double kMaxDegcPerMin = 3;
 
-/// Every kind; a fault of one that is missing here is never drawn.
+/// Every kind; one may be drawn in more than one way.
 inline constexpr FaultDraw kFaultDraws[] = {
     {Fault::Kind::no_temperature, "temperature missing", kShortestS, kLongestS},
     {Fault::Kind::no_samples, "samples lost", kShortestS, kLongestS},
@@ -39,14 +41,23 @@ inline constexpr FaultDraw kFaultDraws[] = {
     {Fault::Kind::restart_ahead, "demodulator restarts ahead by", 0.05, 2, 1, 65535},
     {Fault::Kind::wrong_temperature, "temperature of", kShortestS, kLongestS, -80, 140},
     {Fault::Kind::temperature_offset, "temperature off by", kShortestS, kLongestS, -30, 30},
+    {Fault::Kind::temperature_drifts, "temperature drifts, degC/min:", 5, kLongestS, -4, 4},
+    // Of more, the means of blocks that begin elsewhere than the witness's are other ones.
+    {Fault::Kind::temperature_noise, "temperature noisy, degC:", kShortestS, kLongestS, 0.01, 0.3},
     {Fault::Kind::frozen_temperature, "temperature frozen", kShortestS, kLongestS},
     {Fault::Kind::sample_period, "sample period, us:", kShortestS, kLongestS, 0.368, 2.718},
+    // As wrong as a bad crystal or a resonator is.
+    {Fault::Kind::sample_period, "sample period, us:", 1, 10 * kLongestS, 0.97, 1.03},
     {Fault::Kind::repeated, "samples repeated", kShortestS, kLongestS},
     {Fault::Kind::swapped, "samples swapped", kShortestS, kLongestS},
     {Fault::Kind::sparse, "one sample of", kShortestS, kLongestS, 2, 1000},
     {Fault::Kind::leaps, "numbers leap by", 1, kLongestS, 1, 1000},
     {Fault::Kind::repeats_one, "one sample again and again", kShortestS, kLongestS},
+    {Fault::Kind::bits_flipped, "a bit flipped in one sample of", kShortestS, kLongestS, 1, 1000},
+    {Fault::Kind::bytes_lost, "a byte lost in one sample of", kShortestS, kLongestS, 1, 1000},
+    {Fault::Kind::bytes_added, "bytes added to one sample of", kShortestS, kLongestS, 1, 1000},
     {Fault::Kind::gyro_invalid, "gyro invalid", kShortestS, kLongestS},
+    {Fault::Kind::gyro_noise, "gyro noisy, deg/s:", kShortestS, kLongestS, 0.001, 100},
     {Fault::Kind::gyro_stands, "gyro stands, noise of", kShortestS, kLongestS, 0, 30},
     {Fault::Kind::gyro_level, "gyro at, deg/s:", kShortestS, kLongestS, -580, 580},
     {Fault::Kind::gyro_spikes, "spikes, deg/s:", kShortestS, kLongestS, 1, 580},
@@ -56,7 +67,16 @@ inline constexpr FaultDraw kFaultDraws[] = {
     {Fault::Kind::board_restart, "board restarts", 0.05, 1},
     {Fault::Kind::pin_reset, "reset by the pin", kShortestS, kLongestS},
 };
-static_assert(sizeof kFaultDraws / sizeof kFaultDraws[0] == kFaultKinds);
+constexpr std::size_t kDraws = sizeof kFaultDraws / sizeof kFaultDraws[0];
+
+constexpr bool has_every_kind() {
+  std::uint64_t kinds = 0;
+  for (const FaultDraw& draw : kFaultDraws) {
+    kinds |= std::uint64_t{1} << static_cast<unsigned>(draw.kind);
+  }
+  return kinds == (std::uint64_t{1} << kFaultKinds) - 1;
+}
+static_assert(has_every_kind());
 
 inline const char* name_of(Fault::Kind kind) {
   for (const FaultDraw& draw : kFaultDraws) {
@@ -65,12 +85,44 @@ inline const char* name_of(Fault::Kind kind) {
   return "?";
 }
 
-/// A board, what happens to it, and for how long: kSamples, or kShortestRunS if that is longer.
+/// What of the temperature's past a model knows; 0: not that.
+struct ThermalMemory {
+  double lag_s = 0;
+  double loop_degc = 0;  ///< half of its width
+  double warm_up_s = 0;
+
+  bool any() const { return lag_s > 0 || loop_degc > 0 || warm_up_s > 0; }
+};
+
+/// The paper's model with such terms, as effects and as expressions.
+inline fogcomp::model::Model with_memory(const ThermalMemory& memory) {
+  fogcomp::model::Model model = paper_like_model();
+  // The board knows from it for how long a held drift is as good as the model.
+  model.rate_range_degc_per_min = fogcomp::model::Range{-kMaxDegcPerMin, kMaxDegcPerMin};
+  if (memory.lag_s > 0) {
+    model.terms.push_back(natural_term("thermal_lag", {memory.lag_s}, {0.3}));
+    model.terms.push_back(written_term(fogcomp::format("late = lag(T,%.1f)-T", memory.lag_s / 2)));
+  }
+  if (memory.loop_degc > 0) {
+    model.terms.push_back(
+        natural_term("thermal_hysteresis", {memory.loop_degc, 2 * memory.loop_degc}, {0.3, 0.2}));
+    model.terms.push_back(written_term(fogcomp::format("loop = play(T,%.1f)", memory.loop_degc)));
+  }
+  if (memory.warm_up_s > 0) {
+    model.terms.push_back(natural_term("warm_up", {memory.warm_up_s}, {0.5}));
+  }
+  return model;
+}
+
+/// A board, what happens to it, and for how long: kSamples, or the shortest run if that is longer,
+/// which is a few times what the model takes to settle.
 struct FaultSchedule {
   static constexpr double kSamples = 1e6;
-  static constexpr double kShortestRunS = 1000;  // five times what a model takes to settle
+  static constexpr double kShortestRunS = 1000;
+  static constexpr double kShortestMemoryRunS = 2000;
 
   TestedBoard board;
+  ThermalMemory memory;
   double duration_s = 0;
   std::vector<Fault> faults;
 };
@@ -83,10 +135,12 @@ class FaultScheduler {
 
   FaultSchedule draw() {
     board_ = board();
-    FaultSchedule schedule{
-        board_,
-        std::max(FaultSchedule::kSamples / board_.sample_rate_hz, FaultSchedule::kShortestRunS),
-        {}};
+    FaultSchedule schedule;
+    schedule.board = board_;
+    if (chance(0.3)) schedule.memory = memory();
+    schedule.duration_s = std::max(
+        FaultSchedule::kSamples / board_.sample_rate_hz,
+        schedule.memory.any() ? FaultSchedule::kShortestMemoryRunS : FaultSchedule::kShortestRunS);
     if (chance(0.3)) schedule.faults.push_back(fault(0));
     for (double time_s = uniform(0, kApartS); time_s < schedule.duration_s;
          time_s += uniform(0, kApartS)) {
@@ -109,11 +163,20 @@ class FaultScheduler {
     setting.frames = kFrameChoices[random_() % kFrameChoices.size()];
     setting.image = chance(0.5) ? ImageKind::generic : ImageKind::specialised;
     setting.turns_dps = chance(0.5) ? uniform(0, kMaxTurnDps) : 0;
+    setting.has_reset_clock = chance(0.3);
+    setting.judged_by_validity = setting.frames.output == OutputSelection::kvh;
+    // The coil is between -38 and 58 degC.
+    if (chance(0.3)) setting.trained = fogcomp::model::Range{uniform(-40, 0), uniform(25, 60)};
     return setting;
   }
 
+  ThermalMemory memory() {
+    return {chance(0.6) ? logarithmic(10, 120) : 0, chance(0.6) ? logarithmic(0.5, 8) : 0,
+            chance(0.4) ? logarithmic(10, 200) : 0};
+  }
+
   Fault fault(double from_s) {
-    const FaultDraw& draw = kFaultDraws[random_() % kFaultKinds];
+    const FaultDraw& draw = kFaultDraws[random_() % kDraws];
     // Without a clock nobody can find it: not promised (firmware/DESIGN.md).
     if (draw.kind == Fault::Kind::sample_period && !board_.has_clock) return fault(from_s);
     const double lasts_s = logarithmic(draw.shortest_s, draw.longest_s);
@@ -130,8 +193,7 @@ class FaultScheduler {
 
 /// As DriftUnderFaults::run(), for the board of the schedule.
 inline DriftVerdict run(const FaultSchedule& schedule, std::uint64_t seed) {
-  constexpr double kMaxDegcPerMin = 3;
-  return DriftUnderFaults(paper_like_model(), kMaxDegcPerMin, schedule.board)
+  return DriftUnderFaults(with_memory(schedule.memory), kMaxDegcPerMin, schedule.board)
       .run(schedule.faults, schedule.duration_s, seed);
 }
 
@@ -142,7 +204,10 @@ inline std::string complaint(const DriftVerdict& verdict) {
   if (verdict.worst_dph > kBoundDph) {
     text += fogcomp::format("off by %.3f deg/h at %.2f s; ", verdict.worst_dph, verdict.worst_at_s);
   }
-  if (verdict.trusted_wrong > 0) text += "a gyro that stands or leaps was trusted; ";
+  if (verdict.trusted_wrong > 0) {
+    text += fogcomp::format("a gyro that stands or leaps was trusted at %.2f s; ",
+                            verdict.trusted_wrong_at_s);
+  }
   if (verdict.false_frames > 0) text += "frames say something else than the board has found; ";
   return text;
 }
@@ -154,6 +219,14 @@ inline void print(const FaultSchedule& schedule) {
               board.has_clock ? "with a crystal" : "without a clock", board.sample_rate_hz,
               schedule.duration_s, static_cast<int>(board.frames.output), board.frames.options,
               board.image == ImageKind::generic ? "generic" : "specialised", board.turns_dps);
+  if (board.has_reset_clock) std::printf("  a clock that outlasts a reset\n");
+  if (board.trained) {
+    std::printf("  trained from %.2f to %.2f degC\n", board.trained->min, board.trained->max);
+  }
+  if (schedule.memory.any()) {
+    std::printf("  lag of %.1f s, loop of %.2f degC, warm-up of %.1f s\n", schedule.memory.lag_s,
+                schedule.memory.loop_degc, schedule.memory.warm_up_s);
+  }
   for (const Fault& fault : schedule.faults) {
     std::printf("  %.3f to %.3f s: %s %g\n", fault.from_s, fault.to_s, name_of(fault.kind),
                 fault.value);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "board/replay.hpp"
+#include "support/board_image.hpp"
 #include "support/sample_models.hpp"
 
 // A demodulator with faults, to test whether the drift is still right.
@@ -27,14 +28,20 @@ struct Fault {
     restart_ahead,       ///< the same, from `value` numbers ahead
     wrong_temperature,   ///< `value` degC, flagged as valid
     temperature_offset,  ///< `value` degC too warm
+    temperature_drifts,  ///< by `value` degC/min
+    temperature_noise,   ///< uniform, up to `value` degC of either sign
     frozen_temperature,  ///< the reading at the start of the fault, repeated
     sample_period,       ///< `value` us instead of kPeriodUs
     repeated,            ///< every fourth sample comes twice
     swapped,             ///< every fourth sample comes after its successor
     sparse,              ///< only every `value`th sample arrives
     leaps,               ///< the number leaps ahead by `value`, once a second
-    repeats_one,  ///< a FIFO that stands: the sample at the start of the fault, again and again
+    repeats_one,   ///< a FIFO that stands: the sample at the start of the fault, again and again
+    bits_flipped,  ///< of one byte in one sample of `value`
+    bytes_lost,    ///< likewise, one byte
+    bytes_added,   ///< likewise, before the sample
     gyro_invalid,
+    gyro_noise,   ///< uniform, up to `value` deg/s of either sign
     gyro_stands,  ///< the loop: the reading at the start of the fault, and `value` counts of noise
     gyro_level,   ///< a converter that stands: `value` deg/s
     gyro_spikes,  ///< one sample of 50 is `value` deg/s, of either sign
@@ -141,6 +148,8 @@ class FaultyLine {
     std::int64_t time_us;
     SensorSample sample;
     double true_degc;
+    LineDamage damage;
+    bool gyro_stands;  ///< whatever it whispers
   };
 
   FaultyLine(std::vector<Fault> faults, std::uint64_t seed, double max_degc_per_min,
@@ -156,7 +165,7 @@ class FaultyLine {
   /// the next call.
   const std::vector<Arrival>& next() {
     const double time_s = static_cast<double>(time_us_) * 1e-6;
-    Arrival now{time_us_, {}, coil_.at(time_s)};
+    Arrival now{time_us_, {}, coil_.at(time_s), {}, false};
     now.sample.sequence = sequence_;
     now.sample.rate_counts = static_cast<std::int32_t>(random_() % 4001U) - 2000;
     if (setting_.turns_dps != 0) {
@@ -222,6 +231,12 @@ class FaultyLine {
         case Kind::temperature_offset:
           now.sample.temperature_q16 += raw(fault.value);
           break;
+        case Kind::temperature_drifts:
+          now.sample.temperature_q16 += raw(fault.value / 60 * (time_s - fault.from_s));
+          break;
+        case Kind::temperature_noise:
+          now.sample.temperature_q16 += either_way(raw(fault.value));
+          break;
         case Kind::frozen_temperature:
           if (fault.value == 0) fault.value = now.true_degc + 1e-6;
           now.sample.temperature_q16 = raw(fault.value);
@@ -245,16 +260,31 @@ class FaultyLine {
         case Kind::repeats_one:
           if (!standing_) standing_ = now.sample;
           now.sample = *standing_;
+          now.gyro_stands = true;
+          break;
+        case Kind::bits_flipped:
+          damage(now, fault, LineDamage::Kind::bit_flipped);
+          break;
+        case Kind::bytes_lost:
+          damage(now, fault, LineDamage::Kind::byte_lost);
+          break;
+        case Kind::bytes_added:
+          damage(now, fault, LineDamage::Kind::bytes_added);
           break;
         case Kind::gyro_invalid:
           now.sample.gyro_valid = false;
           break;
+        case Kind::gyro_noise:
+          now.sample.rate_counts += either_way(counts(fault.value));
+          break;
         case Kind::gyro_stands:
           if (!stood_) stood_ = now.sample.rate_counts;
-          now.sample.rate_counts = *stood_ + whisper(fault.value);
+          now.gyro_stands = true;
+          now.sample.rate_counts = *stood_ + either_way(static_cast<std::int32_t>(fault.value));
           break;
         case Kind::gyro_level:
           now.sample.rate_counts = counts(fault.value);
+          now.gyro_stands = true;
           break;
         case Kind::gyro_spikes:
           if (random_() % 50U == 0) {
@@ -275,10 +305,15 @@ class FaultyLine {
     return arrives;
   }
 
-  std::int32_t whisper(double largest) {
-    const auto either = static_cast<std::int32_t>(largest);
-    return static_cast<std::int32_t>(random_() % (2U * static_cast<unsigned>(either) + 1U)) -
-           either;
+  // One of -largest to largest.
+  std::int32_t either_way(std::int32_t largest) {
+    const auto choices = 2U * static_cast<unsigned>(largest) + 1U;
+    return static_cast<std::int32_t>(random_() % choices) - largest;
+  }
+
+  void damage(Arrival& now, const Fault& fault, LineDamage::Kind kind) {
+    if (random_() % static_cast<unsigned>(fault.value) != 0) return;
+    now.damage = {kind, static_cast<std::uint32_t>(random_())};
   }
 
   static bool has(const std::vector<Fault*>& faults, Fault::Kind kind) {
