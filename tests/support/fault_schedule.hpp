@@ -88,7 +88,7 @@ inline const char* name_of(Fault::Kind kind) {
 /// What of the temperature's past a model knows; 0: not that.
 struct ThermalMemory {
   double lag_s = 0;
-  double loop_degc = 0;  ///< half of its width
+  double loop_degc = 0;  ///< half of its width; in narrow ones a sensor step moves the drift
   double warm_up_s = 0;
 
   bool any() const { return lag_s > 0 || loop_degc > 0 || warm_up_s > 0; }
@@ -171,7 +171,7 @@ class FaultScheduler {
   }
 
   ThermalMemory memory() {
-    return {chance(0.6) ? logarithmic(10, 120) : 0, chance(0.6) ? logarithmic(0.5, 8) : 0,
+    return {chance(0.6) ? logarithmic(10, 120) : 0, chance(0.6) ? logarithmic(2, 8) : 0,
             chance(0.4) ? logarithmic(10, 200) : 0};
   }
 
