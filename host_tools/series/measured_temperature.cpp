@@ -16,6 +16,9 @@ namespace {
 constexpr double kFactor = 2;
 constexpr std::size_t kReadings = 4000;
 constexpr double kLeast = 1e-18;  // of noise (degC) and walk: none
+// Noise of a thermometer, in steps: between sharper edges the moments lose their digits, and the
+// rate jumps.
+constexpr double kSharpest = 0.01;
 
 // What a thermometer may be like.
 struct Law {
@@ -144,6 +147,7 @@ Law most_probable(const BlockSeries& series, const std::vector<Part>& parts, Law
       Law tried = law;
       tried.*value *= factor;
       if (tried.*value < kLeast || tried.*value > 1 / kLeast) return any;
+      if (tried.noise_degc < kSharpest * tried.step_degc) return any;
       const double probability = log_likelihood(series, parts, every, tried);
       if (!(probability > best + 1e-6)) return any;
       best = probability;

@@ -64,6 +64,36 @@ INSTANTIATE_TEST_SUITE_P(Thermometers, MeasuredTemperatureTest,
                          testing::Values(std::pair{1.0, 0.05}, std::pair{0.25, 0.05},
                                          std::pair{0.0625, 0.03}, std::pair{0.00390625, 0.004}));
 
+// A coil that follows a chamber at 1 degC/min by 120 s, and steps of a sixteenth without any noise.
+TEST(MeasuredTemperature, NoiselessSteps_HaveTheRateOfTheRamps) {
+  constexpr double kPerMinute = 1;
+  constexpr double kLag_s = 120;
+  recording::Recording recording;
+  recording.period_s = 1;
+  recording.stretch_starts = {0};
+  std::vector<double> rates;
+  double chamber = 25;
+  double coil = chamber;
+  for (const double target : {60.0, 0.0, -30.0, 25.0}) {
+    const double ramp_s = std::abs(target - chamber) / kPerMinute * 60;
+    const double from = chamber;
+    for (int i = 0; i < ramp_s + 900; ++i) {
+      chamber = from + std::min(1.0, i / ramp_s) * (target - from);
+      rates.push_back(60 * (chamber - coil) / kLag_s);
+      recording.time_s.push_back(static_cast<double>(recording.time_s.size()));
+      recording.temperature_degc.push_back(std::round(coil * 16) / 16);
+      recording.rate_dph.push_back(0);
+      coil += (chamber - coil) / kLag_s;
+    }
+  }
+  const MeasuredTemperature measured = measured_temperature(make_blocks(recording));
+  double square = 0;
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    square += std::pow(measured.at(static_cast<std::int64_t>(i)).degc_per_min - rates[i], 2);
+  }
+  EXPECT_LT(std::sqrt(square / static_cast<double>(rates.size())), 0.05);
+}
+
 TEST(MeasuredTemperature, HasAValueForEachBlockOfAGap) {
   recording::Recording recording = read_by(0.25, 0.05);
   const auto drop = [](std::vector<double>& column) {
