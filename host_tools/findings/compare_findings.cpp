@@ -35,7 +35,11 @@ Document compare_findings(const std::vector<compare::ModelOnRuns>& models) {
       std::any_of(best.runs.begin(), best.runs.end(), leaves_drift)
           ? Next("ask which effect is missing", diagnose_command(best.file, run_files(best)))
           : next_export(
-                "nothing above the noise floor is left on these runs: make the board's header",
+                std::any_of(best.runs.begin(), best.runs.end(), floor_is_unknown)
+                    ? "how much of the rest is noise, so few rows do not show; if it is small "
+                      "enough, make the board's header"
+                    : "nothing above the noise floor is left on these runs: make the board's "
+                      "header",
                 best.model, best.file);
   document.parts = sentences(turn_on_sentences(best.turn_on));
   for (std::size_t run = 0; run < first.runs.size(); ++run) {

@@ -242,6 +242,10 @@ bool leaves_drift(const compare::ModelOnRun& run) {
   return run.analysis.excess_dph2.has_value();
 }
 
+bool floor_is_unknown(const compare::ModelOnRun& run) {
+  return !run.comparison.noise_floor_dph;
+}
+
 Parts run_section(const Models& models, std::size_t run, Shown shown) {
   const compare::Comparison& best = on_run(*models[0], run);
   const bool several = models.size() > 1;

@@ -44,5 +44,7 @@ std::vector<std::string> diagnose_command(const std::string& model,
 
 /// Whether a model's residual on a run is significantly above the noise floor.
 bool leaves_drift(const compare::ModelOnRun& run);
+/// Whether nobody can say, as of a table of few means.
+bool floor_is_unknown(const compare::ModelOnRun& run);
 
 }  // namespace fogcomp::findings

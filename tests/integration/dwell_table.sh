@@ -67,6 +67,7 @@ done
 
 # Judged out of sample: the curve is needed, a cubic part is not there.
 "$fogcomp" fit still.csv "${columns[@]}" -o line.model --effects bias,bias_temperature:order=1 >said.txt 2>&1
+says said.txt '^  next: how much of the rest is noise, so few rows do not show: fogcomp add says'
 "$fogcomp" add line.model bias_temperature:order=2 still.csv "${columns[@]}" -o curve.model >said.txt 2>&1 ||
   fail "the curve is refused: $(cat said.txt)"
 status=0
