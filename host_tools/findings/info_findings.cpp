@@ -86,7 +86,8 @@ std::string course_words(const recording::Recording& recording,
       return format("a temperature that settles, %.1f to %.1f degC with a time constant of ",
                     degc.front(), degc.back()) +
              duration(recording::settling_time_s(recording)) +
-             ": a gyro that warms itself up, or one step of its surroundings";
+             ": a gyro that warms itself up, or one step of its surroundings; what the temperature "
+             "does cannot be told from what its rate does";
     case recording::TemperatureCourse::day:
       return "a temperature that moves as slowly as the day: outdoors, or in a room";
     case recording::TemperatureCourse::free:
