@@ -216,8 +216,9 @@ bool ColumnName::is_rate() const {
 // Columns other than time, temperature and rate need their own names and a unit.
 std::optional<std::size_t> ColumnName::optional_slot() const {
   if (!unit || unit_alone) return std::nullopt;
-  if (unit->quantity == Quantity::rate && has_word({"input"}))
+  if (unit->quantity == Quantity::rate && has_word({"input", "table", "turntable"})) {
     return slot_of(Column::input_rate_dph);
+  }
   const std::string base = join(words, "_");
   for (std::size_t slot = slot_of(Column::uptime_s); slot < kColumns.size(); ++slot) {
     if (base == base_of(kColumns[slot]) && quantity_of(slot) == unit->quantity) return slot;

@@ -206,6 +206,14 @@ TEST(CsvReader, ProposesNoColumnOfAnotherUnit) {
             "'rate_z_dph'; say which: --columns 'rate=rate_x_dph', or --rate-column 'rate_x_dph'");
 }
 
+TEST(CsvReader, RateOfTheTable_IsTheInputRate) {
+  for (const std::string name : {"table_rate [deg/s]", "Turntable (deg/s)", "rate_table_dps"}) {
+    const Recording recording =
+        read_text("time_s,temperature_degc,rate_dph," + name + "\n0,20,1,3\n");
+    EXPECT_EQ(recording.input_rate_dph, std::vector<double>{10800}) << name;
+  }
+}
+
 TEST(CsvReader, ConvertsAnInputRateInAnotherUnit) {
   std::string said;
   const Recording recording = read_text(
