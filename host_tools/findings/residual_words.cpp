@@ -74,8 +74,9 @@ std::string fast_words(const diagnosis::Diagnosis& diagnosis) {
 }
 
 std::string probability_words(const diagnosis::Diagnosis& diagnosis) {
-  return format("nothing missing %.2f; outside the catalogue %.2f", diagnosis.nothing,
-                diagnosis.something_else);
+  const bool is_fast = diagnosis.fast_kind != diagnosis::FastKind::none;
+  return format("nothing %smissing %.2f; outside the catalogue %.2f", is_fast ? "else " : "",
+                diagnosis.nothing, diagnosis.something_else);
 }
 
 std::string network_words(const diagnosis::Diagnosis& diagnosis) {

@@ -263,6 +263,16 @@ TEST(DiagnosisWords, SayWhatWouldShowWhatTheseRecordingsCannot) {
             "nothing missing 1.00; outside the catalogue 0.00; " + diagnosis.blind_spot);
 }
 
+TEST(DiagnosisWords, CyclesAreLeft_NothingElseMayBeMissing) {
+  diagnosis::Diagnosis diagnosis;
+  diagnosis.verdict = diagnosis::Verdict::unknown;
+  diagnosis.fast_kind = diagnosis::FastKind::line;
+  diagnosis.fast.line_period_s = 47;
+  const DiagnosisWords words = words_of(diagnosis, {}, kFiles);
+  EXPECT_NE(words.verdict.find("cycles"), std::string::npos) << words.verdict;
+  EXPECT_EQ(words.certainty.find("nothing else missing 1.00; "), 0U) << words.certainty;
+}
+
 // Each command uses the file written by the one before.
 TEST(DiagnosisWords, OfALadderAreTheCommandsThatMakeItsModel) {
   diagnosis::Ladder ladder;
