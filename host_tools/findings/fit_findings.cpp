@@ -46,8 +46,8 @@ Parts row_words(const FitOutcome& fit) {
                     words(format("); misfit %.2f", identified.birge_ratio))};
   const auto& better = fit.better_derivative;
   parts += Sentence{
-      words(format("of the error, the board's delay (block means, derivative filter) makes %.2g "
-                   "deg/h rms",
+      words(format("with the gyro's own values the board's delay (block means, derivative filter) "
+                   "would make %.2g deg/h rms",
                    fit.delay_rms_dph) +
             (better ? format("; --derivative-tau %.3g would leave %.2g of it", better->tau_s,
                              better->delay_rms_dph)
