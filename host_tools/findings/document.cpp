@@ -24,6 +24,14 @@ Parts::Parts(Sentence sentence) {
   if (!sentence.text.empty()) parts_.push_back({std::move(sentence)});
 }
 
+Parts::Parts(Heading heading) : parts_{{std::move(heading)}} {}
+Parts::Parts(Listing listing) : parts_{{std::move(listing)}} {}
+Parts::Parts(const Parts& other) = default;
+Parts::Parts(Parts&& other) noexcept = default;
+Parts& Parts::operator=(const Parts& other) = default;
+Parts& Parts::operator=(Parts&& other) noexcept = default;
+Parts::~Parts() = default;
+
 Parts::Parts(Table table) {
   if (!table.rows.empty()) parts_.push_back({std::move(table)});
 }

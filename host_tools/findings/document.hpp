@@ -86,10 +86,16 @@ class Parts {
   };
   Parts() = default;
   Parts(Sentence sentence);
-  Parts(Heading heading) : parts_{{std::move(heading)}} {}
-  Parts(Listing listing) : parts_{{std::move(listing)}} {}
+  Parts(Heading heading);
+  Parts(Listing listing);
   Parts(Table table);
   Parts(Plot plot);  ///< on pages
+  // Not inline: every sum of parts has several, and all of them are in the engine of a page.
+  Parts(const Parts& other);
+  Parts(Parts&& other) noexcept;
+  Parts& operator=(const Parts& other);
+  Parts& operator=(Parts&& other) noexcept;
+  ~Parts();
   Parts& operator+=(Parts more);
 
   auto begin() const { return parts_.begin(); }
