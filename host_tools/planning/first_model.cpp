@@ -1,7 +1,5 @@
 #include "planning/first_model.hpp"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -11,6 +9,7 @@
 #include "planning/typical_gyro.hpp"
 #include "planning/weighted_rows.hpp"
 #include "simulation/programme.hpp"
+#include "support/decompositions.hpp"
 #include "support/least_squares.hpp"
 
 namespace fogcomp::planning {
@@ -51,17 +50,16 @@ Fitted fitted(const Eigen::MatrixXd& columns, const Eigen::VectorXd& drift,
   Eigen::VectorXd precision = in_box.colwise().squaredNorm().transpose() /
                               static_cast<double>(in_box.rows()) / (spread * spread);
   precision[0] /= kAny * kAny;
-  Eigen::MatrixXd own = rows.products(columns, columns);
+  const Eigen::MatrixXd own = rows.products(columns, columns);
   const Eigen::VectorXd towards = rows.products(columns, drift);
   Eigen::MatrixXd all = own;
   all.diagonal() += precision;
-  const Eigen::LDLT<Eigen::MatrixXd> solved(all);
-  const Eigen::VectorXd mean = solved.solve(towards);
-  return {
-      (towards.dot(mean) + precision.array().log().sum() - solved.vectorD().array().log().sum()) /
-          2,
-      in_box * own.ldlt().solve(towards), in_box * mean,
-      in_box.transpose().cwiseProduct(solved.solve(in_box.transpose())).sum()};
+  const Eigen::MatrixXd covariance = inverse_of_definite(all);
+  const Eigen::VectorXd mean = covariance * towards;
+  return {(towards.dot(mean) + precision.array().log().sum()) / 2 -
+              cholesky_factor(all).diagonal().array().log().sum(),
+          in_box * solve_semidefinite(own, towards), in_box * mean,
+          covariance.cwiseProduct(in_box.transpose() * in_box).sum()};
 }
 
 // The last contains the others: what it leaves is the noise.
