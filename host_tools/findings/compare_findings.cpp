@@ -1,7 +1,5 @@
 #include "findings/findings.hpp"
 
-#include <algorithm>
-
 #include "findings/compare_words.hpp"
 #include "findings/next_step_words.hpp"
 #include "findings/run_section.hpp"
@@ -22,6 +20,18 @@ Text found(const std::vector<const compare::ModelOnRuns*>& models) {
   return text + words(error_words(worst));
 }
 
+Next next_after_comparison(const compare::ModelOnRuns& best) {
+  if (leaves_drift(best)) {
+    return {"ask which effect is missing", diagnose_command(best.file, run_files(best))};
+  }
+  const char* const why =
+      floor_is_unknown(best)
+          ? "how much of the rest is noise, so few rows do not show; if it is small enough, make "
+            "the board's header"
+          : "nothing above the noise floor is left on these runs: make the board's header";
+  return next_export(why, best.model, best.file);
+}
+
 }  // namespace
 
 Document compare_findings(const std::vector<compare::ModelOnRuns>& models) {
@@ -31,16 +41,7 @@ Document compare_findings(const std::vector<compare::ModelOnRuns>& models) {
   const std::vector<const compare::ModelOnRuns*> ranked = compare::best_first(models);
   const compare::ModelOnRuns& best = *ranked[0];
   Document document{subject, found(ranked)};
-  document.next =
-      std::any_of(best.runs.begin(), best.runs.end(), leaves_drift)
-          ? Next("ask which effect is missing", diagnose_command(best.file, run_files(best)))
-          : next_export(
-                std::any_of(best.runs.begin(), best.runs.end(), floor_is_unknown)
-                    ? "how much of the rest is noise, so few rows do not show; if it is small "
-                      "enough, make the board's header"
-                    : "nothing above the noise floor is left on these runs: make the board's "
-                      "header",
-                best.model, best.file);
+  document.next = next_after_comparison(best);
   document.parts = sentences(turn_on_sentences(best.turn_on));
   for (std::size_t run = 0; run < first.runs.size(); ++run) {
     document.parts += run_section(ranked, run, Shown::everywhere);

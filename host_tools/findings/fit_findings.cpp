@@ -109,6 +109,20 @@ Parts ladder_section(const FitOutcome& fit) {
                                 (fit.network_dropped() ? "; --force-network keeps it" : ""))};
 }
 
+Next next_after_fit(const compare::ModelOnRuns& model) {
+  if (leaves_drift(model)) {
+    return {"ask which effect is missing", diagnose_command(model.file, run_files(model))};
+  }
+  if (floor_is_unknown(model)) {
+    return {
+        "how much of the rest is noise, so few rows do not show: fogcomp add says whether a "
+        "further effect helps"};
+  }
+  return {
+      "nothing above the noise floor is left; compare the model with a run that it was not "
+      "fitted to"};
+}
+
 }  // namespace
 
 std::string network_verdict(const fit::FitResult& fit) {
@@ -128,26 +142,9 @@ std::vector<Text> own_bias_words(const fit::Identification& identified) {
   return sentences;
 }
 
-Next next_of(const compare::ModelOnRuns& model) {
-  const auto any_run = [&](bool (*holds)(const compare::ModelOnRun&)) {
-    return std::any_of(model.runs.begin(), model.runs.end(), holds);
-  };
-  if (any_run(leaves_drift)) {
-    return {"ask which effect is missing", diagnose_command(model.file, run_files(model))};
-  }
-  if (any_run(floor_is_unknown)) {
-    return {
-        "how much of the rest is noise, so few rows do not show: fogcomp add says whether a "
-        "further effect helps"};
-  }
-  return {
-      "nothing above the noise floor is left; compare the model with a run that it was not "
-      "fitted to"};
-}
-
 Document fit_findings(const FitOutcome& fit, const compare::ModelOnRuns& model) {
   Document document{"fogcomp fit " + join(run_files(model), " ") + " -o " + model.file, found(fit)};
-  document.next = next_of(model);
+  document.next = next_after_fit(model);
   document.parts = row_words(fit) + turn_on_words(fit) + model_section(fit) + prior_section(fit) +
                    ladder_section(fit);
   for (std::size_t run = 0; run < model.runs.size(); ++run) {

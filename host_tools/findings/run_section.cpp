@@ -238,12 +238,16 @@ std::vector<std::string> diagnose_command(const std::string& model,
   return command;
 }
 
-bool leaves_drift(const compare::ModelOnRun& run) {
-  return run.analysis.excess_dph2.has_value();
+bool leaves_drift(const compare::ModelOnRuns& model) {
+  return std::any_of(model.runs.begin(), model.runs.end(), [](const compare::ModelOnRun& run) {
+    return run.analysis.excess_dph2.has_value();
+  });
 }
 
-bool floor_is_unknown(const compare::ModelOnRun& run) {
-  return !run.comparison.noise_floor_dph;
+bool floor_is_unknown(const compare::ModelOnRuns& model) {
+  return std::any_of(model.runs.begin(), model.runs.end(), [](const compare::ModelOnRun& run) {
+    return !run.comparison.noise_floor_dph;
+  });
 }
 
 Parts run_section(const Models& models, std::size_t run, Shown shown) {

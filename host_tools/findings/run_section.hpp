@@ -42,9 +42,9 @@ std::vector<std::string> run_files(const compare::ModelOnRuns& model);
 std::vector<std::string> diagnose_command(const std::string& model,
                                           const std::vector<std::string>& runs);
 
-/// Whether a model's residual on a run is significantly above the noise floor.
-bool leaves_drift(const compare::ModelOnRun& run);
-/// Whether nobody can say, as of a table of few means.
-bool floor_is_unknown(const compare::ModelOnRun& run);
+/// Whether a model's residual is significantly above the noise floor on one of its runs.
+bool leaves_drift(const compare::ModelOnRuns& model);
+/// Whether nobody can say of one of them, as of a table of few means.
+bool floor_is_unknown(const compare::ModelOnRuns& model);
 
 }  // namespace fogcomp::findings
