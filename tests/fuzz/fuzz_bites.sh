@@ -7,14 +7,14 @@ fuzz=$(realpath "$(dirname "$0")/fuzz.sh")
 enter_scratch
 mkdir seeds
 echo seed >seeds/seed
-cat >fuzz_stub <<'STUB'
+cat >fuzz_script <<'SCRIPT'
 #!/usr/bin/env bash
 for word in "$@"; do [[ $word != -artifact_prefix=* ]] || echo 7 >"${word#*=}crash-1"; done
 echo "broken: it answers requests" >&2
 exit 77
-STUB
-chmod +x fuzz_stub
+SCRIPT
+chmod +x fuzz_script
 status=0
-"$fuzz" ./fuzz_stub seeds found >said.txt 2>&1 || status=$?
+"$fuzz" ./fuzz_script seeds found >said.txt 2>&1 || status=$?
 ((status == 1)) || fail "a finding ends with $status: $(cat said.txt)"
-says said.txt '^FAILED: stub: broken-crash-1: broken: it answers requests$'
+says said.txt '^FAILED: script: broken-crash-1: broken: it answers requests$'
