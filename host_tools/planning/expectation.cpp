@@ -5,7 +5,6 @@
 #include "model/catalogue.hpp"
 #include "planning/typical_gyro.hpp"
 #include "series/signal_series.hpp"
-#include "simulation/programme.hpp"
 #include "support/input_error.hpp"
 #include "support/units.hpp"
 
@@ -30,9 +29,7 @@ void require_plannable(const Question& question) {
 
 Foresight::Foresight(Question question) : question_(std::move(question)) {
   require_plannable(question_);
-  const char* const name = "the box of use";
-  day_ = series::make_blocks(
-      typical_recording(simulation::parse_profile(day_in(question_.use), name, 1), name, kRow_s));
+  day_ = series::make_blocks(typical_day(question_.use, kRow_s));
 }
 
 // Both are in one series: so an inexact formula is inexact in the same way in both.

@@ -8,12 +8,13 @@
 #include "planning/operating_box.hpp"
 #include "planning/typical_gyro.hpp"
 #include "planning/weighted_rows.hpp"
-#include "simulation/programme.hpp"
 #include "support/decompositions.hpp"
 #include "support/least_squares.hpp"
 
 namespace fogcomp::planning {
 namespace {
+
+constexpr double kBoxRow_s = 60;
 
 Eigen::MatrixXd columns_of(const series::SignalSeries& series, const std::string& effects) {
   std::vector<Eigen::MatrixXd> columns;
@@ -72,14 +73,6 @@ std::vector<std::string> first_models(const OperatingBox& box) {
   return all;
 }
 
-series::SignalSeries series_in(const OperatingBox& box, double derivative_tau_s) {
-  constexpr double kBoxRow_s = 60;
-  const char* const name = "the recording's box";
-  return series_of(series::make_blocks(typical_recording(
-                       simulation::parse_profile(day_in(box), name, 1), name, kBoxRow_s)),
-                   kBoxRow_s, derivative_tau_s);
-}
-
 // Each is right with the probability that its evidence gives it.
 std::string of_least_error(const std::vector<std::string>& choice,
                            const series::SignalSeries& series, const judge::Rows& judged,
@@ -117,8 +110,9 @@ Prospect prospect_of(const series::BlockSeries& recording, double row_s, double 
   const judge::NoiseLevels noise = judge::Prediction(judged).noise();
   Prospect prospect;
   if (box.temperature_degc.min < box.temperature_degc.max) {
-    prospect.first_effects =
-        of_least_error(choice, series, judged, noise, series_in(box, derivative_tau_s));
+    prospect.first_effects = of_least_error(
+        choice, series, judged, noise,
+        series_of(series::make_blocks(typical_day(box, kBoxRow_s)), kBoxRow_s, derivative_tau_s));
   }
   std::vector<model::EffectTerm> terms = model::parse_effects(prospect.first_effects);
   for (model::EffectTerm& term : terms) term = model::of_typical_size(term);

@@ -32,6 +32,22 @@ constexpr std::array<Move, 12> kDay{{{0, 1, 90, 1},
                                      {1, 0.75, 60, 0},
                                      {0.5, 1, 60, -1}}};
 
+// A profile for simulation::parse_profile.
+std::string day_in(const OperatingBox& box) {
+  const auto [low, high] = box.temperature_degc;
+  double now = (low + high) / 2;
+  std::string profile = format("start %.6g degC\n", now);
+  for (const Move& move : kDay) {
+    const double target = low + move.place * (high - low);
+    const double fastest = target > now ? box.ramp_degc_per_min.max : -box.ramp_degc_per_min.min;
+    if (box.rate_dps > 0) profile += format("rate %.6g deg/s\n", move.rate * box.rate_dps);
+    profile += format("ramp to %.6g degC at %.6g degC/min\n", target, move.ramp * fastest);
+    if (move.soak_min > 0) profile += format("soak %.6g min\n", move.soak_min);
+    now = target;
+  }
+  return profile;
+}
+
 }  // namespace
 
 recording::Recording typical_recording(const simulation::Programme& programme,
@@ -49,19 +65,9 @@ recording::Recording typical_recording(const simulation::Programme& programme,
   return recording;
 }
 
-std::string day_in(const OperatingBox& box) {
-  const auto [low, high] = box.temperature_degc;
-  double now = (low + high) / 2;
-  std::string profile = format("start %.6g degC\n", now);
-  for (const Move& move : kDay) {
-    const double target = low + move.place * (high - low);
-    const double fastest = target > now ? box.ramp_degc_per_min.max : -box.ramp_degc_per_min.min;
-    if (box.rate_dps > 0) profile += format("rate %.6g deg/s\n", move.rate * box.rate_dps);
-    profile += format("ramp to %.6g degC at %.6g degC/min\n", target, move.ramp * fastest);
-    if (move.soak_min > 0) profile += format("soak %.6g min\n", move.soak_min);
-    now = target;
-  }
-  return profile;
+recording::Recording typical_day(const OperatingBox& box, double row_s) {
+  const char* const name = "a day in the box";
+  return typical_recording(simulation::parse_profile(day_in(box), name, 1), name, row_s);
 }
 
 }  // namespace fogcomp::planning

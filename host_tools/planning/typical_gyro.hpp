@@ -13,9 +13,8 @@ namespace fogcomp::planning {
 recording::Recording typical_recording(const simulation::Programme& programme,
                                        const std::string& name, double row_s);
 
-/// A day in the box: twelve moves to temperatures that cover it, its edges included, at its fastest
-/// ramps and slower ones, with 8 h of soaks between and input rates that change. A profile for
-/// simulation::parse_profile.
-std::string day_in(const OperatingBox& box);
+/// The same of a day in the box: twelve moves to temperatures that cover it, its edges included, at
+/// its fastest ramps and slower ones, with 8 h of soaks between and input rates that change.
+recording::Recording typical_day(const OperatingBox& box, double row_s);
 
 }  // namespace fogcomp::planning
