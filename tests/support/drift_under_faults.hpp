@@ -374,33 +374,52 @@ class DriftUnderFaults {
     bool stepped_ = false;
   };
 
-  // Two of them on a line without faults, of which one is told wrong temperatures.
+  // Two of them on a line without faults, of which one is told wrong temperatures, for blocks that
+  // begin at the same time.
+  struct WitnessPair {
+    WitnessPair(const ModelParameters& parameters, std::uint32_t begun_samples)
+        : truth(parameters), told(parameters), blocks(parameters.samples_per_block) {
+      blocks.advance(begun_samples);
+    }
+    double explained_dph() const { return std::abs(dph(told.drift()) - dph(truth.drift())); }
+
+    Witness truth;
+    Witness told;
+    BlockClock blocks;
+  };
+
+  // Nobody knows where a board's blocks begin after lost samples or a restart: a wrong temperature
+  // may be all of one, or half of two. So there are pairs for several beginnings.
   class Witnesses {
    public:
     Witnesses(const ModelParameters& parameters, std::uint64_t seed, double max_degc_per_min)
-        : truth_(parameters),
-          told_(parameters),
-          blocks_(parameters.samples_per_block),
-          coil_(seed, max_degc_per_min),
+        : coil_(seed, max_degc_per_min),
           period_us_(parameters.acquisition.sample_period_us),
-          settle_blocks_(std::max(1, static_cast<int>(parameters.policy.settle_blocks))) {}
+          longest_bridge_us_(period_us_ * parameters.samples_per_block *
+                             parameters.policy.hold_blocks),
+          settle_blocks_(std::max(1, static_cast<int>(parameters.policy.settle_blocks))) {
+      for (std::uint32_t i = 0; i < kBeginnings; ++i) {
+        pairs_.emplace_back(parameters, parameters.samples_per_block * i / kBeginnings);
+      }
+    }
 
     /// Runs up to a time. Block temperatures completed in this call may be wrong by this much,
     /// because they are means of few, late samples. Nothing: the board has not believed it.
     void advance_to(std::int64_t time_us, std::optional<std::int32_t> error_q16) {
-      while (sample_ * period_us_ <= time_us) {
-        const bool last = sample_ * period_us_ > time_us - kSecondUs;
-        const std::int32_t right = raw(coil_.at(static_cast<double>(sample_ * period_us_) * 1e-6));
-        const bool ends_block = blocks_.advance(1) > 0;
-        truth_.take(Temperature::from_raw(right), true, blocks_.elapsed(), ends_block);
-        told_.take(Temperature::from_raw(last ? right + error_q16.value_or(0) : right),
-                   !last || error_q16.has_value(), blocks_.elapsed(), ends_block);
-        ++sample_;
-        if (ends_block && blocks_.elapsed().raw() % settle_blocks_ == 0) {
-          explained_before_dph_ = std::exchange(explained_dph_, 0);
-        }
+      for (; sample_ * period_us_ <= time_us; ++sample_) {
+        const std::int64_t now_us = sample_ * period_us_;
+        const bool last = now_us > time_us - kSecondUs;
+        const std::int32_t error = last && error_q16 ? *error_q16 : held_error(now_us);
+        take(raw(coil_.at(static_cast<double>(now_us) * 1e-6)), error,
+             !last || error_q16.has_value());
       }
-      explained_dph_ = std::max(explained_dph_, std::abs(dph(told_.drift()) - dph(truth_.drift())));
+      if (error_q16) {
+        believed_q16_ = *error_q16;
+        believed_at_us_ = time_us;
+      }
+      for (const WitnessPair& pair : pairs_) {
+        explained_dph_ = std::max(explained_dph_, pair.explained_dph());
+      }
     }
     /// Error that wrong temperatures explain, or have explained while a model settles: a board that
     /// refused some, or started anew, forgets them earlier or later than the witness that took all.
@@ -408,18 +427,38 @@ class DriftUnderFaults {
     /// Error beyond what the true drift changes in a block: a board whose blocks begin elsewhere,
     /// as after lost samples of a demodulator that counts anew, is that much ahead or behind.
     double error_dph(const OutputSample& out) const {
-      const double truth_dph = dph(truth_.drift());
-      return std::abs(dph(out.drift) - truth_dph) -
-             std::abs(truth_dph - dph(truth_.drift_before()));
+      const Witness& truth = pairs_.front().truth;
+      const double truth_dph = dph(truth.drift());
+      return std::abs(dph(out.drift) - truth_dph) - std::abs(truth_dph - dph(truth.drift_before()));
     }
 
    private:
-    Witness truth_;
-    Witness told_;
-    BlockClock blocks_;
+    static constexpr std::uint32_t kBeginnings = 4;
+
+    void take(std::int32_t right, std::int32_t error, bool believed) {
+      for (WitnessPair& pair : pairs_) {
+        const bool ends_block = pair.blocks.advance(1) > 0;
+        const Elapsed elapsed = pair.blocks.elapsed();
+        pair.truth.take(Temperature::from_raw(right), true, elapsed, ends_block);
+        pair.told.take(Temperature::from_raw(right + error), believed, elapsed, ends_block);
+        if (&pair == &pairs_.front() && ends_block && elapsed.raw() % settle_blocks_ == 0) {
+          explained_before_dph_ = std::exchange(explained_dph_, 0);
+        }
+      }
+    }
+    // A board bridges what it has not believed, or has missed, from the last temperature that it
+    // believed, error included; beyond the longest bridge it starts anew.
+    std::int32_t held_error(std::int64_t now_us) const {
+      return now_us - believed_at_us_ <= longest_bridge_us_ ? believed_q16_ : 0;
+    }
+
+    std::deque<WitnessPair> pairs_;
     CoilTemperature coil_;
     std::int64_t period_us_;
     std::int64_t sample_ = 0;
+    std::int64_t longest_bridge_us_;
+    std::int64_t believed_at_us_ = 0;
+    std::int32_t believed_q16_ = 0;  // error of the temperature that was believed then
     int settle_blocks_;
     double explained_dph_ = 0;         // most, since the model has settled last
     double explained_before_dph_ = 0;  // ... in the time that it took before

@@ -8,6 +8,7 @@
 namespace {
 
 using fog::test::DriftVerdict;
+using fog::test::Fault;
 using fog::test::FaultSchedule;
 using fog::test::FaultScheduler;
 
@@ -25,6 +26,20 @@ TEST(RandomFaults, LeaveNoTrustedRateWithAWrongDrift) {
   }
   std::printf("%.1f %% of the rates trusted\n", 100 * trusted / samples);
   EXPECT_GT(trusted, samples / 4) << "or the test says little";
+}
+
+// From schedule 4071: a jump of a sensor that drifts is bridged from one wrong temperature to the
+// next, and what the drift is off by is that error. A witness that was told the right temperature
+// within the bridge did not explain it.
+TEST(RandomFaults, DriftingSensor_JumpIsBridged_ErrorExplained) {
+  FaultSchedule schedule;
+  schedule.memory.lag_s = 10.3;
+  schedule.duration_s = 1200;
+  schedule.faults = {{Fault::Kind::temperature_drifts, 700, 1200, -3.8},
+                     {Fault::Kind::temperature_offset, 737, 742.24, -14.5}};
+  const DriftVerdict verdict = run(schedule, 1);
+  EXPECT_EQ(complaint(verdict), "");
+  EXPECT_GT(verdict.trusted, verdict.samples / 2) << "or the test says little";
 }
 
 }  // namespace
