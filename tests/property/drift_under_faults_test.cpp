@@ -180,6 +180,9 @@ INSTANTIATE_TEST_SUITE_P(
         FaultCase{"temperature missing for 55 s", {at(Kind::no_temperature, 0, 55)}, 0},
         FaultCase{
             "a bit flipped in every sample for 300 s", {at(Kind::bits_flipped, 0, 300, 1)}, 0},
+        // Schedule 4068 of random_faults: the bridge over a block without a sample never ended,
+        // because each block had one sample, and a sample makes one step.
+        FaultCase{"every 207th sample arrives", {at(Kind::sparse, 0, 300, 207)}, 0},
         FaultCase{"a byte lost in one sample of 3", {at(Kind::bytes_lost, 0, 300, 3)}, 0}));
 
 fogcomp::model::Model model_with(const std::vector<fogcomp::model::EffectTerm>& terms) {

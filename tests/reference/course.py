@@ -86,8 +86,11 @@ class Course:
         self.started = False
 
     def take(self, means):
+        if self.left > 0:
+            self.held = min(self.held + 1, self.hold_blocks + 1)
         limit = min(self.hold_blocks, 2**31 - 2)
-        if not self.started or self.since_good > limit or self.left > limit - self.since_good:
+        given_up = self.held > self.hold_blocks or self.since_good > limit
+        if not self.started or given_up or self.left > limit - self.since_good:
             self.start(means)
         else:
             self.target = means

@@ -72,9 +72,14 @@ class DriftModel {
   void stop() { started_ = false; }
 
   /// Takes the means of one more block. catch_up() steps the model: once for this block and once
-  /// for each block held before it.
+  /// for each block held before it. A block that comes before all are stepped counts as held: the
+  /// drift does not follow it yet, and its means become part of the bridge.
   void take(const BlockMeans<BoardNumbers>& block) {
-    if (!started_ || !bridge_.bridge_to(block, course_.since_good)) return start(block);
+    if (bridge_.remaining() > 0) course_.held_blocks = held_after(course_.held_blocks, 1);
+    if (!started_ || course_.held_blocks > policy_.hold_blocks ||
+        !bridge_.bridge_to(block, course_.since_good)) {
+      return start(block);
+    }
     course_.since_good = 0;
   }
 

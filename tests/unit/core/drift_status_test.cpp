@@ -194,6 +194,25 @@ TEST_F(DriftStatus, AHoldDuringTheCatchingUpIsHeldAsWell) {
   EXPECT_EQ(model.status(), Status::thermal_settling);
 }
 
+// One step a block, and a bridge to make besides: the drift is of the time before it.
+TEST_F(DriftStatus, UnfinishedBridge_BlocksThatCome_HeldTillGivenUp) {
+  policy_.accurate_blocks = 3;
+  Model model = make();
+  model.start(at(0));
+  for (int i = 0; i < 3; ++i) model.step(at(0));
+  model.hold(1);
+  for (std::uint32_t held = 1; held <= policy_.hold_blocks; ++held) {
+    model.take(at(4000));
+    model.catch_up();
+    EXPECT_EQ(model.status(), held > policy_.accurate_blocks
+                                  ? Status::drift_held | Status::drift_outdated
+                                  : Status::drift_held)
+        << held;
+  }
+  model.take(at(4000));
+  EXPECT_EQ(model.status(), Status::thermal_settling) << "it has started anew";
+}
+
 TEST_F(DriftStatus, StaysGivenUpHoweverLongNothingComes) {
   policy_.hold_blocks = INT32_MAX;
   Model model = make();
