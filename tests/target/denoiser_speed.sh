@@ -27,8 +27,8 @@ within() {
     BASH_REMATCH[4] <= most_ram)) ||
     fail "above $most_mean mean, $most_worst worst or $most_ram bytes: $line"
 }
-within fixed 200 910 3072
-within sqtwolog 230 1045 3072
-within heursure 265 1205 3072
+within fixed 196 900 3072
+within sqtwolog 230 1021 3072
+within heursure 265 1180 3072
 most_flash=2048
 ((0 < flash && flash <= most_flash)) || fail "flash is not within $most_flash bytes"

@@ -35,7 +35,7 @@ FilterBank<kTaps>::FilterBank(const DenoiseParameters& parameters, std::int32_t*
     : line_(line, denoise_delay(kTaps, parameters.levels()) + 1, kTaps),
       filters_(parameters.filters.data),
       rule_(parameters.rule),
-      mode_(parameters.mode),
+      clipped_(parameters.mode == ThresholdMode::hard ? 0 : UINT32_MAX),
       shift_(noise_shift(parameters)),
       rounding_half_(static_cast<std::int32_t>(power_of_two<std::uint32_t>(shift_) / 2)),
       coarser_(coarser),
@@ -72,20 +72,14 @@ void FilterBank<kTaps>::prime(std::int32_t sample) {
   samples_ = 1;  // sample 0 has been taken
 }
 
-// Removed part of a detail that exceeds the threshold.
-template <std::size_t kTaps>
-std::int32_t FilterBank<kTaps>::removed_beyond(std::int32_t detail, std::int32_t threshold) const {
-  if (mode_ == ThresholdMode::hard) return 0;
-  return detail < 0 ? -threshold : threshold;
-}
-
-// Removed part of a detail: the detail clipped to +-threshold. One comparison tests both ends,
-// because thresholds are below 2^30 (noise_shift).
+// Removed part of a detail: the detail clipped to +-threshold; nothing of one that a hard threshold
+// keeps. One comparison tests both ends, because thresholds are below 2^30 (noise_shift).
 template <std::size_t kTaps>
 [[gnu::always_inline]] inline std::int32_t FilterBank<kTaps>::removed(
     std::int32_t detail, std::uint32_t threshold) const {
   if (static_cast<std::uint32_t>(detail) + threshold > 2 * threshold) {
-    detail = removed_beyond(detail, static_cast<std::int32_t>(threshold));
+    const std::int32_t negative = floor_shift(detail, 31);
+    detail = (static_cast<std::int32_t>(threshold & clipped_) ^ negative) - negative;
   }
   const std::int32_t half = rounding_half_;
   const int shift = shift_;

@@ -85,7 +85,6 @@ class FilterBank {
 
  private:
   std::int32_t noise_of_pair(std::uint32_t number);
-  [[gnu::cold]] std::int32_t removed_beyond(std::int32_t detail, std::int32_t threshold) const;
   std::int32_t removed(std::int32_t detail, std::uint32_t threshold) const;
   void adapt_finest(std::uint32_t magnitude);
   std::uint32_t adapt_threshold(LevelThreshold& threshold, std::uint32_t magnitude);
@@ -96,7 +95,7 @@ class FilterBank {
   std::uint32_t samples_ = 0;  // modulo 2^32
   const std::int32_t* filters_;
   ThresholdRule rule_;
-  ThresholdMode mode_;
+  std::uint32_t clipped_;       // what is removed beyond a threshold: all bits of it, or none
   int shift_;                   // noise_shift()
   std::int32_t rounding_half_;  // half of 2^shift_
   CoarserLevel<kTaps>* coarser_;
