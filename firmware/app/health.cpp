@@ -60,7 +60,7 @@ KvhSettings kvh_settings() {
   constexpr std::uint32_t kUsPerS = 1'000'000;
   const std::uint32_t period_us = parameters.acquisition.sample_period_us;
   return {(kUsPerS + period_us / 2) / period_us,
-          (parameters.output_options & kRotationIsAngle) != 0U};
+          (parameters.output_options & kRotationIsAngle) != 0U, output_line().baud()};
 }
 
 [[maybe_unused]] KvhCommands& kvh_commands() {

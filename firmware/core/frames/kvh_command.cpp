@@ -80,18 +80,28 @@ std::size_t KvhCommands::answer(std::uint8_t* out, Status status) {
     configuring_ = false;  // the only command without an answer
     return 0;
   }
+  const std::size_t known = answer_setting(out);
+  return known > 0 ? known : line.text("INVALID,").text(command).end();
+}
+
+// 0 if the line is no query of a setting, nor a command that leaves it as it is.
+std::size_t KvhCommands::answer_setting(std::uint8_t* out) const {
   struct Setting {
     const char* name;
-    const char* value;  // nullptr: the sample rate
+    const char* value;  // nullptr: the number
+    std::uint32_t number;
   };
-  const Setting settings[] = {{"ROTFMT,", settings_.delta_angle ? "DELTA" : "RATE"},
-                              {"ROTUNITS,", "RAD"},
-                              {"TEMPUNITS,", "C"},
-                              {"DR,", nullptr}};
+  const Setting settings[] = {{"ROTFMT,", settings_.delta_angle ? "DELTA" : "RATE", 0},
+                              {"ROTUNITS,", "RAD", 0},
+                              {"TEMPUNITS,", "C", 0},
+                              {"MSYNC,", "IMU", 0},
+                              {"DR,", nullptr, settings_.sample_rate_hz},
+                              {"BAUD,", nullptr, settings_.baud}};
+  const char* const command = line_.data();
   for (const Setting& setting : settings) {
     Line known(out);
     known.text(setting.name);
-    setting.value != nullptr ? known.text(setting.value) : known.decimal(settings_.sample_rate_hz);
+    setting.value != nullptr ? known.text(setting.value) : known.decimal(setting.number);
     const std::size_t size = known.end();
     std::size_t same = 0;
     while (command[1 + same] == static_cast<char>(out[same])) ++same;
@@ -99,7 +109,7 @@ std::size_t KvhCommands::answer(std::uint8_t* out, Status status) {
     const char next = static_cast<char>(out[same]);
     if (command[1 + same] == '\0' && next == (command[0] == '?' ? ',' : '\r')) return size;
   }
-  return line.text("INVALID,").text(command).end();
+  return 0;
 }
 
 }  // namespace fog

@@ -12,6 +12,7 @@ namespace fog {
 struct KvhSettings {
   std::uint32_t sample_rate_hz = 0;
   bool delta_angle = false;
+  std::uint32_t baud = 0;  ///< of the output line
 };
 
 /// The commands that drivers of KVH gyros send at start-up (SPEC.md, "KVH commands"): lines of
@@ -35,6 +36,7 @@ class KvhCommands {
 
  private:
   std::size_t answer(std::uint8_t* out, Status status);
+  std::size_t answer_setting(std::uint8_t* out) const;
 
   KvhSettings settings_;
   bool configuring_ = false;

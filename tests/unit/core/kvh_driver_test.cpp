@@ -182,6 +182,16 @@ TEST(KvhCommands, AnswerWhatDriversSendAtStartUp) {
   EXPECT_FALSE(user.commands.configuring());
 }
 
+// What a receiver sends that wants another line and gives the time of a sample.
+TEST(KvhCommands, LineAndSynchronisation_ToldAndNotChanged) {
+  Terminal user({200, true, 460'800});
+  user.send("=CONFIG,1\n");
+  EXPECT_EQ(user.send("?baud\n?MSYNC\n"), "BAUD,460800\r\nMSYNC,IMU\r\n");
+  EXPECT_EQ(user.send("=BAUD,460800\n=MSYNC,IMU\n"), "BAUD,460800\r\nMSYNC,IMU\r\n");
+  EXPECT_EQ(user.send("=BAUD,46080\n=BAUD,921600\n=MSYNC,EXT\n"),
+            "INVALID,=BAUD,46080\r\nINVALID,=BAUD,921600\r\nINVALID,=MSYNC,EXT\r\n");
+}
+
 std::string message(std::initializer_list<int> bytes) {
   std::string text;
   for (const int byte : bytes) text += static_cast<char>(byte);
