@@ -54,7 +54,10 @@ class Words {
            (ranges.size() > 1 ? format(" of %zu ranges", ranges.size()) : "") +
            ", where it changes from row to row otherwise: is it a reading? The samples are kept; " +
            format("--mask %.6g..%.6g leaves the first out", recording_.time_s[first.first],
-                  recording_.time_s[first.end - 1]);
+                  recording_.time_s[first.end - 1]) +
+           (info.column == Column::temperature_degc
+                ? "; some minutes more, as dT/dt is wrong after it"
+                : "");
   }
 
  private:
@@ -119,9 +122,46 @@ class Words {
   const std::vector<RefusedRow>& refused_;
 };
 
-/// Rows in which a column that changes from row to row has one value for longer than by chance,
-/// after a jump and before one: no reading, but what stands for none.
-std::vector<RowRange> stuck_ranges(const std::vector<double>& values) {
+/// What must surround one value for it to be none of a sensor: rates jump to it and from it as from
+/// row to row; a temperature comes to rest by itself, yet goes on with its largest step only where
+/// it has moved on unseen.
+enum class Around : std::uint8_t { two_usual_steps, the_largest_step };
+
+/// The steps of a column at the ends of its held ranges, beside all others.
+class StepsAround {
+ public:
+  StepsAround(const std::vector<double>& values, const std::vector<RowRange>& held)
+      : values_(values) {
+    std::vector<bool> is_end(values.size() + 1, false);
+    for (const RowRange& range : held) is_end[range.first] = is_end[range.end] = true;
+    std::vector<double> steps;
+    for (std::size_t row = 1; row < values.size(); ++row) {
+      const double step = step_at(row);
+      if (step > 0) steps.push_back(step);
+      if (!is_end[row]) largest_ = std::max(largest_, step);
+    }
+    usual_ = median(std::move(steps));
+  }
+
+  bool are(Around around, const RowRange& range) const {
+    const auto reaches = [&](std::size_t row) {
+      return row == 0 || row == values_.size() || step_at(row) >= usual_;
+    };
+    if (around == Around::two_usual_steps) return reaches(range.first) && reaches(range.end);
+    return range.end < values_.size() && step_at(range.end) > largest_;
+  }
+
+ private:
+  double step_at(std::size_t row) const { return std::fabs(values_[row] - values_[row - 1]); }
+
+  const std::vector<double>& values_;
+  double usual_ = 0;    // median of all that are steps
+  double largest_ = 0;  // of those within and between other ranges
+};
+
+/// Rows in which a column that changes from row to row has one value for longer than by chance:
+/// no reading, but what stands for none.
+std::vector<RowRange> stuck_ranges(const std::vector<double>& values, Around around) {
   std::vector<RowRange> held;
   std::size_t repeats = 0;  // beside those of long ranges
   std::size_t changes = 0;
@@ -139,20 +179,13 @@ std::vector<RowRange> stuck_ranges(const std::vector<double>& values) {
       (static_cast<double>(repeats) + 1) / (static_cast<double>(changes) + 1);
   const bool changes_otherwise = repeat_share <= 0.5 && changes >= kFewValues + 2 * held.size();
   if (held.empty() || !changes_otherwise) return {};
-  std::vector<double> steps;
-  for (std::size_t row = 1; row < values.size(); ++row) {
-    if (values[row] != values[row - 1]) steps.push_back(std::fabs(values[row] - values[row - 1]));
-  }
   const double by_chance = std::log(static_cast<double>(changes)) / -std::log(repeat_share);
-  const double step = median(std::move(steps));
-  const auto jumps_at = [&](std::size_t row) {
-    return row == 0 || row == values.size() || std::fabs(values[row] - values[row - 1]) >= step;
-  };
+  const StepsAround steps(values, held);
   held.erase(std::remove_if(held.begin(), held.end(),
                             [&](const RowRange& range) {
                               return static_cast<double>(range.size()) <=
                                          static_cast<double>(kFewValues) + by_chance ||
-                                     !jumps_at(range.first) || !jumps_at(range.end);
+                                     !steps.are(around, range);
                             }),
              held.end());
   return held;
@@ -161,11 +194,13 @@ std::vector<RowRange> stuck_ranges(const std::vector<double>& values) {
 void name_stuck_columns(const Recording& recording, const Words& words, const ReadWatch& watch) {
   for (const ColumnInfo& info : kColumns) {
     const std::vector<double>& values = recording[info.column];
+    const bool is_temperature = info.column == Column::temperature_degc;
     const bool has_own_judge = info.column == Column::time_s || info.column == Column::uptime_s ||
-                               info.column == Column::temperature_degc ||
-                               info.column == Column::input_rate_dph;
+                               info.column == Column::input_rate_dph ||
+                               (is_temperature && judges_frozen_temperatures(recording));
     if (has_own_judge || values.empty()) continue;
-    const std::vector<RowRange> ranges = stuck_ranges(values);
+    const std::vector<RowRange> ranges =
+        stuck_ranges(values, is_temperature ? Around::the_largest_step : Around::two_usual_steps);
     if (!ranges.empty()) watch.say(recording.file, words.stuck(info, ranges));
   }
 }

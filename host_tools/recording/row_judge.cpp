@@ -19,14 +19,21 @@ using fog::Status;
 constexpr std::uint32_t kMonitorPeriodUs = 1;
 constexpr double kLongestElapsedS = 3600;  // limit of the monitors' count
 
+// As std::llround(), halves away from zero, without its call: several for each row.
+std::int64_t nearest_whole(double value) {
+  const auto whole = static_cast<std::int64_t>(value);
+  const double rest = value - static_cast<double>(whole);
+  return whole + (rest >= 0.5 ? 1 : 0) - (rest <= -0.5 ? 1 : 0);
+}
+
 std::uint32_t elapsed_us(double passed_s) {
-  return static_cast<std::uint32_t>(std::llround(std::min(passed_s, kLongestElapsedS) * 1e6));
+  return static_cast<std::uint32_t>(nearest_whole(std::min(passed_s, kLongestElapsedS) * 1e6));
 }
 
 std::int32_t raw_of(double value, int fractional_bits) {
   const double raw = value * static_cast<double>(std::int64_t{1} << fractional_bits);
   return static_cast<std::int32_t>(
-      std::llround(std::clamp(raw, double{INT32_MIN}, double{INT32_MAX})));
+      nearest_whole(std::clamp(raw, double{INT32_MIN}, double{INT32_MAX})));
 }
 
 fog::Temperature board_temperature(double degc) {
@@ -250,9 +257,13 @@ std::vector<RefusedRow> refused_rows(const Recording& recording, const GyroLimit
   return RowJudge(recording, limits).judge();
 }
 
+bool judges_frozen_temperatures(const Recording& recording) {
+  return recording.period_s <= rules::kMaxFrozenSampleS;
+}
+
 std::vector<RowRange> frozen_temperatures(const Recording& recording) {
   std::vector<RowRange> ranges;
-  if (recording.period_s > rules::kMaxFrozenSampleS) return ranges;
+  if (!judges_frozen_temperatures(recording)) return ranges;
   const auto lasts_too_long = [&](RowRange range) {
     return recording.time_s[range.end - 1] - recording.time_s[range.first] >= kHoldSeconds;
   };

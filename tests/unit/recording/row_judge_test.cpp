@@ -307,6 +307,32 @@ TEST(RefusedRows, OneValueBetweenJumps_Said) {
   EXPECT_EQ(said_of([](int i) { return i < 300 ? 0.0 : 1.0; }), "");
 }
 
+// A thermometer that stands still while the coil goes on is seen by the step after it. One that
+// came to rest by itself, in a soak without noise or of a coarse sensor, goes on as it came.
+TEST(RefusedRows, TemperatureThatStoodWhileTheCoilWentOn_Said) {
+  const auto said_of = [](double step_degc, double noise_degc, int stuck_rows) {
+    std::mt19937 random(4);
+    std::normal_distribution<double> noise(0, 1);
+    std::string text = header();
+    double held = 0;
+    for (int i = 0; i < 2000; ++i) {
+      const int in_ramp = i < 500 ? i : i < 1000 ? 500 : i - 500;  // a soak between two ramps
+      const double degc = 0.05 * in_ramp + noise_degc * noise(random);
+      if (i < 300 || i >= 300 + stuck_rows) held = std::round(degc / step_degc) * step_degc;
+      text += format("%d,%.4f,0.5\n", 10 * i, held);
+    }
+    std::string said;
+    read_recording(temporary_file("stood.csv", text), heard_in(said));
+    return said;
+  };
+  EXPECT_NE(said_of(0.004, 0.004, 90).find("temperature_degc is 1"), std::string::npos);
+  EXPECT_NE(said_of(0.004, 0.004, 90).find("..3890 leaves"), std::string::npos)
+      << said_of(0.004, 0.004, 90);
+  EXPECT_EQ(said_of(0.004, 0.004, 0), "");
+  EXPECT_EQ(said_of(0.0001, 0, 0), "") << "no noise";
+  EXPECT_EQ(said_of(0.0625, 0.004, 0), "") << "coarse";
+}
+
 TEST(RefusedRows, LeaveLabelsWhereTheyWere) {
   const auto row = [](int time_s, int degc, const std::string& label) {
     return std::to_string(time_s) + "," + std::to_string(degc) + ",0.5," + label + "\n";
