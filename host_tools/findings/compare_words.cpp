@@ -66,10 +66,14 @@ std::string error_words(const compare::Comparison& comparison) {
                   rounded(comparison.whole.rms_dph).c_str());
   }
   const double floor = *comparison.noise_floor_dph;
-  return format("residual %s deg/h against a floor of %s: drift left %s, was %s",
-                rounded(comparison.whole.rms_dph).c_str(), rounded(floor).c_str(),
-                rounded(compare::floor_removed(comparison.whole.rms_dph, floor)).c_str(),
-                rounded(compare::floor_removed(comparison.whole.raw_std_dph, floor)).c_str());
+  const auto drift = [floor](double rms_dph) {
+    return rounded(compare::floor_removed(rms_dph, floor));
+  };
+  const compare::Comparison::SegmentError& whole = comparison.whole;
+  return format("residual %s deg/h against a floor of %s: drift left %s, by a constant %s",
+                rounded(whole.rms_dph).c_str(), rounded(floor).c_str(),
+                drift(whole.rms_dph).c_str(),
+                drift(compare::constant_rms_dph(comparison, whole)).c_str());
 }
 
 std::string structure_words(const compare::ModelOnRun& run) {

@@ -59,18 +59,18 @@ Parts ladder_section(const diagnosis::Ladder& ladder, const DiagnosedFiles& file
 
 Next next_after_ladder(const diagnosis::Ladder& ladder, const diagnosis::DiagnosisData& data,
                        const DiagnosedFiles& files) {
-  const bool is_complete = ladder.last.verdict == diagnosis::Verdict::none;
-  if (is_complete && can_be_exported(ladder.model, files.output)) {
+  if (ladder.last.verdict == diagnosis::Verdict::none) {
     return next_export("make the board's header", ladder.model, files.output);
   }
-  if (!is_complete && ladder.is_cut_off) {
+  if (ladder.is_cut_off) {
     return {"the loop may add no more; ask what is still missing",
             go_on_command(ladder, data, files)};
   }
-  std::vector<std::string> command{"fogcomp", "compare", files.output};
-  const std::vector<std::string>& judges = files.holdouts.empty() ? files.runs : files.holdouts;
-  command.insert(command.end(), judges.begin(), judges.end());
-  return {"see what the loop's model leaves", command};
+  for (const auto* experiment : {&ladder.last.experiment, &ladder.last_next.experiment}) {
+    if (*experiment && !(*experiment)->profile.empty()) return words((*experiment)->sentence);
+  }
+  return next_export("these recordings tell no more; make the board's header of what is known",
+                     ladder.model, files.output);
 }
 
 }  // namespace fogcomp::findings

@@ -135,14 +135,10 @@ std::vector<std::string> ladder_commands(const diagnosis::Ladder& ladder,
   return lines;
 }
 
-bool can_be_exported(const model::Model& model, const std::string& file) {
-  return workflow::export_refusal(model, file, true).empty();
-}
-
 Next next_export(Text why, const model::Model& model, const std::string& file) {
   std::vector<std::string> command{"fogcomp", "export", file, "-o", "fog_model.h"};
   std::string refusal = workflow::export_refusal(model, file, false);
-  if (!refusal.empty() && can_be_exported(model, file)) {
+  if (!refusal.empty() && workflow::export_refusal(model, file, true).empty()) {
     command.emplace_back("--extension");
     refusal.clear();
   }

@@ -44,9 +44,6 @@ std::string step_words(const diagnosis::Ladder::Step& step);
 std::vector<std::string> ladder_commands(const diagnosis::Ladder& ladder,
                                          const DiagnosedFiles& files);
 
-/// Whether a board with the default settings can run the model, with the extension if it needs it.
-bool can_be_exported(const model::Model& model, const std::string& file);
-
 /// The `export` that a board's header needs, with `why`; if no board with the default settings can
 /// run the model, what stands against it.
 Next next_export(Text why, const model::Model& model, const std::string& file);

@@ -57,20 +57,29 @@ TEST(NextAfterLadder, IsToGoOnIfOnlyTheLimitEndedIt) {
             "fogcomp diagnose new.model run.csv");
 }
 
-TEST(NextAfterLadder, IsToLookAtTheHoldoutIfNothingCanBeAdded) {
+TEST(NextAfterLadder, IsTheHeaderOfWhatIsKnownIfNothingCanBeAdded) {
   for (const bool describes : {false, true}) {
     EXPECT_EQ(proposed(ladder_of(Verdict::unknown, false, describes)),
-              "fogcomp compare new.model other.csv");
+              "fogcomp export new.model -o fog_model.h");
   }
-  EXPECT_EQ(proposed(ladder_of(Verdict::unknown, false, false),
-                     {"old.model", {"run.csv"}, {}, {}, "new.model"}),
-            "fogcomp compare new.model run.csv");
 }
 
-TEST(NextAfterLadder, IsToLookAtAModelThatNoBoardCanRun) {
+TEST(NextAfterLadder, IsTheRecordingThatWouldTell) {
+  diagnosis::Ladder ladder = ladder_of(Verdict::ambiguous, false, false);
+  ladder.last.experiment = {"reversed", 12, 8, "record `reversed`"};
+  const diagnosis::DiagnosisData data(ladder.model, {}, {});
+  const Next next = next_after_ladder(ladder, data, kWritten);
+  EXPECT_EQ(next.command, "");
+  EXPECT_EQ(next.sentence.plain(), "record `reversed`");
+}
+
+TEST(NextAfterLadder, IsTheReasonIfNoBoardCanRunTheModel) {
   diagnosis::Ladder ladder = ladder_of(Verdict::none, false, false);
   ladder.model.noise_dph_rthz = 1e5;
-  EXPECT_EQ(proposed(ladder), "fogcomp compare new.model other.csv");
+  const diagnosis::DiagnosisData data(ladder.model, {}, {});
+  const Next next = next_after_ladder(ladder, data, kWritten);
+  EXPECT_EQ(next.command, "");
+  EXPECT_NE(next.sentence.plain().find("for a board it is not ready"), std::string::npos);
 }
 
 TEST(LadderJson, HasTheErrorOfTheHoldoutsOfEachStep) {
