@@ -42,7 +42,9 @@ function writeExpected() {
   fs.writeFileSync("ulog.csv", [`time_s,temperature_degc,${AXES}`, ...single, ""].join("\n"));
   const matrix = rows.map((_, i) => rate(i).join(","));
   fs.writeFileSync("matrix.csv", ["gyro_1 [rad/s],gyro_2 [rad/s],gyro_3 [rad/s]", ...matrix, ""].join("\n"));
-  const flat = rows.map((_, i) => [seconds(stampNs(i)), i % 100 ? temperature(i) : "", rate(i)[2], i, (i * -0.01).toFixed(2)].join(","));
+  const flat = rows.map((_, i) =>
+    [seconds(stampNs(i)), i % 100 ? temperature(i) : "", rate(i)[2], i, (i * -0.01).toFixed(2)].join(","),
+  );
   fs.writeFileSync("parquet.csv", ["stamp [s],temp [degC],gyro_z [rad/s],n,volt", ...flat, ""].join("\n"));
   const columns = rows.map((_, i) => [rate(i)[2], temperature(i), stampNs(i)].join(","));
   fs.writeFileSync("hdf5.csv", ["gyro_z [rad/s],temp [degC],time [ns]", ...columns, ""].join("\n"));
