@@ -122,46 +122,12 @@ class Words {
   const std::vector<RefusedRow>& refused_;
 };
 
-/// What must surround one value for it to be none of a sensor: rates jump to it and from it as from
-/// row to row; a temperature comes to rest by itself, yet goes on with its largest step only where
-/// it has moved on unseen.
-enum class Around : std::uint8_t { two_usual_steps, the_largest_step };
+double step_at(const std::vector<double>& values, std::size_t row) {
+  return std::fabs(values[row] - values[row - 1]);
+}
 
-/// The steps of a column at the ends of its held ranges, beside all others.
-class StepsAround {
- public:
-  StepsAround(const std::vector<double>& values, const std::vector<RowRange>& held)
-      : values_(values) {
-    std::vector<bool> is_end(values.size() + 1, false);
-    for (const RowRange& range : held) is_end[range.first] = is_end[range.end] = true;
-    std::vector<double> steps;
-    for (std::size_t row = 1; row < values.size(); ++row) {
-      const double step = step_at(row);
-      if (step > 0) steps.push_back(step);
-      if (!is_end[row]) largest_ = std::max(largest_, step);
-    }
-    usual_ = median(std::move(steps));
-  }
-
-  bool are(Around around, const RowRange& range) const {
-    const auto reaches = [&](std::size_t row) {
-      return row == 0 || row == values_.size() || step_at(row) >= usual_;
-    };
-    if (around == Around::two_usual_steps) return reaches(range.first) && reaches(range.end);
-    return range.end < values_.size() && step_at(range.end) > largest_;
-  }
-
- private:
-  double step_at(std::size_t row) const { return std::fabs(values_[row] - values_[row - 1]); }
-
-  const std::vector<double>& values_;
-  double usual_ = 0;    // median of all that are steps
-  double largest_ = 0;  // of those within and between other ranges
-};
-
-/// Rows in which a column that changes from row to row has one value for longer than by chance:
-/// no reading, but what stands for none.
-std::vector<RowRange> stuck_ranges(const std::vector<double>& values, Around around) {
+/// Rows in which a column that changes from row to row has one value for longer than by chance.
+std::vector<RowRange> held_ranges(const std::vector<double>& values) {
   std::vector<RowRange> held;
   std::size_t repeats = 0;  // beside those of long ranges
   std::size_t changes = 0;
@@ -178,14 +144,49 @@ std::vector<RowRange> stuck_ranges(const std::vector<double>& values, Around aro
   const double repeat_share =
       (static_cast<double>(repeats) + 1) / (static_cast<double>(changes) + 1);
   const bool changes_otherwise = repeat_share <= 0.5 && changes >= kFewValues + 2 * held.size();
-  if (held.empty() || !changes_otherwise) return {};
+  if (!changes_otherwise) return {};
   const double by_chance = std::log(static_cast<double>(changes)) / -std::log(repeat_share);
-  const StepsAround steps(values, held);
   held.erase(std::remove_if(held.begin(), held.end(),
                             [&](const RowRange& range) {
                               return static_cast<double>(range.size()) <=
-                                         static_cast<double>(kFewValues) + by_chance ||
-                                     !steps.are(around, range);
+                                     static_cast<double>(kFewValues) + by_chance;
+                            }),
+             held.end());
+  return held;
+}
+
+/// Those after a jump and before one: no reading, but what stands for none.
+std::vector<RowRange> between_jumps(const std::vector<double>& values, std::vector<RowRange> held) {
+  std::vector<double> steps;
+  for (std::size_t row = 1; row < values.size(); ++row) {
+    if (values[row] != values[row - 1]) steps.push_back(step_at(values, row));
+  }
+  const double usual = median(std::move(steps));
+  const auto jumps_at = [&](std::size_t row) {
+    return row == 0 || row == values.size() || step_at(values, row) >= usual;
+  };
+  held.erase(std::remove_if(held.begin(), held.end(),
+                            [&](const RowRange& range) {
+                              return !jumps_at(range.first) || !jumps_at(range.end);
+                            }),
+             held.end());
+  return held;
+}
+
+/// Those of a thermometer: a temperature comes to rest by itself, yet goes on with a larger step
+/// than all others only where it has moved on unseen.
+std::vector<RowRange> before_largest_steps(const std::vector<double>& values,
+                                           std::vector<RowRange> held) {
+  std::vector<bool> is_end(values.size() + 1, false);
+  for (const RowRange& range : held) is_end[range.first] = is_end[range.end] = true;
+  double largest = 0;
+  for (std::size_t row = 1; row < values.size(); ++row) {
+    if (!is_end[row]) largest = std::max(largest, step_at(values, row));
+  }
+  held.erase(std::remove_if(held.begin(), held.end(),
+                            [&](const RowRange& range) {
+                              return range.end == values.size() ||
+                                     step_at(values, range.end) <= largest;
                             }),
              held.end());
   return held;
@@ -199,8 +200,10 @@ void name_stuck_columns(const Recording& recording, const Words& words, const Re
                                info.column == Column::input_rate_dph ||
                                (is_temperature && judges_frozen_temperatures(recording));
     if (has_own_judge || values.empty()) continue;
+    const std::vector<RowRange> held = held_ranges(values);
+    if (held.empty()) continue;
     const std::vector<RowRange> ranges =
-        stuck_ranges(values, is_temperature ? Around::the_largest_step : Around::two_usual_steps);
+        is_temperature ? before_largest_steps(values, held) : between_jumps(values, held);
     if (!ranges.empty()) watch.say(recording.file, words.stuck(info, ranges));
   }
 }
