@@ -29,8 +29,8 @@ struct TemperatureNow {
 /// The rate changes by a random walk, and a reading says that the temperature, with the
 /// thermometer's noise, is within half a step of it. Where the reading stands still, it says no
 /// more: a straight line through the places where it changes is then the most probable, not the
-/// stairs. Kalman filter with moments of the truncated normal distribution, then the smoother of
-/// Rauch, Tung & Striebel (1965); noise and walk are the most probable ones.
+/// stairs. Expectation propagation (Minka 2001) over the chain of blocks; noise and walk are the
+/// most probable ones.
 struct MeasuredTemperature {
   Thermometer thermometer;
   /// Each part between restarts (block_walk.hpp): first block number, one value per number from
@@ -47,6 +47,9 @@ struct MeasuredTemperature {
 
 /// `series`: with at least one block.
 MeasuredTemperature measured_temperature(const BlockSeries& series);
+
+/// Of a recording that was computed: its readings are the temperature, their differences its rate.
+BlockSeries with_exact_temperature(BlockSeries series);
 
 /// BlockSeries::temperature, which a run has from the start; else measured here.
 std::shared_ptr<const MeasuredTemperature> temperature_of(const BlockSeries& series);
