@@ -68,7 +68,7 @@ class Trial {
   Trial(const model::Model& model, const recording::Recording& recording,
         const noise::NoiseModel& noise)
       : model_(model), series_(model_, series::Phase::zero) {
-    series_.add(series::make_blocks(recording));
+    series_.add(series::with_exact_temperature(series::make_blocks(recording)));
     whitening_.emplace(noise, series_.rows(), series_.rows().weights);
   }
 

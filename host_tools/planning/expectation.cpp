@@ -29,7 +29,7 @@ void require_plannable(const Question& question) {
 
 Foresight::Foresight(Question question) : question_(std::move(question)) {
   require_plannable(question_);
-  day_ = series::make_blocks(typical_day(question_.use, kRow_s));
+  day_ = series::with_exact_temperature(series::make_blocks(typical_day(question_.use, kRow_s)));
 }
 
 // Both are in one series: so an inexact formula is inexact in the same way in both.
@@ -39,7 +39,8 @@ auto Foresight::ask(const simulation::Programme& programme, const Ask& ask) cons
   settings.average_s = kRow_s;
   settings.derivative_tau_s = question_.derivative_tau_s;
   series::SignalSeries series(settings, series::Phase::zero);
-  series.add(series::make_blocks(typical_recording(programme, "the programme", kRow_s)));
+  series.add(series::with_exact_temperature(
+      series::make_blocks(typical_recording(programme, "the programme", kRow_s))));
   const Eigen::Index recorded = series.rows().size();
   series.add(day_);
   judge::NoiseLevels noise;

@@ -112,7 +112,8 @@ Prospect prospect_of(const series::BlockSeries& recording, double row_s, double 
   if (box.temperature_degc.min < box.temperature_degc.max) {
     prospect.first_effects = of_least_error(
         choice, series, judged, noise,
-        series_of(series::make_blocks(typical_day(box, kBoxRow_s)), kBoxRow_s, derivative_tau_s));
+        series_of(series::with_exact_temperature(series::make_blocks(typical_day(box, kBoxRow_s))),
+                  kBoxRow_s, derivative_tau_s));
   }
   std::vector<model::EffectTerm> terms = model::parse_effects(prospect.first_effects);
   for (model::EffectTerm& term : terms) term = model::of_typical_size(term);

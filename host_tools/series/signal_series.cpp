@@ -10,7 +10,6 @@
 #include "series/block_walk.hpp"
 #include "series/decision_rules.hpp"
 #include "series/required_inputs.hpp"
-#include "series/zero_phase.hpp"
 
 namespace fogcomp::series {
 namespace {
@@ -58,9 +57,11 @@ void SignalSeries::Run::read(std::size_t block, Reading reading, const Temperatu
     signals.temperature = delayed[block].temperature;
     signals.temperature_rate = delayed[block].temperature_rate;
   } else if (reading == Reading::of_gyro && !own.empty()) {
-    signals.temperature = own[block].degc + change.degc;
-    signals.temperature_rate = own[block].degc_per_min + change.degc_per_min;
+    signals.temperature = own[block].degc;
+    signals.temperature_rate = own[block].degc_per_min;
   }
+  signals.temperature += change.degc;
+  signals.temperature_rate += change.degc_per_min;
   signals.block.temperature = signals.temperature;
   if (!input_rate.empty()) {
     const InputRate& rate = input_rate[block];
@@ -142,7 +143,7 @@ void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows
   Run& run = runs_.back();
   const std::shared_ptr<const MeasuredTemperature> measured = temperature_of(series);
   const MeasuredTemperature& own = *measured;
-  if (own.thermometer.white_degc2_s > thermometer_.white_degc2_s) thermometer_ = own.thermometer;
+  see_thermometer(own.thermometer);
   run.delayed.reserve(series.blocks.size() + 1);
   Recorder delayed_recorder(model_, series.block_s, [&](const Signals& signals, bool) {
     run.delayed.push_back({signals.temperature, signals.temperature_rate});
@@ -166,14 +167,22 @@ void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows
 }
 
 void SignalSeries::add_without_delay(const BlockSeries& series, RowAverager& rows) {
-  const ZeroPhaseSignals seen = zero_phase_signals(series, model_.derivative_tau_s);
-  for (std::size_t i = 0; i < series.blocks.size(); ++i) {
-    const BlockSeries::Block& block = series.blocks[i];
-    const Signals signals{block.means.temperature, seen.temperature_rate[i], block.means};
-    runs_.back().keep(signals, seen.restart[i]);
-    runs_.back().blocks.back().row = rows.take(block, signals);
-    runs_.back().blocks.back().samples = block.samples;
-  }
+  const std::shared_ptr<const MeasuredTemperature> measured = temperature_of(series);
+  see_thermometer(measured->thermometer);
+  each_part(series, [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      const BlockSeries::Block& block = series.blocks[i];
+      const TemperatureNow& own = measured->at(block.number);
+      const Signals signals{own.degc, own.degc_per_min, block.means};
+      runs_.back().keep(signals, i == first);
+      runs_.back().blocks.back().row = rows.take(block, signals);
+      runs_.back().blocks.back().samples = block.samples;
+    }
+  });
+}
+
+void SignalSeries::see_thermometer(const Thermometer& thermometer) {
+  if (thermometer.white_degc2_s > thermometer_.white_degc2_s) thermometer_ = thermometer;
 }
 
 namespace {

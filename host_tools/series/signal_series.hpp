@@ -15,7 +15,7 @@ namespace fogcomp::series {
 /// Computation of the effects' signals from the temperature.
 enum class Phase : std::uint8_t {
   board,  ///< by the board's own code, with its delays: for fitting a compensation
-  zero,   ///< without delay (zero_phase.hpp): for a diagnosis
+  zero,   ///< without delay: the gyro's own temperature, for a diagnosis
 };
 
 /// Temperature used by the effects.
@@ -56,10 +56,10 @@ class SignalSeries {
 
   /// Row means of an effect's regressors, rows x regressors; 0 in runs on which an event does not
   /// act, less EffectTerm::others_part in its own. In Phase::zero all readings are the same.
-  /// `change`: only of Reading::of_gyro.
+  /// `change`: of the temperature that is read.
   Eigen::MatrixXd regressors(const model::EffectTerm& term, Reading reading = Reading::of_sensor,
                              const TemperatureChange& change = {}) const;
-  /// Of the recording whose temperature is known worst; in Phase::zero it is not known.
+  /// Of the recording whose temperature is known worst.
   const Thermometer& thermometer() const { return thermometer_; }
   Phase phase() const { return phase_; }
   /// Row means of the terms' drift, deg/h, with their coefficients or the gyro's own.
@@ -123,6 +123,7 @@ class SignalSeries {
 
   void add_as_the_board(const BlockSeries& series, RowAverager& rows);
   void add_without_delay(const BlockSeries& series, RowAverager& rows);
+  void see_thermometer(const Thermometer& thermometer);
   // Row means of make(block_s): an object with size(), reset(signals) and run(signals, count,
   // values), block by block. `follows_rate`: for effects of the samples' own input rate.
   template <class Make>

@@ -63,7 +63,7 @@ series::BlockSeries blocks_of(const StrdSet& set, bool log_response) {
     blocks.blocks.push_back(block);
   }
   blocks.first = blocks.blocks[0].means;
-  return blocks;
+  return series::with_exact_temperature(std::move(blocks));
 }
 
 class Strd : public testing::TestWithParam<PosedModel> {
