@@ -68,6 +68,7 @@ bool may_repeat(const Candidate& candidate) {
 judge::Explanations explain(EvidenceSpace& evidence, const series::SignalSeries& series,
                             const fit::NoiseWeightedFit& fit, bool is_noise_known) {
   judge::Rows judged = rows_with_nuisances(evidence, series.rows(), fit);
+  judged.temperature = fit::temperature_error(series, fit);
   if (is_noise_known) judged.noise = fit.noise;
   std::vector<judge::PossibleEffect> effects;
   for (Candidate& candidate : evidence.candidates) {

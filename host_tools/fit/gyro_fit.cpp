@@ -8,34 +8,6 @@
 namespace fogcomp::fit {
 namespace {
 
-// Root mean square of what a change of the temperature by 1 degC, or of its rate by 1 degC/min,
-// makes of the drift.
-double slope(const KnownRegressors& known, const NoiseWeightedFit& fit,
-             const series::TemperatureChange& change) {
-  const series::Rows& rows = known.series().rows();
-  const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, rows.row_s);
-  Eigen::VectorXd above = Eigen::VectorXd::Zero(rows.size());
-  for (std::size_t i = 0; i < fit.terms.size(); ++i) {
-    const auto [first, count] = columns[i];
-    const KnownRegressors::Columns changed = known(fit.terms[i], series::Reading::of_gyro, change);
-    above +=
-        (*changed - fit.columns.middleCols(first, count)) * fit.coefficients.segment(first, count);
-  }
-  return std::sqrt(above.squaredNorm() / static_cast<double>(above.size()));
-}
-
-judge::TemperatureError temperature_error(const KnownRegressors& known,
-                                          const NoiseWeightedFit& fit) {
-  // Small beside what bends a drift with temperature, large beside rounding.
-  constexpr double kSmall = 1e-3;
-  judge::TemperatureError error;
-  error.white_degc2_s = known.series().thermometer().white_degc2_s;
-  error.rate_walk_degc2_per_s3 = known.series().thermometer().rate_walk_degc2_per_s3;
-  error.slope_dph_per_degc = slope(known, fit, {kSmall, 0}) / kSmall;
-  error.slope_dph_min_per_degc = slope(known, fit, {0, kSmall}) / kSmall;
-  return error;
-}
-
 // Values and covariance of the terms' coefficients and shapes; `linear`: columns before the shapes.
 GyroFit values_of(const judge::Prediction& found, const NoiseWeightedFit& fit, double row_s) {
   const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, row_s);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "fit/known_regressors.hpp"
 #include "fit/noise_weighted_fit.hpp"
 #include "judge/prediction.hpp"
 #include "series/term_columns.hpp"
@@ -26,6 +27,10 @@ noise::NoiseModel noise_beside(const PossibleDrift& possible, const series::Rows
 
 /// The same beside the columns and shapes of a fit. Requires is_determined().
 noise::NoiseModel noise_beside(const series::Rows& rows, const NoiseWeightedFit& fit);
+
+/// What errors of the temperature make of a fit's drift. `fit`: of the gyro's own temperature.
+judge::TemperatureError temperature_error(const KnownRegressors& known,
+                                          const NoiseWeightedFit& fit);
 
 /// Rows for judge, with the columns of a fit but for `without`, and with its shapes.
 judge::Rows judged_rows(const series::Rows& rows, const NoiseWeightedFit& fit,

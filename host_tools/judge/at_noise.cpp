@@ -43,13 +43,29 @@ std::vector<NoiseRatios> known_noises(const noise::NoiseModel& noise,
   const double none = -std::log(odds * static_cast<double>(turn_ons.size()));
   std::vector<NoiseRatios> noises;
   for (const double turn_on : turn_ons) {
-    noises.push_back({0, 0, turn_on, none});
+    noises.push_back({0, 0, turn_on, 1, none});
     for (const noise::NoiseModel::Walk& walk : noise.walks) {
       const double variance = walk.coefficient * walk.coefficient * noise.row_s / kSecondsPerHour;
-      noises.push_back({0, variance / noise.white_variance, turn_on, none + walk.log_odds});
+      noises.push_back({0, variance / noise.white_variance, turn_on, 1, none + walk.log_odds});
     }
   }
   return noises;
+}
+
+// Each noise with errors of the temperature that are smaller or larger than expected, if these can
+// be seen.
+std::vector<NoiseRatios> with_temperature(const Rivals& rivals, std::vector<NoiseRatios> noises) {
+  constexpr double kFactor = 4;
+  if (rivals.most_of_temperature() < kHardlyVisible / kFactor) return noises;
+  std::vector<NoiseRatios> all;
+  for (const double factor : {1 / kFactor, 1.0, kFactor, kFactor * kFactor}) {
+    for (NoiseRatios noise : noises) {
+      noise.temperature = factor;
+      noise.log_prior += log_prior_of_temperature(factor);
+      all.push_back(noise);
+    }
+  }
+  return all;
 }
 
 // Takes what directions explain out of the products of each shape's columns among themselves.
@@ -70,20 +86,24 @@ std::vector<NoiseRatios> possible_noises(const Rivals& rivals) {
   const std::vector<double> walks =
       from_zero(kHardlyVisible * slowest * slowest, kMostWalk, kFactorOfWalk);
   const std::vector<double> turn_ons = turn_on_variances(rivals);
-  if (rivals.rows().noise) return known_noises(*rivals.rows().noise, turn_ons);
+  if (rivals.rows().noise) {
+    return with_temperature(rivals, known_noises(*rivals.rows().noise, turn_ons));
+  }
   const auto count = static_cast<double>(flickers.size() * walks.size() * turn_ons.size());
   std::vector<NoiseRatios> noises;
   for (const double turn_on : turn_ons) {
     for (const double flicker : flickers) {
-      for (const double walk : walks) noises.push_back({flicker, walk, turn_on, -std::log(count)});
+      for (const double walk : walks)
+        noises.push_back({flicker, walk, turn_on, 1, -std::log(count)});
     }
   }
-  return noises;
+  return with_temperature(rivals, std::move(noises));
 }
 
 AtNoise::AtNoise(const Rivals& rivals, const NoiseRatios& noise) : ratios(noise) {
   constexpr double kRidge = 1e-11;
-  const Eigen::ArrayXd spectrum = rivals.noise_density(ratios.flicker, ratios.walk);
+  const Eigen::ArrayXd spectrum =
+      rivals.noise_density(ratios.flicker, ratios.walk, ratios.temperature);
   weights = spectrum.inverse().matrix();
   const Eigen::Index model = rivals.model();
   Rivals::Products products = rivals.products(weights);

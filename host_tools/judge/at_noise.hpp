@@ -9,9 +9,10 @@ namespace fogcomp::judge {
 
 /// Levels of a gyro's noise relative to the white noise of a row, and how probable beforehand.
 struct NoiseRatios {
-  double flicker = 0;  ///< variance of a mode at an angle of one per row
-  double walk = 0;     ///< the same
-  double turn_on = 0;  ///< variance of the power-ons' biases
+  double flicker = 0;      ///< variance of a mode at an angle of one per row
+  double walk = 0;         ///< the same
+  double turn_on = 0;      ///< variance of the power-ons' biases
+  double temperature = 1;  ///< what the temperature's errors make of the drift, of what is expected
   double log_prior = 0;
 };
 

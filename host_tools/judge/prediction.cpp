@@ -22,8 +22,6 @@ constexpr double kStepOfWalk = 4;
 constexpr double kMaxWalk = 4;
 constexpr double kStepOfTemperature = 2;
 constexpr double kMaxTemperature = 256;
-// Standard deviation of the logarithm by which the thermometer's errors are not as expected.
-constexpr double kTemperatureFactor = 0.7;
 constexpr double kRounding = 1e-14;
 constexpr double kNegligible = 1e-6;  // of the largest probability
 
@@ -220,7 +218,7 @@ class Problem {
     solution.white = white_ * square / freedom;
     if (!(most_of_temperature_ > 0)) return;
     const double factor = solution.ratios.temperature * solution.white / most_of_temperature_;
-    solution.log_probability -= std::pow(std::log(factor) / kTemperatureFactor, 2) / 2;
+    solution.log_probability += log_prior_of_temperature(factor);
   }
 
   // Means and covariance in deg/h, of the model's unknowns and of the power-ons.

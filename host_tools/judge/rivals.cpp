@@ -32,6 +32,7 @@ Rivals::Rivals(const Rows& rows, Eigen::MatrixXd something_else,
     : rows_(rows), bands_(rows.stretches, kBandsOfAnOctave) {
   const Eigen::MatrixXd rest_modes = modes_of_rest(std::move(something_else));
   rest_products_ = bands_.products(rest_modes, rest_modes);
+  of_temperature_ = density_of_temperature(rows, bands_) / white_;
   place(effects);
   for_each_index(effects.size(), [&](std::size_t effect) {
     take(first_shape(effect), effects[effect].shapes, rest_modes);
@@ -106,8 +107,8 @@ void Rivals::take(std::size_t first, std::vector<Eigen::MatrixXf>& shapes,
   }
 }
 
-Eigen::ArrayXd Rivals::noise_density(double flicker, double walk) const {
-  Eigen::ArrayXd density = bands_.noise_density(flicker, walk);
+Eigen::ArrayXd Rivals::noise_density(double flicker, double walk, double temperature) const {
+  Eigen::ArrayXd density = bands_.noise_density(flicker, walk) + temperature * of_temperature_;
   if (!rows_.noise) return density;
   for (Eigen::Index band = 0; band < bands_.size(); ++band) {
     density[band] += rows_.noise->slow_density(2 * std::asin(bands_.angle()[band] / 2));

@@ -45,8 +45,11 @@ class Rivals {
 
   const Rows& rows() const { return rows_; }
   /// Variance of a mode of each band relative to white noise: flicker and a random walk at an angle
-  /// of one per row, and what is known of the noise.
-  Eigen::ArrayXd noise_density(double flicker, double walk) const;
+  /// of one per row, what the temperature's errors make of the drift, `temperature` times what is
+  /// expected, and what is known of the noise.
+  Eigen::ArrayXd noise_density(double flicker, double walk, double temperature) const;
+  /// What the temperature's errors are expected to make of the drift, in the band with most of it.
+  double most_of_temperature() const { return of_temperature_.maxCoeff(); }
   const ModeBands& bands() const { return bands_; }
   std::size_t effects() const { return effects_.size(); }
   bool may_repeat(std::size_t effect) const { return effects_[effect].may_repeat; }
@@ -98,6 +101,7 @@ class Rivals {
   double white_ = 1;
   double spread_ = 0;
   double freedom_ = 1;
+  Eigen::ArrayXd of_temperature_;  // relative to white noise, in each band
   std::vector<Effect> effects_;
   std::vector<Place> shapes_;
   Eigen::Index columns_ = 0;

@@ -53,4 +53,9 @@ Eigen::ArrayXd density_of_temperature(const Rows& rows, const ModeBands& bands) 
   return of_temperature * (std::pow(error.slope_dph_per_degc, 2) + per_min * per_min * square);
 }
 
+double log_prior_of_temperature(double factor) {
+  constexpr double kSigma = 0.7;  // of the logarithm
+  return -std::pow(std::log(factor) / kSigma, 2) / 2;
+}
+
 }  // namespace fogcomp::judge

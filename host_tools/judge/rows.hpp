@@ -48,5 +48,8 @@ Eigen::MatrixXd power_on_columns(const Rows& rows);
 
 /// Variance per mode of what the temperature's errors make of the drift, (deg/h)^2, in each band.
 Eigen::ArrayXd density_of_temperature(const Rows& rows, const ModeBands& bands);
+/// ln of the density, but for a constant, of the temperature's errors being `factor` times as large
+/// as expected: how a temperature bends within its thermometer's steps is not known better.
+double log_prior_of_temperature(double factor);
 
 }  // namespace fogcomp::judge
