@@ -166,7 +166,7 @@ void add_effects(const Rivals& rivals, const FoundSets& search, const Shares& sh
       is_likeliest = false;
       effect.probability += one.probability;
       if (one.largest != e) continue;
-      effect.largest += one.mostly_something_else ? 0 : one.probability;
+      effect.largest += one.probability - (one.mostly_something_else ? one.something_else : 0);
     }
     found.effects.push_back(std::move(effect));
   }
@@ -226,9 +226,7 @@ Explanations explain(const Rows& rows, Eigen::MatrixXd something_else,
   const Shares of_drift(rivals, search.likelihood, search.noises.front());  // white
   for (Explanation& one : found.all) {
     set_shares(rivals, shares, of_drift, found.excess, one);
-    if (one.mostly_something_else) {
-      found.mostly_something_else += one.parts.empty() ? one.something_else : one.probability;
-    }
+    if (one.mostly_something_else) found.mostly_something_else += one.something_else;
   }
   add_effects(rivals, search, shares, found);
   add_visibility(rivals, search, best, found);
