@@ -30,8 +30,11 @@ Next next_of(const DiagnosisWords& said, const diagnosis::Ladder& ladder, const 
   if (!said.command.empty()) {
     return {"add it; it is kept only if it helps out of sample", said.command};
   }
-  if (said.next.empty() && ladder.first.verdict == diagnosis::Verdict::none) {
-    return next_export("make the board's header", ladder.model, file);
+  if (said.next.empty()) {
+    const bool is_none = ladder.first.verdict == diagnosis::Verdict::none;
+    return next_export(is_none ? "make the board's header"
+                               : "these recordings tell no more; make the board's header",
+                       ladder.model, file);
   }
   return words(said.next);
 }

@@ -137,10 +137,11 @@ std::string together_words(const diagnosis::Diagnosis& diagnosis,
          " of what is above the noise, alone " + join_list(alone, "and");
 }
 
-// The reason why nothing is proposed; "" where nothing is missing.
+// The reason why nothing is proposed; "" where nothing is missing that could be named.
 std::string why_nothing(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next) {
   const std::string text = nothing_holds_words(next);
-  if (!text.empty() || diagnosis.verdict == diagnosis::Verdict::none) return text;
+  if (!text.empty() || diagnosis.verdict == diagnosis::Verdict::none || diagnosis.faint)
+    return text;
   return "nothing to add: no effect and no formula that is known here explains enough of it to be "
          "tried";
 }
