@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "bench/coverage/clean_gyro.hpp"
 #include "model/effect_list.hpp"
 #include "statistics/hidden_drift.hpp"
 #include "support/chance.hpp"
@@ -71,6 +72,27 @@ void expect_false_alarms_as_claimed(int count, const std::vector<std::string>& o
 
 TEST(Diagnosis, NamesNothingWhereNothingIsMissing) {
   expect_false_alarms_as_claimed(40);
+}
+
+// Thermometers whose steps take minutes: what they do not tell of the temperature is no effect.
+TEST(Diagnosis, NamesNothingWhereAThermometerIsCoarse) {
+  constexpr int kGyros = 12;
+  const Model model = model_of(fogcomp::model::parse_effects(kBasic));
+  int found = 0;
+  for (std::uint64_t seed = 2001; found < kGyros; ++seed) {
+    const fogcomp::coverage::CleanGyro gyro = fogcomp::coverage::clean_gyro(seed);
+    const bool is_coarse = gyro.kind.sensor == "1 degC" || gyro.kind.sensor == "0.25 degC";
+    const bool is_slow =
+        gyro.kind.programme == "soaks and ramps" || gyro.kind.programme == "cycles of hours";
+    if (!is_coarse || !is_slow) continue;
+    ++found;
+    std::vector<fogcomp::runs::Run> runs;
+    for (const fogcomp::recording::Recording& run : gyro.training) {
+      runs.push_back(fogcomp::runs::run_of(run, {model.average_s}));
+    }
+    const Diagnosis diagnosis = fogcomp::diagnosis::diagnose(model, {model, runs});
+    EXPECT_FALSE(names_an_effect(diagnosis)) << seed << ' ' << diagnosis.effect;
+  }
 }
 
 TEST(Diagnosis, NamesTheEffectThatIsMissing) {
