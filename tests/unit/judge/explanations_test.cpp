@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <set>
 
+#include "judge/at_noise.hpp"
 #include "support/random.hpp"
 #include "support/units.hpp"
 
@@ -66,6 +68,26 @@ TEST_F(ExplanationsTest, RandomWalk_IsNothingMissing) {
   const Explanations explanations = found();
   EXPECT_GT(explanations.nothing, 0.5);
   EXPECT_NEAR(explanations.noise_if_nothing.walk_dph_per_rth, 0.01 * std::sqrt(360), 0.08);
+}
+
+TEST_F(ExplanationsTest, ErrorsOfTheTemperature_AreNoiseWhereTheyShow) {
+  constexpr double kWhite_degc2_s = 0.1;
+  constexpr double kTau_s = 300;
+  const auto sizes = [&](double slope_dph_per_degc) {
+    rows_.temperature = {kWhite_degc2_s, kWhite_degc2_s / std::pow(kTau_s, 4), slope_dph_per_degc,
+                         0};
+    const Rivals rivals(rows_, smooth_, {});
+    std::set<double> all;
+    for (const NoiseRatios& noise : possible_noises(rivals)) all.insert(noise.temperature);
+    return all;
+  };
+  EXPECT_EQ(sizes(0.001), std::set<double>{1});
+  EXPECT_EQ(sizes(1), (std::set<double>{0.25, 1, 4, 16}));
+  const Rivals rivals(rows_, smooth_, {});
+  const Eigen::ArrayXd added = rivals.noise_density(0, 0, 1) - rivals.noise_density(0, 0, 0);
+  const double expected = kWhite_degc2_s / rows_.row_s / rivals.white();
+  EXPECT_NEAR(added.maxCoeff(), expected, 0.01 * expected);
+  EXPECT_LT(added.minCoeff(), 1e-3 * expected);
 }
 
 // Slow noise that another recording has shown is no effect; if that one was white, it is missing.
