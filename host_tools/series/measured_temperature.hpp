@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -15,6 +16,11 @@ struct Thermometer {
   double rate_walk_degc2_per_s3 = 0;  ///< spectral density of the temperature rate's changes
   /// Spectral density of white noise in whose place a smoother would be as uncertain, degC^2 s.
   double white_degc2_s = 0;
+
+  /// Time within which the readings do not tell how the temperature goes; 0: they tell all.
+  double unresolved_s() const {
+    return rate_walk_degc2_per_s3 > 0 ? std::pow(white_degc2_s / rate_walk_degc2_per_s3, 0.25) : 0;
+  }
 };
 
 /// Temperature and its rate at one block.

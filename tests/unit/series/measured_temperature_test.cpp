@@ -136,6 +136,35 @@ TEST(MeasuredTemperature, ThatWasComputed_HasAValueForEachBlockOfAGap) {
   EXPECT_EQ(series.temperature->at(703).degc, series.blocks[701].means.temperature);
 }
 
+// A turn is not rounded for the sake of long soaks, nor do soaks wander because there are turns.
+TEST(MeasuredTemperature, FollowsATurnBetweenLongSoaks) {
+  recording::Recording recording = read_by(0.0625, 0.03);
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> normal;
+  constexpr int kTurn = 2 * 3600;
+  constexpr double kLag_s = 60;
+  std::vector<double> rates;
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    const double since_s = static_cast<double>(i) - kTurn;
+    const double jump_degc =
+        since_s > 0 ? 10 * (1 - (1 + since_s / kLag_s) * std::exp(-since_s / kLag_s)) : 0;
+    const double degc = 20 + jump_degc + 0.03 * normal(random);
+    recording.temperature_degc[i] = 0.0625 * std::round(degc / 0.0625);
+    rates.push_back(since_s > 0 ? 600 * since_s / kLag_s / kLag_s * std::exp(-since_s / kLag_s)
+                                : 0);
+  }
+  const MeasuredTemperature measured = measured_temperature(make_blocks(recording));
+  const auto error = [&](int first, int end) {
+    double square = 0;
+    for (int i = first; i < end; ++i) {
+      square += std::pow(measured.at(i).degc_per_min - rates[static_cast<std::size_t>(i)], 2);
+    }
+    return std::sqrt(square / (end - first));
+  };
+  EXPECT_LT(error(kTurn - 60, kTurn + 300), 0.06) << "of at most 3.7 degC/min";
+  EXPECT_LT(error(600, kTurn - 600), 0.014);
+}
+
 TEST(MeasuredTemperature, HasAValueForEachBlockOfAGap) {
   recording::Recording recording = read_by(0.25, 0.05);
   const auto drop = [](std::vector<double>& column) {
