@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fit/inexact_terms.hpp"
 #include "fit/predict.hpp"
 #include "model/catalogue.hpp"
 #include "support/least_squares.hpp"
@@ -11,14 +12,19 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-judge::Rows rows_with_nuisances(const EvidenceSpace& evidence, const series::Rows& rows,
+judge::Rows rows_with_nuisances(const EvidenceSpace& evidence, const series::SignalSeries& series,
                                 const fit::NoiseWeightedFit& fit) {
+  const series::Rows& rows = series.rows();
   const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, rows.row_s);
   const Eigen::Index terms = columns.empty() ? 0 : columns.back().first + columns.back().count;
   judge::Rows judged = fit::judged_rows(rows, fit, {terms, fit.linear() - terms});
   const std::vector<recording::RowRange> power_ons = rows.bias_ranges();
   if (power_ons.size() > 1) judged.power_ons = power_ons;
-  const Eigen::MatrixXd& inexact = evidence.residualizer.inexact();
+  const Eigen::MatrixXd inexact =
+      side_by_side({evidence.residualizer.inexact(),
+                    fit::unresolved_drift(rows, fit.terms, fit.columns, fit.coefficients,
+                                          series.thermometer().unresolved_s())},
+                   rows.size());
   judged.columns = side_by_side({judged.columns, inexact}, rows.size());
   const Eigen::Index known = judged.prior_sigma.size();
   judged.prior_sigma.conservativeResize(known + inexact.cols());
@@ -67,7 +73,7 @@ bool may_repeat(const Candidate& candidate) {
 
 judge::Explanations explain(EvidenceSpace& evidence, const series::SignalSeries& series,
                             const fit::NoiseWeightedFit& fit, bool is_noise_known) {
-  judge::Rows judged = rows_with_nuisances(evidence, series.rows(), fit);
+  judge::Rows judged = rows_with_nuisances(evidence, series, fit);
   judged.temperature = fit::temperature_error(series, fit);
   if (is_noise_known) judged.noise = fit.noise;
   std::vector<judge::PossibleEffect> effects;

@@ -109,4 +109,12 @@ Eigen::MatrixXd inexact_rate_terms(const series::Rows& rows,
   return timings(fit, thermal_drift(fit, true));
 }
 
+Eigen::VectorXd unresolved_drift(const series::Rows& rows,
+                                 const std::vector<model::EffectTerm>& terms,
+                                 const Eigen::MatrixXd& columns,
+                                 const Eigen::VectorXd& coefficients, double time_s) {
+  const Eigen::VectorXd drift = thermal_drift({rows, terms, columns, coefficients}, false);
+  return time_s * time_s * slope(rows, slope(rows, drift));
+}
+
 }  // namespace fogcomp::fit

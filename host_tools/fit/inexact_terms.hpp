@@ -23,4 +23,12 @@ Eigen::MatrixXd inexact_rate_terms(const series::Rows& rows,
                                    const Eigen::MatrixXd& columns,
                                    const Eigen::VectorXd& coefficients);
 
+/// What the terms' drift does within `time_s`, in which a thermometer does not tell what the
+/// temperature does, to second order: by so much more or less, one standard deviation, it follows
+/// each turn of the temperature, and what is left of the thermometer's noise.
+Eigen::VectorXd unresolved_drift(const series::Rows& rows,
+                                 const std::vector<model::EffectTerm>& terms,
+                                 const Eigen::MatrixXd& columns,
+                                 const Eigen::VectorXd& coefficients, double time_s);
+
 }  // namespace fogcomp::fit

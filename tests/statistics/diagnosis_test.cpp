@@ -74,25 +74,26 @@ TEST(Diagnosis, NamesNothingWhereNothingIsMissing) {
   expect_false_alarms_as_claimed(40);
 }
 
-// Thermometers whose steps take minutes: what they do not tell of the temperature is no effect.
+// Thermometers whose steps take minutes: what they do not tell of the temperature is no effect, in
+// nine of ten gyros at least.
 TEST(Diagnosis, NamesNothingWhereAThermometerIsCoarse) {
-  constexpr int kGyros = 12;
+  constexpr int kGyros = 24;
   const Model model = model_of(fogcomp::model::parse_effects(kBasic));
   int found = 0;
+  int named = 0;
   for (std::uint64_t seed = 2001; found < kGyros; ++seed) {
     const fogcomp::coverage::CleanGyro gyro = fogcomp::coverage::clean_gyro(seed);
     const bool is_coarse = gyro.kind.sensor == "1 degC" || gyro.kind.sensor == "0.25 degC";
-    const bool is_slow =
-        gyro.kind.programme == "soaks and ramps" || gyro.kind.programme == "cycles of hours";
-    if (!is_coarse || !is_slow) continue;
+    if (!is_coarse || gyro.kind.programme == "three days") continue;
     ++found;
     std::vector<fogcomp::runs::Run> runs;
     for (const fogcomp::recording::Recording& run : gyro.training) {
       runs.push_back(fogcomp::runs::run_of(run, {model.average_s}));
     }
     const Diagnosis diagnosis = fogcomp::diagnosis::diagnose(model, {model, runs});
-    EXPECT_FALSE(names_an_effect(diagnosis)) << seed << ' ' << diagnosis.effect;
+    named += names_an_effect(diagnosis) ? 1 : 0;
   }
+  EXPECT_GE(fog::test::probability_of_at_least(named, kGyros, 0.1), 0.01) << named;
 }
 
 TEST(Diagnosis, NamesTheEffectThatIsMissing) {
