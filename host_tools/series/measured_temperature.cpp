@@ -137,12 +137,13 @@ MeasuredTemperature measured_temperature(const BlockSeries& series) {
   for (const Part& part : parts) {
     MeasuredTemperature::Part& values = result.parts.emplace_back();
     values.first_number = part.first_number;
-    for (const TemperatureState& state : smoothed(part.readings, law)) {
+    values.values.reserve(part.readings.degc.size());
+    smooth(part.readings, law, [&](const TemperatureState& state) {
       values.values.push_back({state.mean[0], state.mean[1] * kSecondsPerMinute});
       var_degc += state.covariance(0, 0);
       var_per_s += state.covariance(1, 1);
       ++count;
-    }
+    });
   }
   result.thermometer.resolution_degc = law.step_degc;
   result.thermometer.noise_degc = law.noise_degc;

@@ -137,6 +137,7 @@ TemperatureState at_first(double reading_degc, const TemperatureLaw& law) {
 
 class Smoother {
  public:
+  using Visit = std::function<void(const TemperatureState&)>;
   Smoother(const TemperatureReadings& readings, const TemperatureLaw& law)
       : law_(law),
         interval_s_(readings.interval_s),
@@ -144,33 +145,42 @@ class Smoother {
         readings_(readings.degc),
         sites_(readings_.size()),
         later_(readings_.size(), {Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero()}),
-        walk_(readings_.size(), law.walk),
-        shown_(readings_.size()) {}
+        stretches_{{0, readings_.size(), law.walk, {}}} {}
 
-  std::vector<TemperatureState> states() {
-    constexpr int kTurns = 6;
-    std::vector<TemperatureState> states(readings_.size());
-    forward(states);
-    std::vector<std::size_t> ends;
-    for (int turn = 0; turn < kTurns; ++turn) {
+  // Calls visit(state) for each reading, in order.
+  void run(const Visit& visit) {
+    constexpr int kTurns = 5;
+    forward({});
+    backward();
+    forward({});
+    divide();
+    for (int turn = 1; turn < kTurns; ++turn) {
       backward();
-      forward(states);
-      if (turn == 0) ends = ends_of_stretches();
-      if (turn + 1 < kTurns) find_walks(ends);
+      forward({});
+      for (Stretch& stretch : stretches_) stretch.walk *= stretch.shown.square / stretch.shown.told;
     }
-    return states;
+    backward();
+    forward(visit);
   }
 
  private:
+  static constexpr double kTold = 4;  // numbers of a stretch that the readings tell
+
   // Of a state: its precision, and that times its mean.
   struct Information {
     Eigen::Matrix3d matrix;
     Eigen::Vector3d vector;
   };
-  // Of the walk's step to a reading.
+  // Of the walk's steps.
   struct Shown {
-    double square = 0;  // of what it was, relative to what the walk lets expect
-    double told = 0;    // how many of its three numbers the readings tell
+    double square = 0;  // of what they were, relative to what the walk lets expect
+    double told = 0;    // how many of their three numbers the readings tell
+  };
+  struct Stretch {
+    std::size_t first = 0;
+    std::size_t end = 0;
+    double walk = 0;  // that leads to each of its readings
+    Shown shown;      // beside one step as large as everywhere
   };
 
   Information from(std::size_t i) const {
@@ -186,62 +196,61 @@ class Smoother {
   }
 
   // From the first on, with what later readings said last.
-  void forward(std::vector<TemperatureState>& states) {
+  void forward(const Visit& visit) {
     TemperatureState before = first_;
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      if (i > 0) before = predicted(before, interval_s_, walk_[i]);
-      const TemperatureState expected = before;
-      states[i] = with(before, later_[i]);
-      if (!std::isnan(readings_[i])) {
-        sites_[i] = seen(readings_[i], law_, states[i].mean[0], states[i].covariance(0, 0)).site;
-        take(sites_[i], states[i]);
-        take(sites_[i], before);
+    divisions_.clear();
+    told_ = 0;
+    for (Stretch& stretch : stretches_) {
+      stretch.shown = {law_.walk / stretch.walk, 1};
+      for (std::size_t i = stretch.first; i < stretch.end; ++i) {
+        if (i > 0) before = predicted(before, interval_s_, stretch.walk);
+        const TemperatureState expected = before;
+        TemperatureState state = with(before, later_[i]);
+        if (!std::isnan(readings_[i])) {
+          sites_[i] = seen(readings_[i], law_, state.mean[0], state.covariance(0, 0)).site;
+          take(sites_[i], state);
+          take(sites_[i], before);
+        }
+        if (i > 0) look(i, state, expected, stretch);
+        if (visit) visit(state);
       }
-      if (i == 0) continue;
-      shown_[i] = shown_by(from(i), states[i], expected, added_by(interval_s_, walk_[i]));
     }
   }
 
-  // `all`: what this and later readings say; `added`: covariance of the step.
-  static Shown shown_by(const Information& all, const TemperatureState& state,
-                        const TemperatureState& expected, const Eigen::Matrix3d& added) {
+  // What this and later readings say of the step to this one, before which `expected` was known.
+  void look(std::size_t i, const TemperatureState& state, const TemperatureState& expected,
+            Stretch& stretch) {
+    const Information all = from(i);
+    const Eigen::Matrix3d added = added_by(interval_s_, stretch.walk);
     const Eigen::Vector3d pull = all.vector - all.matrix * state.mean;
-    return {pull.dot(added * pull), (added * shrunk(all.matrix, expected.covariance)).trace()};
+    const double told = (added * shrunk(all.matrix, expected.covariance)).trace();
+    stretch.shown.square += pull.dot(added * pull);
+    stretch.shown.told += told;
+    told_ += told;
+    if (told_ < kTold) return;
+    divisions_.push_back(i + 1);
+    told_ = 0;
   }
 
-  std::vector<std::size_t> ends_of_stretches() const {
-    constexpr double kTold = 4;
-    std::vector<std::size_t> ends;
-    double told = 0;
-    for (std::size_t i = 0; i < shown_.size(); ++i) {
-      told += shown_[i].told;
-      if (told < kTold) continue;
-      ends.push_back(i + 1);
-      told = 0;
-    }
-    if (!ends.empty()) ends.pop_back();
-    ends.push_back(shown_.size());
-    return ends;
-  }
-
-  void find_walks(const std::vector<std::size_t>& ends) {
+  // The last one also has what is left.
+  void divide() {
+    stretches_.clear();
     std::size_t first = 0;
-    for (const std::size_t end : ends) {
-      const double before = walk_[first];
-      Shown sum{law_.walk / before, 1};
-      for (std::size_t i = first; i < end; ++i) {
-        sum.square += shown_[i].square;
-        sum.told += shown_[i].told;
-      }
-      for (; first < end; ++first) walk_[first] = before * sum.square / sum.told;
+    for (std::size_t k = 0; k < divisions_.size(); ++k) {
+      const std::size_t end = k + 1 < divisions_.size() ? divisions_[k] : readings_.size();
+      stretches_.push_back({first, end, law_.walk, {}});
+      first = end;
     }
+    if (stretches_.empty()) stretches_.push_back({0, readings_.size(), law_.walk, {}});
   }
 
   void backward() {
     const Eigen::Matrix3d f = transition(interval_s_);
+    auto stretch = stretches_.rbegin();
     for (std::size_t i = later_.size() - 1; i > 0; --i) {
+      if (i < stretch->first) ++stretch;
       const Information all = from(i);
-      const Eigen::Matrix3d added = added_by(interval_s_, walk_[i]);
+      const Eigen::Matrix3d added = added_by(interval_s_, stretch->walk);
       const Eigen::Matrix3d left = shrunk(all.matrix, added);
       later_[i - 1] = {f.transpose() * left * f,
                        f.transpose() * (all.vector - left * (added * all.vector))};
@@ -254,8 +263,9 @@ class Smoother {
   const std::vector<double>& readings_;
   std::vector<Site> sites_;
   std::vector<Information> later_;  // what later readings say
-  std::vector<double> walk_;        // that leads to each reading
-  std::vector<Shown> shown_;
+  std::vector<Stretch> stretches_;
+  std::vector<std::size_t> divisions_;  // where a stretch might end
+  double told_ = 0;                     // since the last one
 };
 
 }  // namespace
@@ -277,9 +287,9 @@ double log_likelihood(const TemperatureReadings& readings, std::size_t every,
   return sum;
 }
 
-std::vector<TemperatureState> smoothed(const TemperatureReadings& readings,
-                                       const TemperatureLaw& law) {
-  return Smoother(readings, law).states();
+void smooth(const TemperatureReadings& readings, const TemperatureLaw& law,
+            const std::function<void(const TemperatureState&)>& visit) {
+  Smoother(readings, law).run(visit);
 }
 
 }  // namespace fogcomp::series

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <vector>
 
 namespace fogcomp::series {
@@ -30,13 +31,13 @@ struct TemperatureState {
 double log_likelihood(const TemperatureReadings& readings, std::size_t every,
                       const TemperatureLaw& law);
 
-/// A state for each reading from all of them. A reading that stands is the same knowledge seen
-/// again: each one's share is what it adds to all others, earlier and later (expectation
-/// propagation, Minka 2001, on a chain), not to the earlier ones alone.
+/// Calls visit(state) for each reading, in order, with what all of them say. A reading that stands
+/// is the same knowledge seen again: each one's share is what it adds to all others, earlier and
+/// later (expectation propagation, Minka 2001, on a chain), not to the earlier ones alone.
 ///
 /// Where a chamber turns, the walk is larger than on a ramp or in a soak: law.walk is that of all,
 /// and each stretch in which the readings tell a few of its steps has its own (MacKay 1992).
-std::vector<TemperatureState> smoothed(const TemperatureReadings& readings,
-                                       const TemperatureLaw& law);
+void smooth(const TemperatureReadings& readings, const TemperatureLaw& law,
+            const std::function<void(const TemperatureState&)>& visit);
 
 }  // namespace fogcomp::series
