@@ -72,9 +72,15 @@ struct VaryingSignal {
   std::string somewhere() const { return above(range.min); }
 };
 
+// A temperature within the noise or a step of its thermometer is steady, and so is its rate.
 std::vector<VaryingSignal> varying_signals(const series::SignalSeries& series,
                                            fog::InputMask inputs) {
   const model::SignalRanges ranges = series.signal_ranges();
+  const series::Thermometer& thermometer = series.thermometer();
+  const model::SignalRange& degc = ranges[static_cast<std::size_t>(fog::Input::temperature)];
+  if (degc.max - degc.min <= std::max(thermometer.resolution_degc, thermometer.noise_degc)) {
+    inputs &= ~(bit_of(fog::Input::temperature) | bit_of(fog::Input::temperature_rate));
+  }
   std::vector<VaryingSignal> signals;
   for (const fog::InputDescription& input : fog::kInputTable) {
     if (input.input == fog::Input::elapsed || !has(inputs, input.input)) continue;
