@@ -100,15 +100,17 @@ void take_sets(const FoundSets& search, Explanations& found) {
     Explanation one;
     one.parts = set.parts;
     one.something_else = probability(1);
-    one.probability = one.something_else + probability(0);
+    one.without_it = probability(0);
+    one.probability = one.something_else + one.without_it;
     sum += one.probability;
     found.all.push_back(std::move(one));
   }
   for (Explanation& one : found.all) {
     one.probability /= sum;
     one.something_else /= sum;
+    one.without_it /= sum;
     found.something_else += one.something_else;
-    if (one.parts.empty()) found.nothing = one.probability - one.something_else;
+    if (one.parts.empty()) found.nothing = one.without_it;
   }
   std::stable_sort(
       found.all.begin(), found.all.end(),
@@ -166,7 +168,7 @@ void add_effects(const Rivals& rivals, const FoundSets& search, const Shares& sh
       is_likeliest = false;
       effect.probability += one.probability;
       if (one.largest != e) continue;
-      effect.largest += one.probability - (one.mostly_something_else ? one.something_else : 0);
+      effect.largest += one.mostly_something_else ? one.without_it : one.probability;
     }
     found.effects.push_back(std::move(effect));
   }

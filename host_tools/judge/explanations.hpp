@@ -16,6 +16,7 @@ struct Explanation {
   std::vector<Part> parts;             ///< each with its most probable shape
   double probability = 0;              ///< with and without something else beside it
   double something_else = 0;           ///< with it
+  double without_it = 0;               ///< the rest
   double explained = 0;                ///< share of what is above the noise, 0..1
   std::size_t largest = 0;             ///< effect that explains most of it
   bool mostly_something_else = false;  ///< smooth functions beside it explain more than all of it
