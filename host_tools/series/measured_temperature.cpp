@@ -13,7 +13,7 @@ namespace {
 // Noise and walk are found to this factor, from at most so many readings.
 constexpr double kFactor = 2;
 constexpr std::size_t kReadings = 4000;
-constexpr double kLeast = 1e-18;       // of noise (degC) and walk: none
+constexpr double kLeast = 1e-18;       // of the walk: none
 constexpr double kFinest_degc = 1e-4;  // of noise: what is finer costs digits
 // Noise of a thermometer, in steps: between sharper edges the moments lose their digits, and the
 // rate jumps.

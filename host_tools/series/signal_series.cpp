@@ -167,6 +167,7 @@ void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows
 }
 
 void SignalSeries::add_without_delay(const BlockSeries& series, RowAverager& rows) {
+  Run& run = runs_.back();
   const std::shared_ptr<const MeasuredTemperature> measured = temperature_of(series);
   see_thermometer(measured->thermometer);
   each_part(series, [&](std::size_t first, std::size_t end) {
@@ -174,9 +175,9 @@ void SignalSeries::add_without_delay(const BlockSeries& series, RowAverager& row
       const BlockSeries::Block& block = series.blocks[i];
       const TemperatureNow& own = measured->at(block.number);
       const Signals signals{own.degc, own.degc_per_min, block.means};
-      runs_.back().keep(signals, i == first);
-      runs_.back().blocks.back().row = rows.take(block, signals);
-      runs_.back().blocks.back().samples = block.samples;
+      run.keep(signals, i == first);
+      run.blocks.back().row = rows.take(block, signals);
+      run.blocks.back().samples = block.samples;
     }
   });
 }

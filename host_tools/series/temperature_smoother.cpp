@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "support/units.hpp"
 
@@ -24,9 +25,9 @@ Eigen::Matrix3d added_by(double dt, double walk) {
   return walk * dt * added;
 }
 
-TemperatureState predicted(const TemperatureState& now, double dt, double walk) {
-  const Eigen::Matrix3d f = transition(dt);
-  return {f * now.mean, f * now.covariance * f.transpose() + added_by(dt, walk)};
+TemperatureState predicted(const TemperatureState& now, const Eigen::Matrix3d& f,
+                           const Eigen::Matrix3d& added) {
+  return {f * now.mean, f * now.covariance * f.transpose() + added};
 }
 
 // Mean, variance and ln of the probability of a standard normal variable between two limits.
@@ -137,50 +138,53 @@ TemperatureState at_first(double reading_degc, const TemperatureLaw& law) {
 
 class Smoother {
  public:
-  using Visit = std::function<void(const TemperatureState&)>;
   Smoother(const TemperatureReadings& readings, const TemperatureLaw& law)
       : law_(law),
         interval_s_(readings.interval_s),
+        transition_(transition(interval_s_)),
         first_(at_first(readings.degc[0], law)),
         readings_(readings.degc),
         sites_(readings_.size()),
         later_(readings_.size(), {Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero()}),
-        stretches_{{0, readings_.size(), law.walk, {}}} {}
+        stretches_{{0, readings_.size(), law.walk}} {}
 
   // Calls visit(state) for each reading, in order.
-  void run(const Visit& visit) {
-    constexpr int kTurns = 5;
-    forward({});
+  void run(const std::function<void(const TemperatureState&)>& visit) {
+    constexpr int kTurns = 4;
+    forward([](const Passed&) {});
     backward();
-    forward({});
     divide();
-    for (int turn = 1; turn < kTurns; ++turn) {
+    for (int turn = 0; turn < kTurns; ++turn) {
       backward();
-      forward({});
-      for (Stretch& stretch : stretches_) stretch.walk *= stretch.shown.square / stretch.shown.told;
+      find_walks();
     }
     backward();
-    forward(visit);
+    forward([&](const Passed& passed) { visit(passed.state); });
   }
 
  private:
-  static constexpr double kTold = 4;  // numbers of a stretch that the readings tell
-
   // Of a state: its precision, and that times its mean.
   struct Information {
     Eigen::Matrix3d matrix;
     Eigen::Vector3d vector;
   };
+  // Readings to each of which a walk of one size leads.
+  struct Stretch {
+    std::size_t first = 0;
+    std::size_t end = 0;
+    double walk = 0;
+  };
+  // A reading that has been passed.
+  struct Passed {
+    std::size_t reading;
+    const TemperatureState& state;     // from all readings
+    const TemperatureState& expected;  // from the earlier ones
+    const Eigen::Matrix3d& added;      // by the walk that led to it
+  };
   // Of the walk's steps.
   struct Shown {
     double square = 0;  // of what they were, relative to what the walk lets expect
     double told = 0;    // how many of their three numbers the readings tell
-  };
-  struct Stretch {
-    std::size_t first = 0;
-    std::size_t end = 0;
-    double walk = 0;  // that leads to each of its readings
-    Shown shown;      // beside one step as large as everywhere
   };
 
   Information from(std::size_t i) const {
@@ -195,15 +199,14 @@ class Smoother {
     return {state.mean + covariance * (more.vector - more.matrix * state.mean), covariance};
   }
 
-  // From the first on, with what later readings said last.
+  // Calls visit(Passed) for each reading, from the first on, with what later ones said last.
+  template <class Visit>
   void forward(const Visit& visit) {
     TemperatureState before = first_;
-    divisions_.clear();
-    told_ = 0;
-    for (Stretch& stretch : stretches_) {
-      stretch.shown = {law_.walk / stretch.walk, 1};
+    for (const Stretch& stretch : stretches_) {
+      const Eigen::Matrix3d added = added_by(interval_s_, stretch.walk);
       for (std::size_t i = stretch.first; i < stretch.end; ++i) {
-        if (i > 0) before = predicted(before, interval_s_, stretch.walk);
+        if (i > 0) before = predicted(before, transition_, added);
         const TemperatureState expected = before;
         TemperatureState state = with(before, later_[i]);
         if (!std::isnan(readings_[i])) {
@@ -211,61 +214,74 @@ class Smoother {
           take(sites_[i], state);
           take(sites_[i], before);
         }
-        if (i > 0) look(i, state, expected, stretch);
-        if (visit) visit(state);
+        visit(Passed{i, state, expected, added});
       }
     }
   }
 
-  // What this and later readings say of the step to this one, before which `expected` was known.
-  void look(std::size_t i, const TemperatureState& state, const TemperatureState& expected,
-            Stretch& stretch) {
-    const Information all = from(i);
-    const Eigen::Matrix3d added = added_by(interval_s_, stretch.walk);
-    const Eigen::Vector3d pull = all.vector - all.matrix * state.mean;
-    const double told = (added * shrunk(all.matrix, expected.covariance)).trace();
-    stretch.shown.square += pull.dot(added * pull);
-    stretch.shown.told += told;
-    told_ += told;
-    if (told_ < kTold) return;
-    divisions_.push_back(i + 1);
-    told_ = 0;
-  }
-
-  // The last one also has what is left.
-  void divide() {
-    stretches_.clear();
-    std::size_t first = 0;
-    for (std::size_t k = 0; k < divisions_.size(); ++k) {
-      const std::size_t end = k + 1 < divisions_.size() ? divisions_[k] : readings_.size();
-      stretches_.push_back({first, end, law_.walk, {}});
-      first = end;
-    }
-    if (stretches_.empty()) stretches_.push_back({0, readings_.size(), law_.walk, {}});
-  }
-
   void backward() {
-    const Eigen::Matrix3d f = transition(interval_s_);
-    auto stretch = stretches_.rbegin();
-    for (std::size_t i = later_.size() - 1; i > 0; --i) {
-      if (i < stretch->first) ++stretch;
-      const Information all = from(i);
-      const Eigen::Matrix3d added = added_by(interval_s_, stretch->walk);
-      const Eigen::Matrix3d left = shrunk(all.matrix, added);
-      later_[i - 1] = {f.transpose() * left * f,
-                       f.transpose() * (all.vector - left * (added * all.vector))};
+    for (std::size_t s = stretches_.size(); s-- > 0;) {
+      const Stretch& stretch = stretches_[s];
+      const Eigen::Matrix3d added = added_by(interval_s_, stretch.walk);
+      for (std::size_t i = stretch.end - 1; i >= std::max<std::size_t>(stretch.first, 1); --i) {
+        const Information all = from(i);
+        const Eigen::Matrix3d left = shrunk(all.matrix, added);
+        later_[i - 1] = {transition_.transpose() * left * transition_,
+                         transition_.transpose() * (all.vector - left * (added * all.vector))};
+      }
+    }
+  }
+
+  // What a reading and those after it say of the step to it.
+  Shown shown_at(const Passed& passed) const {
+    if (passed.reading == 0) return {};
+    const Information all = from(passed.reading);
+    const Eigen::Vector3d pull = all.vector - all.matrix * passed.state.mean;
+    return {pull.dot(passed.added * pull),
+            (passed.added * shrunk(all.matrix, passed.expected.covariance)).trace()};
+  }
+
+  // Stretches in which the readings tell so much of the walk; the last one also has what is left.
+  void divide() {
+    constexpr double kTold = 4;
+    std::vector<Stretch> stretches{{0, readings_.size(), law_.walk}};
+    double told = 0;
+    forward([&](const Passed& passed) {
+      told += shown_at(passed).told;
+      if (told < kTold) return;
+      stretches.back().end = passed.reading + 1;
+      stretches.push_back({passed.reading + 1, readings_.size(), law_.walk});
+      told = 0;
+    });
+    if (stretches.size() > 1) stretches.pop_back();
+    stretches.back().end = readings_.size();
+    stretches_ = std::move(stretches);
+  }
+
+  // Beside one step as large as everywhere.
+  void find_walks() {
+    std::vector<Shown> shown;
+    for (const Stretch& stretch : stretches_) shown.push_back({law_.walk / stretch.walk, 1});
+    std::size_t at = 0;
+    forward([&](const Passed& passed) {
+      if (passed.reading == stretches_[at].end) ++at;
+      const Shown now = shown_at(passed);
+      shown[at].square += now.square;
+      shown[at].told += now.told;
+    });
+    for (std::size_t s = 0; s < shown.size(); ++s) {
+      stretches_[s].walk *= shown[s].square / shown[s].told;
     }
   }
 
   const TemperatureLaw& law_;
   double interval_s_;
+  Eigen::Matrix3d transition_;
   TemperatureState first_;
   const std::vector<double>& readings_;
   std::vector<Site> sites_;
   std::vector<Information> later_;  // what later readings say
   std::vector<Stretch> stretches_;
-  std::vector<std::size_t> divisions_;  // where a stretch might end
-  double told_ = 0;                     // since the last one
 };
 
 }  // namespace
@@ -278,7 +294,8 @@ double log_likelihood(const TemperatureReadings& readings, std::size_t every,
   std::size_t count = 0;
   for (std::size_t i = 1; i < readings.degc.size(); ++i) {
     if (std::isnan(readings.degc[i]) || ++count % every != 0) continue;
-    state = predicted(state, static_cast<double>(i - before) * readings.interval_s, law.walk);
+    const double dt = static_cast<double>(i - before) * readings.interval_s;
+    state = predicted(state, transition(dt), added_by(dt, law.walk));
     before = i;
     const Seen now = seen(readings.degc[i], law, state.mean[0], state.covariance(0, 0));
     take(now.site, state);
