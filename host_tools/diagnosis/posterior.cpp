@@ -20,15 +20,14 @@ judge::Rows rows_with_nuisances(const EvidenceSpace& evidence, const series::Sig
   judge::Rows judged = fit::judged_rows(rows, fit, {terms, fit.linear() - terms});
   const std::vector<recording::RowRange> power_ons = rows.bias_ranges();
   if (power_ons.size() > 1) judged.power_ons = power_ons;
-  const Eigen::MatrixXd inexact =
-      side_by_side({evidence.residualizer.inexact(),
+  const Eigen::Index known = judged.columns.cols();
+  judged.columns =
+      side_by_side({judged.columns, evidence.residualizer.inexact(),
                     fit::unresolved_drift(rows, fit.terms, fit.columns, fit.coefficients,
                                           series.thermometer().unresolved_s())},
                    rows.size());
-  judged.columns = side_by_side({judged.columns, inexact}, rows.size());
-  const Eigen::Index known = judged.prior_sigma.size();
-  judged.prior_sigma.conservativeResize(known + inexact.cols());
-  judged.prior_sigma.tail(inexact.cols()).setOnes();
+  judged.prior_sigma.conservativeResize(judged.columns.cols());
+  judged.prior_sigma.tail(judged.columns.cols() - known).setOnes();
   return judged;
 }
 

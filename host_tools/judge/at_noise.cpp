@@ -52,6 +52,23 @@ std::vector<NoiseRatios> known_noises(const noise::NoiseModel& noise,
   return noises;
 }
 
+std::vector<NoiseRatios> unknown_noises(const Rivals& rivals, const std::vector<double>& turn_ons) {
+  const double slowest = rivals.bands().angle().minCoeff();
+  const std::vector<double> flickers =
+      from_zero(kHardlyVisible * slowest, kMostFlicker, kFactorOfFlicker);
+  const std::vector<double> walks =
+      from_zero(kHardlyVisible * slowest * slowest, kMostWalk, kFactorOfWalk);
+  const auto count = static_cast<double>(flickers.size() * walks.size() * turn_ons.size());
+  std::vector<NoiseRatios> noises;
+  for (const double turn_on : turn_ons) {
+    for (const double flicker : flickers) {
+      for (const double walk : walks)
+        noises.push_back({flicker, walk, turn_on, 1, -std::log(count)});
+    }
+  }
+  return noises;
+}
+
 // Each noise with errors of the temperature that are smaller or larger than expected, if these can
 // be seen.
 std::vector<NoiseRatios> with_temperature(const Rivals& rivals, std::vector<NoiseRatios> noises) {
@@ -80,24 +97,10 @@ void take_out(const Eigen::MatrixXd& in_effects, const std::vector<Place>& shape
 }  // namespace
 
 std::vector<NoiseRatios> possible_noises(const Rivals& rivals) {
-  const double slowest = rivals.bands().angle().minCoeff();
-  const std::vector<double> flickers =
-      from_zero(kHardlyVisible * slowest, kMostFlicker, kFactorOfFlicker);
-  const std::vector<double> walks =
-      from_zero(kHardlyVisible * slowest * slowest, kMostWalk, kFactorOfWalk);
   const std::vector<double> turn_ons = turn_on_variances(rivals);
-  if (rivals.rows().noise) {
-    return with_temperature(rivals, known_noises(*rivals.rows().noise, turn_ons));
-  }
-  const auto count = static_cast<double>(flickers.size() * walks.size() * turn_ons.size());
-  std::vector<NoiseRatios> noises;
-  for (const double turn_on : turn_ons) {
-    for (const double flicker : flickers) {
-      for (const double walk : walks)
-        noises.push_back({flicker, walk, turn_on, 1, -std::log(count)});
-    }
-  }
-  return with_temperature(rivals, std::move(noises));
+  const auto& known = rivals.rows().noise;
+  return with_temperature(
+      rivals, known ? known_noises(*known, turn_ons) : unknown_noises(rivals, turn_ons));
 }
 
 AtNoise::AtNoise(const Rivals& rivals, const NoiseRatios& noise) : ratios(noise) {
