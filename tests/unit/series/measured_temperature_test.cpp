@@ -35,15 +35,23 @@ recording::Recording read_by(double step_degc, double noise_degc) {
   return recording;
 }
 
-// Rms of the rate's error around a time, away from the corners.
-double rate_error(const MeasuredTemperature& measured, double around_s, double degc_per_min) {
+// Rms of the rate's error in the blocks from `first` to before `end`; `rate_at`: of a block, true.
+template <class RateAt>
+double rms_of_rate_error(const MeasuredTemperature& measured, int first, int end,
+                         const RateAt& rate_at) {
   double square = 0;
-  constexpr int kAround = 900;
-  for (int i = -kAround; i < kAround; ++i) {
-    const auto number = static_cast<std::int64_t>(around_s) + i;
-    square += std::pow(measured.at(number).degc_per_min - degc_per_min, 2);
+  for (int i = first; i < end; ++i) {
+    square += std::pow(measured.at(i).degc_per_min - rate_at(i), 2);
   }
-  return std::sqrt(square / (2 * kAround));
+  return std::sqrt(square / (end - first));
+}
+
+// Around a time, away from the corners.
+double rate_error(const MeasuredTemperature& measured, double around_s, double degc_per_min) {
+  constexpr int kAround = 900;
+  const int around = static_cast<int>(around_s);
+  return rms_of_rate_error(measured, around - kAround, around + kAround,
+                           [&](int) { return degc_per_min; });
 }
 
 class MeasuredTemperatureTest : public testing::TestWithParam<std::pair<double, double>> {};
@@ -87,11 +95,9 @@ TEST(MeasuredTemperature, NoiselessSteps_HaveTheRateOfTheRamps) {
     }
   }
   const MeasuredTemperature measured = measured_temperature(make_blocks(recording));
-  double square = 0;
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    square += std::pow(measured.at(static_cast<std::int64_t>(i)).degc_per_min - rates[i], 2);
-  }
-  EXPECT_LT(std::sqrt(square / static_cast<double>(rates.size())), 0.05);
+  const double error = rms_of_rate_error(measured, 0, static_cast<int>(rates.size()),
+                                         [&](int i) { return rates[static_cast<std::size_t>(i)]; });
+  EXPECT_LT(error, 0.05);
 }
 
 // 30 degC about 20 in rows of 10 s, without noise.
@@ -107,25 +113,20 @@ recording::Recording up_and_down() {
   return recording;
 }
 
-double rms_of_rate_error(const MeasuredTemperature& measured, int first, int end) {
-  double square = 0;
-  for (int i = first; i < end; ++i) {
-    const double rate = 30 * std::cos(i / 200.0) / 200 * 6;
-    square += std::pow(measured.at(i).degc_per_min - rate, 2);
-  }
-  return std::sqrt(square / (end - first));
+double rate_up_and_down(int block) {
+  return 30 * std::cos(block / 200.0) / 200 * 6;
 }
 
 // Nearly all of what is known of the rate at first goes with the first readings.
 TEST(MeasuredTemperature, KeepsItsDigitsWithoutNoise) {
   const MeasuredTemperature measured = measured_temperature(make_blocks(up_and_down()));
-  EXPECT_LT(rms_of_rate_error(measured, 0, 1500), 1e-4);
+  EXPECT_LT(rms_of_rate_error(measured, 0, 1500, rate_up_and_down), 1e-4);
 }
 
 TEST(MeasuredTemperature, ThatWasComputed_IsItsReadings) {
   const BlockSeries series = with_exact_temperature(make_blocks(up_and_down()));
   EXPECT_EQ(series.temperature->at(700).degc, series.blocks[700].means.temperature);
-  EXPECT_LT(rms_of_rate_error(*series.temperature, 1, 1499), 1e-5);
+  EXPECT_LT(rms_of_rate_error(*series.temperature, 1, 1499, rate_up_and_down), 1e-5);
 }
 
 TEST(MeasuredTemperature, ThatWasComputed_HasAValueForEachBlockOfAGap) {
@@ -155,11 +156,8 @@ TEST(MeasuredTemperature, FollowsATurnBetweenLongSoaks) {
   }
   const MeasuredTemperature measured = measured_temperature(make_blocks(recording));
   const auto error = [&](int first, int end) {
-    double square = 0;
-    for (int i = first; i < end; ++i) {
-      square += std::pow(measured.at(i).degc_per_min - rates[static_cast<std::size_t>(i)], 2);
-    }
-    return std::sqrt(square / (end - first));
+    return rms_of_rate_error(measured, first, end,
+                             [&](int i) { return rates[static_cast<std::size_t>(i)]; });
   };
   EXPECT_LT(error(kTurn - 60, kTurn + 300), 0.06) << "of at most 3.7 degC/min";
   EXPECT_LT(error(600, kTurn - 600), 0.014);
