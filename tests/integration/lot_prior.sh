@@ -38,7 +38,7 @@ gyro unseen.csv 10 0.104 --profile reversed
 below "$(error new.model unseen.csv)" "$(error alone.model unseen.csv)" 'with the lot'
 holds new.json '.prior.file == "out/gyros.lot" and .prior.gyros == 9'
 holds new.json '.prior.unknowns | all(.moved | not)'
-holds new.json '[.prior.unknowns[] | select(.from_before > 0.5).name] | index("shupe.K")'
+holds new.json '[.prior.unknowns[] | select(.from_before > 0.5).name] | index("shupe.tau")'
 "$fogcomp" history new.model >history.txt
 says history.txt 'prior: out/gyros.lot [(]9 gyros[)]'
 

@@ -26,7 +26,7 @@ holds alone.json '.forms[0].name == "lag(lag(dTdt,tau),tau)^2"'
 
 # What does not describe it is not named.
 "$fogcomp" diagnose gyro.model run.csv --effect-expr 'burst = T*T*dTdt' >wrong.txt
-grep -qE '^something is missing(: .* follows a formula outside the catalogue| that no effect .* explains)' wrong.txt ||
+grep -qE '^something is missing(: .* follows a formula outside the catalogue| that no effect .* and no expression offered explains)' wrong.txt ||
   fail "$(cat wrong.txt)"
 
 stress='stress = lag(dTdt^2, ?tau[60,3000])'
