@@ -44,17 +44,15 @@ double half_distance(const std::vector<Candidate::Shape>& shapes,
 
 // Extensions of the model's own term. The grid covers the new parameter; the others stay until the
 // final fit.
-std::vector<Candidate::Shape> grown_shapes(const series::SignalSeries& series,
-                                           const ProjectOutModel& project_out_model,
-                                           const model::EffectTerm& own) {
+std::vector<Candidate::Shape> grown_shapes(const ShapeSpace& space, const model::EffectTerm& own) {
   std::vector<Candidate::Shape> shapes;
-  const Eigen::Index owned = series.regressors(own).cols();
+  const Eigen::Index owned = space.series.regressors(own).cols();
   for (const model::EffectTerm& term : model::grown_terms(own)) {
     model::EffectTerm projection = term;
     for (std::size_t i = 0; i < own.parameters.size(); ++i) {
       if (own.parameters[i].identified) projection.parameters[i].identified = false;
     }
-    for (Candidate::Shape& shape : all_shapes({series, project_out_model, owned}, projection)) {
+    for (Candidate::Shape& shape : all_shapes({space, owned}, projection)) {
       for (std::size_t i = 0; i < term.parameters.size(); ++i) {
         shape.term.parameters[i].identified = term.parameters[i].identified;
       }
@@ -123,13 +121,12 @@ struct Searched {
   std::string needs;  // "" if nothing does: the model has the effect, and nothing of it can grow
 };
 
-Searched search_effect(const model::CatalogueEntry& entry, const series::SignalSeries& series,
-                       const std::vector<model::EffectTerm>& terms, fog::InputMask inputs,
-                       const ProjectOutModel& project_out_model) {
+Searched search_effect(const model::CatalogueEntry& entry, const ShapeSpace& space,
+                       const std::vector<model::EffectTerm>& terms, fog::InputMask inputs) {
   const std::string name = entry.description.name;
   Searched searched{{name, {}}, missing_input(entry, inputs)};
   if (!searched.needs.empty()) return searched;
-  if (fit::has_constant_input_rate(entry.description.needs, series.rows())) {
+  if (fit::has_constant_input_rate(entry.description.needs, space.series.rows())) {
     searched.needs = remedy_for_invisible(entry);
     return searched;
   }
@@ -137,13 +134,13 @@ Searched search_effect(const model::CatalogueEntry& entry, const series::SignalS
   const auto own = std::find_if(terms.begin(), terms.end(),
                                 [&](const model::EffectTerm& term) { return term.name == name; });
   if (entry.description.event) {
-    shapes = step_shapes(series, project_out_model, model::parse_effects(name)[0]);
+    shapes = step_shapes(space, model::parse_effects(name)[0]);
   } else if (own == terms.end()) {
     std::vector<model::EffectTerm> added = model::parse_effects(name);
-    fit::set_references(added, series);
-    shapes = all_shapes({series, project_out_model, 0}, added[0]);
+    fit::set_references(added, space.series);
+    shapes = all_shapes({space, 0}, added[0]);
   } else {
-    shapes = grown_shapes(series, project_out_model, *own);
+    shapes = grown_shapes(space, *own);
   }
   if (own == terms.end()) searched.needs = remedy_for_invisible(entry);
   return searched;
@@ -183,9 +180,8 @@ void remove_those_without_shapes(std::vector<Candidate>& candidates) {
                    candidates.end());
 }
 
-void refine_shape_parameters(std::vector<Candidate>& candidates, const series::SignalSeries& series,
+void refine_shape_parameters(std::vector<Candidate>& candidates, const ShapeSpace& space,
                              const std::vector<model::EffectTerm>& terms,
-                             const ProjectOutModel& project_out_model,
                              const Eigen::VectorXd& residual) {
   constexpr double kMinChi2Drop = 100;
   constexpr double kLeading = 0.5;
@@ -203,7 +199,7 @@ void refine_shape_parameters(std::vector<Candidate>& candidates, const series::S
       return term.name == candidates[i].effect;
     });
     if (chi2_drop[i] < needed || grown || candidates[i].is_event()) continue;
-    optimise_shape({series, project_out_model, 0}, candidates[i].shapes, best[i], residual);
+    optimise_shape({space, 0}, candidates[i].shapes, best[i], residual);
   }
 }
 
@@ -215,10 +211,8 @@ bool Candidate::is_event() const {
   return fogcomp::model::is_event(shapes[0].term);
 }
 
-CandidateList find_candidates(const series::SignalSeries& series,
-                              const std::vector<model::EffectTerm>& terms,
+CandidateList find_candidates(const ShapeSpace& space, const std::vector<model::EffectTerm>& terms,
                               const std::vector<model::EffectTerm>& offered, fog::InputMask inputs,
-                              const ProjectOutModel& project_out_model,
                               const std::function<void(double)>& progress) {
   const std::vector<model::CatalogueEntry>& catalogue = model::catalogue();
   std::vector<model::EffectTerm> expressions;  // those that the model does not have
@@ -228,18 +222,18 @@ CandidateList find_candidates(const series::SignalSeries& series,
     });
     if (!own) expressions.push_back(expression);
   }
-  fit::set_expression_ranges(expressions, series);
+  fit::set_expression_ranges(expressions, space.series);
 
   std::vector<Searched> searched(catalogue.size() + expressions.size());
   for_each_index(
       searched.size(),
       [&](std::size_t i) {
         if (i < catalogue.size()) {
-          searched[i] = search_effect(catalogue[i], series, terms, inputs, project_out_model);
+          searched[i] = search_effect(catalogue[i], space, terms, inputs);
           return;
         }
         const model::EffectTerm& expression = expressions[i - catalogue.size()];
-        searched[i] = {{expression.name, all_shapes({series, project_out_model, 0}, expression)},
+        searched[i] = {{expression.name, all_shapes({space, 0}, expression)},
                        "to differ from what the model's terms can do"};
       },
       progress);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "judge/mode_space.hpp"
 #include "series/signal_series.hpp"
 
 namespace fogcomp::diagnosis {
@@ -12,10 +13,10 @@ namespace fogcomp::diagnosis {
 struct Candidate {
   std::string effect;  ///< or the expression's name
   struct Shape {
-    model::EffectTerm term;     ///< what would be added, or what the model's own would become
-    Eigen::MatrixXf basis;      ///< rows x 1 or more, orthonormal: what that adds, whitened
-    std::size_t row = 0;        ///< of a bias step: from which on it is there
-    Eigen::MatrixXf columns{};  ///< rows x 1 or more: what that adds
+    model::EffectTerm term;   ///< what would be added, or what the model's own would become
+    Eigen::MatrixXf basis;    ///< rows x 1 or more, orthonormal: what that adds, whitened
+    std::size_t row = 0;      ///< of a bias step: from which on it is there
+    Eigen::MatrixXd modes{};  ///< 1 or more columns, for the judge: what that adds
     std::vector<Eigen::Index> visible{0};  ///< which of the term's columns these are
 
     /// Decrease of chi^2 when this shape alone is fitted to the whitened residual.
@@ -49,6 +50,13 @@ struct VisiblePart {
 };
 using ProjectOutModel = std::function<VisiblePart(const Eigen::MatrixXd& regressors)>;
 
+/// Where shapes are made. All must outlive what is made with them.
+struct ShapeSpace {
+  const series::SignalSeries& series;
+  const ProjectOutModel& project_out_model;
+  const judge::ModeSpace& modes;
+};
+
 /// Candidates: all effects of the catalogue that `terms` lack, extensions of effects that they have
 /// (a higher order, a second radius), and the `offered` expressions that they lack. The grid of
 /// shape parameters is refined on these recordings: an interval is halved until its ends explain at
@@ -57,10 +65,8 @@ using ProjectOutModel = std::function<VisiblePart(const Eigen::MatrixXd& regress
 /// negligible on these recordings. The recordings must have the inputs of the expressions. Throws
 /// InputError for an expression that is not finite on them. `progress` is called with the fraction
 /// done, 0..1.
-CandidateList find_candidates(const series::SignalSeries& series,
-                              const std::vector<model::EffectTerm>& terms,
+CandidateList find_candidates(const ShapeSpace& space, const std::vector<model::EffectTerm>& terms,
                               const std::vector<model::EffectTerm>& offered, fog::InputMask inputs,
-                              const ProjectOutModel& project_out_model,
                               const std::function<void(double)>& progress);
 
 void remove_those_without_shapes(std::vector<Candidate>& candidates);
@@ -70,9 +76,8 @@ void remove_those_without_shapes(std::vector<Candidate>& candidates);
 /// point nearer to the truth would win. Only for strong effects (chi^2 of 100): of weak ones
 /// noise would choose the place. Extensions of effects in `terms` and bias steps
 /// (place_steps()) are not moved.
-void refine_shape_parameters(std::vector<Candidate>& candidates, const series::SignalSeries& series,
+void refine_shape_parameters(std::vector<Candidate>& candidates, const ShapeSpace& space,
                              const std::vector<model::EffectTerm>& terms,
-                             const ProjectOutModel& project_out_model,
                              const Eigen::VectorXd& residual);
 
 }  // namespace fogcomp::diagnosis

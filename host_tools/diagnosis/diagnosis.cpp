@@ -121,7 +121,7 @@ void decide(Diagnosis& diagnosis) {
 // Compares the explanations and sets the verdict.
 void judge(EvidenceSpace& evidence, const series::SignalSeries& series,
            const fit::NoiseWeightedFit& fit, Diagnosis& diagnosis) {
-  const judge::Explanations found = explain(evidence, series, fit, diagnosis.has_static);
+  const judge::Explanations found = explain(evidence, series);
   diagnosis.nothing = found.nothing;
   diagnosis.something_else = found.something_else;
   diagnosis.mostly_something_else = found.mostly_something_else;
@@ -166,9 +166,10 @@ void look_for_causes(const model::Model& model, const DiagnosisData& data,
   const series::SignalSeries& series = data.series();
   // Candidates take most of the time, their comparison the rest.
   constexpr double kCandidates = 0.75;
-  EvidenceSpace evidence = make_evidence_space(data, fit, [&](double done) {
-    if (settings.progress) settings.progress(kCandidates * done);
-  });
+  EvidenceSpace evidence =
+      make_evidence_space(data, fit, settings.noise.has_value(), [&](double done) {
+        if (settings.progress) settings.progress(kCandidates * done);
+      });
   diagnosis.untestable = evidence.untestable;
   ResidualPlace place = place_of(evidence.smooth, evidence.residual(), data.segments());
   diagnosis.variable = std::move(place.variable);

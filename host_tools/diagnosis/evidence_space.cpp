@@ -6,6 +6,8 @@
 
 #include "diagnosis/shape_grid.hpp"
 #include "diagnosis/step_candidates.hpp"
+#include "fit/inexact_terms.hpp"
+#include "fit/predict.hpp"
 #include "model/catalogue.hpp"
 #include "support/least_squares.hpp"
 #include "support/parallel.hpp"
@@ -13,42 +15,69 @@
 namespace fogcomp::diagnosis {
 namespace {
 
+judge::Rows rows_with_nuisances(const series::SignalSeries& series,
+                                const fit::NoiseWeightedFit& fit,
+                                const Residualizer& residualizer) {
+  const series::Rows& rows = series.rows();
+  const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, rows.row_s);
+  const Eigen::Index terms = columns.empty() ? 0 : columns.back().first + columns.back().count;
+  judge::Rows judged = fit::judged_rows(rows, fit, {terms, fit.linear() - terms});
+  const std::vector<recording::RowRange> power_ons = rows.bias_ranges();
+  if (power_ons.size() > 1) judged.power_ons = power_ons;
+  const Eigen::Index known = judged.columns.cols();
+  judged.columns =
+      side_by_side({judged.columns, residualizer.inexact(),
+                    fit::unresolved_drift(rows, fit.terms, fit.columns, fit.coefficients,
+                                          series.thermometer().unresolved_s())},
+                   rows.size());
+  judged.prior_sigma.conservativeResize(judged.columns.cols());
+  judged.prior_sigma.tail(judged.columns.cols() - known).setOnes();
+  judged.temperature = fit::temperature_error(series, fit);
+  return judged;
+}
+
 // Columns that may explain the residual.
 struct PossibleColumns {
   CandidateList candidates;
   VisibleStructure smooth;
 };
 
-void put_steps_in_place(const series::SignalSeries& series, const fit::NoiseWeightedFit& fit,
+// Only the search needs them, and they are half of its memory.
+void forget_bases(std::vector<Candidate>& candidates) {
+  for (Candidate& candidate : candidates) {
+    for (Candidate::Shape& shape : candidate.shapes) shape.basis.resize(0, 0);
+  }
+}
+
+void put_steps_in_place(const ShapeSpace& space, const fit::NoiseWeightedFit& fit,
                         const Residualizer& residualizer, PossibleColumns& found) {
   for (Candidate& candidate : found.candidates.testable) {
     if (!candidate.is_event()) continue;
-    place_steps(candidate.shapes, series, residualizer, found.smooth.all);
-    remove_gradual_steps(candidate.shapes, series.rows(), fit);
+    place_steps(candidate.shapes, space, residualizer, found.smooth.all);
+    remove_gradual_steps(candidate.shapes, space.series.rows(), fit);
   }
   remove_those_without_shapes(found.candidates.testable);
 }
 
 // Candidates use all threads only in part; smooth functions keep one of them busy beside them.
 PossibleColumns possible_columns(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
-                                 const Residualizer& residualizer,
+                                 const Residualizer& residualizer, const judge::ModeSpace& modes,
                                  const std::function<void(double)>& progress) {
-  const series::SignalSeries& series = data.series();
   const ProjectOutModel project_out_model = [&](const Eigen::MatrixXd& columns) {
     return residualizer(columns);
   };
+  const ShapeSpace space{data.series(), project_out_model, modes};
   PossibleColumns found;
   for_each_index(2, [&](std::size_t i) {
     if (i == 0) {
-      found.candidates = find_candidates(series, fit.terms, data.offered(), data.inputs(),
-                                         project_out_model, progress);
-      refine_shape_parameters(found.candidates.testable, series, fit.terms, project_out_model,
-                              residualizer.residual());
+      found.candidates = find_candidates(space, fit.terms, data.offered(), data.inputs(), progress);
+      refine_shape_parameters(found.candidates.testable, space, fit.terms, residualizer.residual());
     } else {
-      found.smooth = visible_structure(series.rows(), residualizer);
+      found.smooth = visible_structure(space.series.rows(), residualizer);
     }
   });
-  put_steps_in_place(series, fit, residualizer, found);
+  forget_bases(found.candidates.testable);
+  put_steps_in_place(space, fit, residualizer, found);
   return found;
 }
 
@@ -81,10 +110,14 @@ model::EffectTerm EvidenceSpace::term_in(const std::vector<judge::Part>& parts,
 }
 
 EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
+                                  bool is_noise_known,
                                   const std::function<void(double)>& progress) {
   Residualizer residualizer(data.series().rows(), fit);
-  PossibleColumns columns = possible_columns(data, fit, residualizer, progress);
-  return {std::move(residualizer), std::move(columns.candidates.testable),
+  judge::Rows rows = rows_with_nuisances(data.series(), fit, residualizer);
+  if (is_noise_known) rows.noise = fit.noise;
+  judge::ModeSpace modes(std::move(rows));
+  PossibleColumns columns = possible_columns(data, fit, residualizer, modes, progress);
+  return {std::move(residualizer), std::move(modes), std::move(columns.candidates.testable),
           std::move(columns.candidates.untestable), std::move(columns.smooth)};
 }
 

@@ -11,11 +11,11 @@
 
 namespace fogcomp::diagnosis {
 
-/// Second stage of a diagnosis: columns of all possible explanations of the residual, as they are,
-/// and whitened with the model projected out. explain() takes most of them, which are most of a
-/// diagnosis' memory, so that they do not lie beside the judge's.
+/// Second stage of a diagnosis: all possible explanations of the residual. explain() takes what is
+/// most of a diagnosis' memory.
 struct EvidenceSpace {
   Residualizer residualizer;
+  judge::ModeSpace modes;  ///< of the rows, and of what is not exact in the model's own terms
   std::vector<Candidate> candidates;
   std::vector<Untestable> untestable;
   VisibleStructure smooth;  ///< smooth functions of everything: no physics
@@ -27,10 +27,11 @@ struct EvidenceSpace {
   model::EffectTerm term_in(const std::vector<judge::Part>& parts, std::size_t candidate) const;
 };
 
-/// `fit`: of the rows of `data`; both must outlive the result. `progress` is called with the
-/// fraction done, 0..1. Throws InputError like find_candidates().
+/// `fit`: of the rows of `data`; both must outlive the result. The noise is that of the fit if it
+/// `is_noise_known`, otherwise these rows tell. `progress` is called with the fraction done, 0..1.
+/// Throws InputError like find_candidates().
 EvidenceSpace make_evidence_space(const DiagnosisData& data, const fit::NoiseWeightedFit& fit,
-                                  const std::function<void(double)>& progress);
+                                  bool is_noise_known, const std::function<void(double)>& progress);
 
 /// Whitened residual less the parts explained by a set of effects and by smooth functions.
 /// `series`: that of the evidence.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/shape_grid.hpp"
 #include "model/catalogue.hpp"
 
 namespace fogcomp::diagnosis {
@@ -25,7 +26,8 @@ NetworkLearnt ask_network(const model::RealNetwork& network, const series::Signa
     if (candidate.is_event()) continue;
     NetworkLearnt::Share best;
     for (const Candidate::Shape& shape : candidate.shapes) {
-      const double share = std::min(1.0, shape.chi2_drop(beyond));
+      const Eigen::MatrixXf basis = basis_of(shape, series, project_out_model);
+      const double share = std::min(1.0, (basis.transpose().cast<double>() * beyond).squaredNorm());
       if (share >= best.share) best = {shape.term, share};
     }
     if (!best.term.name.empty()) learnt.effects.push_back(std::move(best));

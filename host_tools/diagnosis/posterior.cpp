@@ -4,45 +4,22 @@
 #include <cmath>
 #include <utility>
 
-#include "fit/inexact_terms.hpp"
-#include "fit/predict.hpp"
 #include "model/catalogue.hpp"
 #include "support/least_squares.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
 
-judge::Rows rows_with_nuisances(const EvidenceSpace& evidence, const series::SignalSeries& series,
-                                const fit::NoiseWeightedFit& fit) {
-  const series::Rows& rows = series.rows();
-  const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, rows.row_s);
-  const Eigen::Index terms = columns.empty() ? 0 : columns.back().first + columns.back().count;
-  judge::Rows judged = fit::judged_rows(rows, fit, {terms, fit.linear() - terms});
-  const std::vector<recording::RowRange> power_ons = rows.bias_ranges();
-  if (power_ons.size() > 1) judged.power_ons = power_ons;
-  const Eigen::Index known = judged.columns.cols();
-  judged.columns =
-      side_by_side({judged.columns, evidence.residualizer.inexact(),
-                    fit::unresolved_drift(rows, fit.terms, fit.columns, fit.coefficients,
-                                          series.thermometer().unresolved_s())},
-                   rows.size());
-  judged.prior_sigma.conservativeResize(judged.columns.cols());
-  judged.prior_sigma.tail(judged.columns.cols() - known).setOnes();
-  return judged;
-}
-
 // What the model and effects of one shape can do.
-Eigen::MatrixXd of_one_shape(const EvidenceSpace& evidence,
-                             const std::vector<judge::PossibleEffect>& effects,
-                             const judge::Rows& rows) {
+Eigen::MatrixXd of_one_shape(const EvidenceSpace& evidence, const series::SignalSeries& series) {
+  const judge::Rows& rows = evidence.modes.rows();
   std::vector<Eigen::MatrixXd> columns{Eigen::MatrixXd::Ones(rows.size(), 1)};
   for (Eigen::Index i = 0; i < rows.columns.cols(); ++i) {
     if (!(rows.prior_sigma[i] > 0)) columns.push_back(rows.columns.col(i));
   }
-  for (std::size_t i = 0; i < effects.size(); ++i) {
-    const Candidate& candidate = evidence.candidates[i];
+  for (const Candidate& candidate : evidence.candidates) {
     if (candidate.has_free_shape() || candidate.is_event() || candidate.is_expression()) continue;
-    columns.push_back(effects[i].shapes[0].cast<double>());
+    columns.push_back(columns_of(candidate.shapes[0], series));
   }
   return side_by_side(columns, rows.size());
 }
@@ -70,22 +47,17 @@ bool may_repeat(const Candidate& candidate) {
 
 }  // namespace
 
-judge::Explanations explain(EvidenceSpace& evidence, const series::SignalSeries& series,
-                            const fit::NoiseWeightedFit& fit, bool is_noise_known) {
-  judge::Rows judged = rows_with_nuisances(evidence, series, fit);
-  judged.temperature = fit::temperature_error(series, fit);
-  if (is_noise_known) judged.noise = fit.noise;
+judge::Explanations explain(EvidenceSpace& evidence, const series::SignalSeries& series) {
+  Eigen::MatrixXd smooth = something_else(std::exchange(evidence.smooth.raw, {}),
+                                          of_one_shape(evidence, series), evidence.modes.rows());
   std::vector<judge::PossibleEffect> effects;
   for (Candidate& candidate : evidence.candidates) {
     effects.push_back({{}, may_repeat(candidate)});
     for (Candidate::Shape& shape : candidate.shapes) {
-      shape.basis.resize(0, 0);
-      effects.back().shapes.push_back(std::move(shape.columns));
+      effects.back().shapes.push_back(std::move(shape.modes));
     }
   }
-  Eigen::MatrixXd smooth = something_else(std::exchange(evidence.smooth.raw, {}),
-                                          of_one_shape(evidence, effects, judged), judged);
-  return judge::explain(judged, std::move(smooth), std::move(effects));
+  return judge::explain(evidence.modes, std::move(smooth), std::move(effects));
 }
 
 }  // namespace fogcomp::diagnosis

@@ -39,13 +39,13 @@ double size_about_mean(const Eigen::VectorXd& column) {
 }  // namespace
 
 std::optional<Candidate::Shape> ShapeMaker::operator()(const model::EffectTerm& term) const {
-  const Eigen::MatrixXd all = series_.regressors(term);
+  const Eigen::MatrixXd all = space_.series.regressors(term);
   const Eigen::Index added = all.cols() - owned_;
   if (added <= 0) return std::nullopt;
   if (!all.allFinite()) return std::nullopt;  // an expression may not be finite at this shape
   const double largest = all.rightCols(added).cwiseAbs().maxCoeff();
   if (!term.expression && largest < kMinRegressor) return std::nullopt;
-  VisiblePart part = to_visible_(all.rightCols(added));
+  VisiblePart part = space_.project_out_model(all.rightCols(added));
   if (term.expression) part.visible *= size_about_mean(all.rightCols(added));
   if (!part.visible.allFinite()) return std::nullopt;
   if (part.visible.maxCoeff() < rules::kMinVisible) return std::nullopt;
@@ -58,15 +58,17 @@ std::optional<Candidate::Shape> ShapeMaker::operator()(const model::EffectTerm& 
   }
   const auto kept = static_cast<Eigen::Index>(visible.size());
   return Candidate::Shape{term, orthonormal(part.columns.leftCols(kept), kRank).cast<float>(), 0,
-                          all(Eigen::all, visible).cast<float>(), visible};
+                          space_.modes.of_effect(all(Eigen::all, visible)), visible};
+}
+
+Eigen::MatrixXd columns_of(const Candidate::Shape& shape, const series::SignalSeries& series) {
+  if (model::is_event(shape.term)) return fit::step_column(series.rows(), shape.row);
+  return series.regressors(shape.term)(Eigen::all, shape.visible);
 }
 
 Eigen::MatrixXf basis_of(const Candidate::Shape& shape, const series::SignalSeries& series,
                          const ProjectOutModel& project_out_model) {
-  const Eigen::MatrixXd all = model::is_event(shape.term)
-                                  ? Eigen::MatrixXd(fit::step_column(series.rows(), shape.row))
-                                  : series.regressors(shape.term);
-  const VisiblePart part = project_out_model(all(Eigen::all, shape.visible));
+  const VisiblePart part = project_out_model(columns_of(shape, series));
   return orthonormal(part.columns, kRank).cast<float>();
 }
 

@@ -11,22 +11,20 @@ namespace fogcomp::diagnosis {
 /// Makes shapes of a candidate: columns of an effect beyond those that the model already has.
 class ShapeMaker {
  public:
-  /// `owned`: number of the effect's first columns that the model has. The first two must outlive
-  /// this.
-  ShapeMaker(const series::SignalSeries& series, const ProjectOutModel& project_out_model,
-             Eigen::Index owned)
-      : series_(series), to_visible_(project_out_model), owned_(owned) {}
+  /// `owned`: number of the effect's first columns that the model has.
+  ShapeMaker(const ShapeSpace& space, Eigen::Index owned) : space_(space), owned_(owned) {}
 
   /// Nothing if the effect is negligible or invisible with these parameters, or an expression is
   /// not finite.
   std::optional<Candidate::Shape> operator()(const model::EffectTerm& term) const;
 
  private:
-  const series::SignalSeries& series_;
-  const ProjectOutModel& to_visible_;
+  ShapeSpace space_;
   Eigen::Index owned_;
 };
 
+/// What a shape adds: rows x 1 or more.
+Eigen::MatrixXd columns_of(const Candidate::Shape& shape, const series::SignalSeries& series);
 /// Candidate::Shape::basis of a shape, made again.
 Eigen::MatrixXf basis_of(const Candidate::Shape& shape, const series::SignalSeries& series,
                          const ProjectOutModel& project_out_model);

@@ -19,31 +19,29 @@ namespace {
 constexpr int kStepsPerRun = 48;
 
 // `step` at this row, in this row's recording only.
-std::optional<Candidate::Shape> step_shape(const series::SignalSeries& series,
-                                           const ProjectOutModel& project_out_model,
-                                           model::EffectTerm step, std::size_t row) {
-  const series::Rows& rows = series.rows();
-  VisiblePart part = project_out_model(fit::step_column(rows, row));
+std::optional<Candidate::Shape> step_shape(const ShapeSpace& space, model::EffectTerm step,
+                                           std::size_t row) {
+  const series::Rows& rows = space.series.rows();
+  const Eigen::MatrixXd column = fit::step_column(rows, row);
+  VisiblePart part = space.project_out_model(column);
   if (part.visible[0] < rules::kMinVisible) return std::nullopt;
   step.parameters[0].value = rows.time_s[row];
   step.parameters[0].identified = false;
-  step.recording = series.recording_of(row);
+  step.recording = space.series.recording_of(row);
   return Candidate::Shape{std::move(step), part.columns.colwise().normalized().cast<float>(), row,
-                          fit::step_column(rows, row).cast<float>()};
+                          space.modes.of_effect(column)};
 }
 
 }  // namespace
 
-std::vector<Candidate::Shape> step_shapes(const series::SignalSeries& series,
-                                          const ProjectOutModel& project_out_model,
-                                          const model::EffectTerm& step) {
-  const series::Rows& rows = series.rows();
+std::vector<Candidate::Shape> step_shapes(const ShapeSpace& space, const model::EffectTerm& step) {
+  const series::Rows& rows = space.series.rows();
   std::vector<Candidate::Shape> shapes;
   for (const recording::RowRange& run : rows.runs()) {
     for (int i = 1; i < kStepsPerRun; ++i) {
       const std::size_t at = run.first + run.size() * static_cast<std::size_t>(i) / kStepsPerRun;
       if (at <= run.first || at >= run.end) continue;
-      auto shape = step_shape(series, project_out_model, step, at);
+      auto shape = step_shape(space, step, at);
       if (shape) shapes.push_back(std::move(*shape));
     }
   }
@@ -109,9 +107,9 @@ class Steps {
 
 }  // namespace
 
-void place_steps(std::vector<Candidate::Shape>& shapes, const series::SignalSeries& series,
+void place_steps(std::vector<Candidate::Shape>& shapes, const ShapeSpace& space,
                  const Residualizer& residualizer, const Eigen::MatrixXf& smooth_columns) {
-  const series::Rows& rows = series.rows();
+  const series::Rows& rows = space.series.rows();
   const Eigen::MatrixXd smooth = smooth_columns.cast<double>();
   const Eigen::MatrixXd nothing(smooth.rows(), 0);
   Eigen::MatrixXd left(smooth.rows(), 2);
@@ -125,7 +123,7 @@ void place_steps(std::vector<Candidate::Shape>& shapes, const series::SignalSeri
   Steps steps(shapes, rows);
   const auto place = [&](Eigen::Index which, const Eigen::MatrixXd& beside, double min_drop) {
     for (const std::size_t row : best_rows(rows, drops.col(which))) {
-      auto placed = step_shape(series, residualizer, step, row);
+      auto placed = step_shape(space, step, row);
       if (!placed) continue;
       const Eigen::VectorXd own = projected_out(beside, placed->basis.cast<double>());
       const double drop =

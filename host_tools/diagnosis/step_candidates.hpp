@@ -8,9 +8,7 @@
 namespace fogcomp::diagnosis {
 
 /// Shapes of an event: steps at evenly spaced times of each recording at which they are visible.
-std::vector<Candidate::Shape> step_shapes(const series::SignalSeries& series,
-                                          const ProjectOutModel& project_out_model,
-                                          const model::EffectTerm& step);
+std::vector<Candidate::Shape> step_shapes(const ShapeSpace& space, const model::EffectTerm& step);
 
 /// Moves a few of the steps from their grid times to rows, at least half a grid interval apart: to
 /// those at which a step explains most of what the model leaves (rules::kMinMovedChi2Drop), and to
@@ -18,7 +16,7 @@ std::vector<Candidate::Shape> step_shapes(const series::SignalSeries& series,
 /// (orthonormal, as visible_structure() makes them) leave as well, in units of its mean square
 /// (rules::kMinPlacedChi2Drop): an effect that is missing, too, has no edges. Other steps are
 /// tested on the grid only, as noise is.
-void place_steps(std::vector<Candidate::Shape>& shapes, const series::SignalSeries& series,
+void place_steps(std::vector<Candidate::Shape>& shapes, const ShapeSpace& space,
                  const Residualizer& residualizer, const Eigen::MatrixXf& smooth);
 
 /// Removes steps where the residual changes over minutes rather than within a row

@@ -214,9 +214,9 @@ bool Explanation::has(std::size_t effect) const {
                      [&](const Part& part) { return part.effect == effect; });
 }
 
-Explanations explain(const Rows& rows, Eigen::MatrixXd something_else,
+Explanations explain(const ModeSpace& space, Eigen::MatrixXd something_else,
                      std::vector<PossibleEffect> effects) {
-  const Rivals rivals(rows, std::move(something_else), std::move(effects));
+  const Rivals rivals(space, std::move(something_else), std::move(effects));
   const FoundSets search = search_sets(rivals);
   Explanations found;
   take_sets(search, found);

@@ -49,9 +49,9 @@ struct Explanations {
   std::vector<Effect> effects;
 };
 
-/// `rows`: with the model's columns. `something_else`: rows x any number of smooth functions. It
-/// and the effects' columns are dropped as their modes are made.
-Explanations explain(const Rows& rows, Eigen::MatrixXd something_else,
+/// `space`: of rows with the model's columns. `something_else`: rows x any number of smooth
+/// functions.
+Explanations explain(const ModeSpace& space, Eigen::MatrixXd something_else,
                      std::vector<PossibleEffect> effects);
 
 }  // namespace fogcomp::judge

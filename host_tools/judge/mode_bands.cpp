@@ -59,9 +59,25 @@ Eigen::MatrixXd ModeBands::products(const Eigen::MatrixXd& left,
     const Eigen::Index first = first_[static_cast<std::size_t>(band)];
     const Eigen::Index count = first_[static_cast<std::size_t>(band) + 1] - first;
     Eigen::Map<Eigen::MatrixXd> here(all.col(band).data(), left.cols(), right.cols());
+    if (first >= std::min(left.rows(), right.rows())) {
+      here.setZero();
+      continue;
+    }
     here.noalias() = left.middleRows(first, count).transpose() * right.middleRows(first, count);
   }
   return all;
+}
+
+Eigen::Index ModeBands::needed(const Eigen::MatrixXd& modes) const {
+  constexpr double kNegligible = 1e-10;  // of the power; what a formula leaves out is far more
+  const Eigen::RowVectorXd negligible = kNegligible * modes.colwise().squaredNorm();
+  Eigen::RowVectorXd beyond = Eigen::RowVectorXd::Zero(modes.cols());
+  for (std::size_t band = first_.size() - 1; band > 0; --band) {
+    const Eigen::Index first = first_[band - 1];
+    beyond += modes.middleRows(first, first_[band] - first).colwise().squaredNorm();
+    if ((beyond.array() > negligible.array()).any()) return first_[band];
+  }
+  return 0;
 }
 
 Eigen::ArrayXd ModeBands::noise_density(double flicker, double walk) const {

@@ -22,8 +22,11 @@ class ModeBands {
 
   /// Cosine modes of columns of rows, band by band.
   Eigen::MatrixXd modes(const Eigen::MatrixXd& columns) const;
+  /// How many modes columns have that are as smooth as drift: those of whole bands, beyond which
+  /// less than 1e-5 of the size of each is left.
+  Eigen::Index needed(const Eigen::MatrixXd& modes) const;
   /// Sums of products of such modes over each band: left x right columns, column by column, in a
-  /// column for each band.
+  /// column for each band. Modes may end with a band: the others are 0.
   Eigen::MatrixXd products(const Eigen::MatrixXd& left, const Eigen::MatrixXd& right) const;
 
   /// Variance of a mode relative to white noise: `flicker` and `walk` at an angle of one per row.

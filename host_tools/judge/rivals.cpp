@@ -10,34 +10,21 @@
 namespace fogcomp::judge {
 namespace {
 
-constexpr double kBandsOfAnOctave = 6;
 constexpr double kTiny = 1e-300;
-
-double rms_about_mean(const Eigen::VectorXd& column) {
-  return std::sqrt((column.array() - column.mean()).square().mean());
-}
-
-// About its mean, unless that is all there is of it: a constant.
-double size_of(const Eigen::VectorXd& column) {
-  constexpr double kRoundingOnly = 1e-6;
-  const double rms = column.norm() / std::sqrt(static_cast<double>(column.size()));
-  const double varying = rms_about_mean(column);
-  return std::max(kTiny, varying > kRoundingOnly * rms ? varying : rms);
-}
 
 }  // namespace
 
-Rivals::Rivals(const Rows& rows, Eigen::MatrixXd something_else,
+Rivals::Rivals(const ModeSpace& space, Eigen::MatrixXd something_else,
                std::vector<PossibleEffect> effects)
-    : rows_(rows), bands_(rows.stretches, kBandsOfAnOctave) {
+    : rows_(space.rows()), bands_(space.bands()) {
   const Eigen::MatrixXd rest_modes = modes_of_rest(std::move(something_else));
   rest_products_ = bands_.products(rest_modes, rest_modes);
-  of_temperature_ = density_of_temperature(rows, bands_) / white_;
+  of_temperature_ = density_of_temperature(rows_, bands_) / white_;
   place(effects);
   for_each_index(effects.size(), [&](std::size_t effect) {
-    take(first_shape(effect), effects[effect].shapes, rest_modes);
+    take(first_shape(effect), std::move(effects[effect].shapes), rest_modes);
   });
-  auto unknown = static_cast<double>((rows.weights.array() > 0).count());
+  auto unknown = static_cast<double>((rows_.weights.array() > 0).count());
   for (Eigen::Index i = 0; i < model_; ++i) unknown -= prior_variance(i, 1) > 0 ? 0 : 1;
   freedom_ = std::max(1.0, unknown);
 }
@@ -66,7 +53,7 @@ Eigen::MatrixXd Rivals::modes_of_rest(Eigen::MatrixXd something_else) {
 void Rivals::place(const std::vector<PossibleEffect>& effects) {
   for (const PossibleEffect& effect : effects) {
     effects_.push_back({shapes_.size(), effect.shapes.size(), effect.may_repeat});
-    for (const Eigen::MatrixXf& shape : effect.shapes) {
+    for (const Eigen::MatrixXd& shape : effect.shapes) {
       shapes_.push_back({columns_, shape.cols()});
       columns_ += shape.cols();
       widest_ = std::max(widest_, shape.cols());
@@ -77,32 +64,18 @@ void Rivals::place(const std::vector<PossibleEffect>& effects) {
   shape_products_ = Eigen::MatrixXd::Zero(widest_ * columns_, bands_.size());
 }
 
-// Some shapes at a time, as one transform serves two columns; their rows are dropped.
-void Rivals::take(std::size_t first, std::vector<Eigen::MatrixXf>& shapes,
+void Rivals::take(std::size_t first, std::vector<Eigen::MatrixXd> shapes,
                   const Eigen::MatrixXd& rest_modes) {
-  constexpr std::size_t kTogether = 8;
-  for (std::size_t done = 0; done < shapes.size(); done += kTogether) {
-    const std::size_t end = std::min(shapes.size(), done + kTogether);
-    std::vector<Eigen::MatrixXd> parts;
-    for (std::size_t s = done; s < end; ++s) {
-      parts.emplace_back(shapes[s].cast<double>());
-      shapes[s].resize(0, 0);
-    }
-    Eigen::MatrixXd some = bridged(rows_, side_by_side(parts, rows_.size()));
-    parts.clear();
-    for (Eigen::Index i = 0; i < some.cols(); ++i) some.col(i) /= size_of(some.col(i));
-    some = bands_.modes(some);
-    const Eigen::Index at = shapes_[first + done].first;
-    cross_products_.middleRows(rest_modes.cols() * at, rest_modes.cols() * some.cols()) =
-        bands_.products(rest_modes, some);
-    for (std::size_t s = first + done; s < first + end; ++s) {
-      const Place& place = shapes_[s];
-      modes_[s] = some.middleCols(place.first - at, place.count);
-      const Eigen::MatrixXd products = bands_.products(modes_[s], modes_[s]);
-      for (Eigen::Index i = 0; i < place.count; ++i) {
-        shape_products_.middleRows(widest_ * (place.first + i), place.count) =
-            products.middleRows(place.count * i, place.count);
-      }
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const Place& place = shapes_[first + i];
+    Eigen::MatrixXd& modes = modes_[first + i];
+    modes = std::move(shapes[i]);
+    cross_products_.middleRows(rest_modes.cols() * place.first, rest_modes.cols() * place.count) =
+        bands_.products(rest_modes, modes);
+    const Eigen::MatrixXd products = bands_.products(modes, modes);
+    for (Eigen::Index k = 0; k < place.count; ++k) {
+      shape_products_.middleRows(widest_ * (place.first + k), place.count) =
+          products.middleRows(place.count * k, place.count);
     }
   }
 }
@@ -139,7 +112,11 @@ Rivals::Products Rivals::products(const Eigen::VectorXd& weights) const {
 
 Eigen::MatrixXd Rivals::band_products(const std::vector<Part>& parts) const {
   std::vector<Eigen::MatrixXd> modes;
-  for (const Part& part : parts) modes.push_back(modes_[number_of(part)]);
+  for (const Part& part : parts) {
+    const Eigen::MatrixXd& own = modes_[number_of(part)];
+    modes.emplace_back(Eigen::MatrixXd::Zero(bands_.first().back(), own.cols()));
+    modes.back().topRows(own.rows()) = own;
+  }
   const Eigen::MatrixXd some = side_by_side(modes, bands_.first().back());
   return bands_.products(some, some);
 }
@@ -154,8 +131,9 @@ std::vector<Eigen::MatrixXd> Rivals::products_with_all(
         Eigen::MatrixXd::Zero(columns_, static_cast<Eigen::Index>(columns.size()));
     const Eigen::Index end = bands_.first()[band + 1];
     for (Eigen::Index at = bands_.first()[band]; at < end; at += kTogether) {
-      Eigen::MatrixXd some(std::min(kTogether, end - at), columns_);
+      Eigen::MatrixXd some = Eigen::MatrixXd::Zero(std::min(kTogether, end - at), columns_);
       for (std::size_t s = 0; s < shapes_.size(); ++s) {
+        if (modes_[s].rows() <= at) continue;
         some.middleCols(shapes_[s].first, shapes_[s].count) = modes_[s].middleRows(at, some.rows());
       }
       const Eigen::MatrixXd own = some(Eigen::all, columns);

@@ -4,14 +4,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "judge/mode_bands.hpp"
-#include "judge/rows.hpp"
+#include "judge/mode_space.hpp"
 
 namespace fogcomp::judge {
 
 /// An effect that the model may lack, with each of its possible shapes, equally probable.
 struct PossibleEffect {
-  std::vector<Eigen::MatrixXf> shapes;  ///< rows x one or more columns, each
+  std::vector<Eigen::MatrixXd> shapes;  ///< one or more columns each, as modes (ModeSpace)
   bool may_repeat = false;              ///< with another shape
 };
 
@@ -40,8 +39,9 @@ struct Part {
 /// noise, and so are sizes of effects and of something else.
 class Rivals {
  public:
-  /// `rows` must outlive this.
-  Rivals(const Rows& rows, Eigen::MatrixXd something_else, std::vector<PossibleEffect> effects);
+  /// `space` must outlive this. `something_else`: rows x any number.
+  Rivals(const ModeSpace& space, Eigen::MatrixXd something_else,
+         std::vector<PossibleEffect> effects);
 
   const Rows& rows() const { return rows_; }
   /// Variance of a mode of each band relative to white noise: flicker and a random walk at an angle
@@ -90,11 +90,11 @@ class Rivals {
 
   Eigen::MatrixXd modes_of_rest(Eigen::MatrixXd something_else);
   void place(const std::vector<PossibleEffect>& effects);
-  void take(std::size_t first, std::vector<Eigen::MatrixXf>& shapes,
+  void take(std::size_t first, std::vector<Eigen::MatrixXd> shapes,
             const Eigen::MatrixXd& rest_modes);
 
   const Rows& rows_;
-  ModeBands bands_;
+  const ModeBands& bands_;
   Eigen::Index model_ = 0;
   Eigen::Index smooth_ = 0;
   Eigen::VectorXd unit_;  // of the model's columns

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "fit/noise_weighted_fit.hpp"
 #include "model/catalogue.hpp"
@@ -23,6 +24,11 @@ class CandidatesTest : public testing::Test {
  protected:
   CandidatesTest() : series_(model_, series::Phase::zero) {
     series_.add(series::make_blocks(fog::test::thinned(fog::test::recording_of(model_, {}, 1), 6)));
+    const series::Rows& rows = series_.rows();
+    judge::Rows judged;
+    judged.weights = rows.weights;
+    judged.stretches = rows.stretches();
+    modes_.emplace(std::move(judged));
   }
 
   static VisiblePart without_mean(const Eigen::MatrixXd& columns) {
@@ -36,8 +42,7 @@ class CandidatesTest : public testing::Test {
   }
   CandidateList found(const std::string& model, fog::InputMask inputs = kTimeOnly,
                       const std::vector<model::EffectTerm>& offered = {}) const {
-    return find_candidates(series_, model::parse_effects(model), offered, inputs, without_mean,
-                           [](double) {});
+    return find_candidates(space(), model::parse_effects(model), offered, inputs, [](double) {});
   }
   // The whitened column of one effect alone, of so many standard deviations.
   Eigen::VectorXd residual_of(const std::string& effect, double sigmas) const {
@@ -47,6 +52,9 @@ class CandidatesTest : public testing::Test {
 
   model::Model model_ = fog::test::truth();
   series::SignalSeries series_;
+  std::optional<judge::ModeSpace> modes_;
+  ProjectOutModel project_out_model_ = without_mean;
+  ShapeSpace space() const { return {series_, project_out_model_, *modes_}; }
 };
 
 const Candidate* find(const CandidateList& list, const std::string& effect) {
@@ -144,20 +152,18 @@ TEST_F(CandidatesTest, AreExpressionsThatAreOfferedAndNotInTheModel) {
   EXPECT_EQ(list.untestable.back().effect, "constant");
   std::vector<model::EffectTerm> terms = model::parse_effects("bias");
   terms.push_back(offered[0]);
-  const CandidateList own =
-      find_candidates(series_, terms, {offered[0]}, kTimeOnly, without_mean, [](double) {});
+  const CandidateList own = find_candidates(space(), terms, {offered[0]}, kTimeOnly, [](double) {});
   EXPECT_EQ(find(own, "own"), nullptr);
   EXPECT_THROW(found("bias", kTimeOnly, {model::expression_term("root = T^0.5")}), InputError);
 }
 
 TEST_F(CandidatesTest, TellHowFarTheyAreOnTheWayFrom0To1) {
   double last = 0;
-  find_candidates(series_, model::parse_effects("bias"), {}, kTimeOnly, without_mean,
-                  [&](double done) {
-                    EXPECT_GE(done, last);
-                    EXPECT_LE(done, 1);
-                    last = done;
-                  });
+  find_candidates(space(), model::parse_effects("bias"), {}, kTimeOnly, [&](double done) {
+    EXPECT_GE(done, last);
+    EXPECT_LE(done, 1);
+    last = done;
+  });
   EXPECT_GT(last, 0.5);
 }
 
@@ -165,8 +171,7 @@ TEST_F(CandidatesTest, AreSharpenedTowardsTheTruth) {
   const Eigen::VectorXd residual = residual_of("thermal_lag:tau=700", 40);
   CandidateList list = found("bias");
   const double before = best_gain(*find(list, "thermal_lag"), residual);
-  refine_shape_parameters(list.testable, series_, model::parse_effects("bias"), without_mean,
-                          residual);
+  refine_shape_parameters(list.testable, space(), model::parse_effects("bias"), residual);
   const double after = best_gain(*find(list, "thermal_lag"), residual);
   EXPECT_GT(after, before);
   EXPECT_GT(after, 0.985 * residual.squaredNorm()) << before;
@@ -177,8 +182,7 @@ TEST_F(CandidatesTest, AreNotSharpenedOnWhatNoiseMightBe) {
   const Eigen::VectorXd residual = residual_of("thermal_lag:tau=700", 9);
   CandidateList list = found("bias");
   const CandidateList before = list;
-  refine_shape_parameters(list.testable, series_, model::parse_effects("bias"), without_mean,
-                          residual);
+  refine_shape_parameters(list.testable, space(), model::parse_effects("bias"), residual);
   for (std::size_t i = 0; i < list.testable.size(); ++i) {
     for (std::size_t shape = 0; shape < list.testable[i].shapes.size(); ++shape) {
       EXPECT_EQ(list.testable[i].shapes[shape].term.shape(),

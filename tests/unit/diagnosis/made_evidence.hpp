@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "diagnosis/evidence_space.hpp"
+#include "fit/predict.hpp"
 #include "model/effect_list.hpp"
 #include "support/least_squares.hpp"
 #include "unit/fit/simulated_gyro.hpp"
@@ -35,14 +36,15 @@ class MadeEvidence {
         const Eigen::MatrixXd columns = series_.regressors(term);
         all.back().effect = term.name;
         all.back().shapes.push_back(
-            {term, fogcomp::orthonormal(residualizer(columns).columns).cast<float>(), 0,
-             columns.cast<float>()});
+            {term, fogcomp::orthonormal(residualizer(columns).columns).cast<float>()});
         std::vector<Eigen::Index>& visible = all.back().shapes.back().visible;
         visible.resize(static_cast<std::size_t>(columns.cols()));
         std::iota(visible.begin(), visible.end(), 0);
       }
     }
-    return {std::move(residualizer), std::move(all), {}, std::move(smooth)};
+    fogcomp::judge::ModeSpace modes(
+        fogcomp::fit::judged_rows(series_.rows(), fit_, {fit_.linear(), 0}));
+    return {std::move(residualizer), std::move(modes), std::move(all), {}, std::move(smooth)};
   }
 
   const fogcomp::series::SignalSeries& series() const { return series_; }

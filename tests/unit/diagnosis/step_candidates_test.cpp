@@ -51,9 +51,14 @@ Placed place(double jump_dph, double fraction, const std::string& missing, doubl
   const Residualizer residualizer(rows, fit);
   const VisibleStructure smooth = visible_structure(rows, residualizer);
   Placed placed;
-  placed.shapes = step_shapes(data.series(), residualizer, model::parse_effects("bias_step")[0]);
+  const judge::ModeSpace modes(fit::judged_rows(rows, fit, {fit.linear(), 0}));
+  const ProjectOutModel project_out_model = [&](const Eigen::MatrixXd& columns) {
+    return residualizer(columns);
+  };
+  const ShapeSpace space{data.series(), project_out_model, modes};
+  placed.shapes = step_shapes(space, model::parse_effects("bias_step")[0]);
   const std::vector<Candidate::Shape> grid = placed.shapes;
-  place_steps(placed.shapes, data.series(), residualizer, smooth.all);
+  place_steps(placed.shapes, space, residualizer, smooth.all);
   EXPECT_EQ(placed.shapes.size(), grid.size());
   placed.sharp = placed.shapes;
   remove_gradual_steps(placed.sharp, rows, fit);

@@ -42,15 +42,17 @@ class ExplanationsTest : public testing::Test {
     rows_.drift_dph = 0.7 + 0.3 * sine(2.3).array();
     Random random(seed, "rows");
     for (double& value : rows_.drift_dph) value += kNoise_dph * random.gaussian();
-    for (const double cycles : {3.1, 5.7, 7.9, 11.3})
-      shapes_.emplace_back(sine(cycles).cast<float>());
+    for (const double cycles : {3.1, 5.7, 7.9, 11.3}) shapes_.emplace_back(sine(cycles));
   }
   Explanations found() const {
-    return explain(rows_, smooth_, {{{shapes_[0]}}, {{shapes_[1]}}, {{shapes_[2], shapes_[3]}}});
+    const ModeSpace space(rows_);
+    std::vector<Eigen::MatrixXd> modes;
+    for (const Eigen::MatrixXd& shape : shapes_) modes.push_back(space.of_effect(shape));
+    return explain(space, smooth_, {{{modes[0]}}, {{modes[1]}}, {{modes[2], modes[3]}}});
   }
 
   Rows rows_;
-  std::vector<Eigen::MatrixXf> shapes_;
+  std::vector<Eigen::MatrixXd> shapes_;
   Eigen::MatrixXd smooth_{sine(1.3)};
 };
 
@@ -76,14 +78,16 @@ TEST_F(ExplanationsTest, ErrorsOfTheTemperature_AreNoiseWhereTheyShow) {
   const auto sizes = [&](double slope_dph_per_degc) {
     rows_.temperature = {kWhite_degc2_s, kWhite_degc2_s / std::pow(kTau_s, 4), slope_dph_per_degc,
                          0};
-    const Rivals rivals(rows_, smooth_, {});
+    const ModeSpace space(rows_);
+    const Rivals rivals(space, smooth_, {});
     std::set<double> all;
     for (const NoiseRatios& noise : possible_noises(rivals)) all.insert(noise.temperature);
     return all;
   };
   EXPECT_EQ(sizes(0.001), std::set<double>{1});
   EXPECT_EQ(sizes(1), (std::set<double>{0.25, 1, 4, 16}));
-  const Rivals rivals(rows_, smooth_, {});
+  const ModeSpace space(rows_);
+  const Rivals rivals(space, smooth_, {});
   const Eigen::ArrayXd added = rivals.noise_density(0, 0, 1) - rivals.noise_density(0, 0, 0);
   const double expected = kWhite_degc2_s / rows_.row_s / rivals.white();
   EXPECT_NEAR(added.maxCoeff(), expected, 0.01 * expected);
@@ -145,7 +149,7 @@ TEST_F(ExplanationsTest, TwoEffects_AreASetWithTheLargerFirst) {
 
 // Each alone leaves nearly all.
 TEST_F(ExplanationsTest, EffectsThatNearlyCancel_AreFoundTogether) {
-  shapes_[1] = (sine(3.1) + 0.2 * sine(9.1)).cast<float>();
+  shapes_[1] = (sine(3.1) + 0.2 * sine(9.1));
   rows_.drift_dph += 0.02 * sine(9.1);
   const Explanations explanations = found();
   EXPECT_LT(explanations.effects[0].explained, 0.2);
@@ -182,7 +186,7 @@ TEST_F(ExplanationsTest, AnInexactFormula_IsNoSecondEffect) {
 TEST_F(ExplanationsTest, BiasesOfPowerOns_AreNoEffect) {
   rows_.stretches = {{0, 400}, {400, 800}, {800, 1200}};
   rows_.power_ons = rows_.stretches;
-  shapes_[0] = sine(0.5).cast<float>();
+  shapes_[0] = sine(0.5);
   rows_.drift_dph.segment(400, 400).array() += 0.3;
   EXPECT_GT(found().nothing, 0.5);
 }
