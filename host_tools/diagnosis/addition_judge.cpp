@@ -126,8 +126,6 @@ TriedAddition AdditionJudge::tried(AdditionRequest request, const runs::Runs& ru
     addition = judged(model_, trial.request, runs, &*refitted_);
     trial.accepted = addition->accepted;
     trial.reason = addition->reason;
-    trial.fails_far = std::any_of(addition->far.begin(), addition->far.end(),
-                                  [](const auto& one) { return fit::harms(one); });
     trial.fitted_before_dph = addition->fitted_before_dph;
     trial.fitted_after_dph = addition->fitted_after_dph;
     if (addition->whole) {

@@ -29,7 +29,6 @@ constexpr const char* kBiasStep = "bias_step";
 struct TriedAddition {
   AdditionRequest request;
   bool accepted = false;
-  bool fails_far = false;    ///< refused for what it does on rows far from those fitted
   std::string reason;        ///< one line: why it is accepted or not
   double rms_after_dph = 0;  ///< out of sample; both 0 if it could not be judged
   double rms_before_dph = 0;

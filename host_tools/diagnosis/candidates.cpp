@@ -115,6 +115,26 @@ void remove_equivalents_of_simpler(std::vector<Candidate>& candidates) {
   remove_those_without_shapes(candidates);
 }
 
+// Inputs that vary and that no effect of the catalogue needs: each may act on the rate as it is.
+std::vector<model::EffectTerm> inputs_themselves(const series::Rows& rows) {
+  fog::InputMask known = 0;
+  for (const model::CatalogueEntry& entry : model::catalogue()) known |= entry.description.needs;
+  std::vector<model::EffectTerm> terms;
+  for (const fog::InputDescription& input : fog::kInputTable) {
+    if (!has(fog::kAllExtensionInputs & ~known, input.input)) continue;
+    const auto& seen = rows.input_ranges[fog::extension_number(input.input)];
+    if (!seen || !(seen->range.max > seen->range.min)) continue;
+    const std::string symbol = input.symbol;
+    terms.push_back(model::expression_term(symbol + "_itself = " + symbol));
+  }
+  return terms;
+}
+
+bool has_name(const std::vector<model::EffectTerm>& terms, const std::string& name) {
+  return std::any_of(terms.begin(), terms.end(),
+                     [&](const model::EffectTerm& term) { return term.name == name; });
+}
+
 // What is searched of an effect or an expression: its shapes or, without any, what is missing.
 struct Searched {
   Candidate candidate;
@@ -195,9 +215,7 @@ void refine_shape_parameters(std::vector<Candidate>& candidates, const ShapeSpac
   const double needed =
       std::max(kMinChi2Drop, kLeading * *std::max_element(chi2_drop.begin(), chi2_drop.end()));
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const bool grown = std::any_of(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
-      return term.name == candidates[i].effect;
-    });
+    const bool grown = has_name(terms, candidates[i].effect);
     if (chi2_drop[i] < needed || grown || candidates[i].is_event()) continue;
     optimise_shape({space, 0}, candidates[i].shapes, best[i], residual);
   }
@@ -216,11 +234,13 @@ CandidateList find_candidates(const ShapeSpace& space, const std::vector<model::
                               const std::function<void(double)>& progress) {
   const std::vector<model::CatalogueEntry>& catalogue = model::catalogue();
   std::vector<model::EffectTerm> expressions;  // those that the model does not have
-  for (const model::EffectTerm& expression : offered) {
-    const bool own = std::any_of(terms.begin(), terms.end(), [&](const model::EffectTerm& term) {
-      return term.name == expression.name;
-    });
-    if (!own) expressions.push_back(expression);
+  for (const std::vector<model::EffectTerm>& some :
+       {offered, inputs_themselves(space.series.rows())}) {
+    for (const model::EffectTerm& one : some) {
+      if (!has_name(terms, one.name) && !has_name(expressions, one.name)) {
+        expressions.push_back(one);
+      }
+    }
   }
   fit::set_expression_ranges(expressions, space.series);
 

@@ -58,7 +58,8 @@ struct ShapeSpace {
 };
 
 /// Candidates: all effects of the catalogue that `terms` lack, extensions of effects that they have
-/// (a higher order, a second radius), and the `offered` expressions that they lack. The grid of
+/// (a higher order, a second radius), the `offered` expressions that they lack, and each input that
+/// varies and that no effect of the catalogue needs, as it is. The grid of
 /// shape parameters is refined on these recordings: an interval is halved until its ends explain at
 /// least 85 % of each other. A shape is invisible, and left out, if the model leaves less than 3 %
 /// of it (the effect would have to be thirty times larger than what it shows), or if the effect is

@@ -17,11 +17,6 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Limit for sets of effects of temperature and time alone if the catalogue does not explain the
-// residual: on one programme three of them can imitate nearly everything.
-constexpr std::size_t kMaxWithoutOwnInput = 2;
-constexpr std::size_t kMaxSingles = 3;
-
 // The argument for `fogcomp add`, including the changed parameter if the effect is already in the
 // model.
 std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
@@ -38,26 +33,11 @@ std::string to_add(const Diagnosis& diagnosis, const std::string& effect) {
   return effect;
 }
 
-// Whether all of them are functions of temperature and time alone.
-bool has_no_own_input(const Diagnosis& diagnosis, const std::vector<std::string>& effects) {
-  return std::none_of(effects.begin(), effects.end(), [&](const std::string& effect) {
-    const CandidateFinding* const finding = diagnosis.find(effect);
-    return finding != nullptr && model::has_own_input(finding->term());
-  });
-}
-
 // `add` takes an effect once per call: two ripples are two parts of one effect, added one after the
 // other.
 bool names_twice(const std::vector<std::string>& effects) {
   const std::set<std::string> different(effects.begin(), effects.end());
   return different.size() < effects.size();
-}
-
-// Fraction of the mean square above the noise floor that an effect alone takes out.
-double removed_alone(const Diagnosis& diagnosis, const CandidateFinding& finding) {
-  const double now = std::pow(diagnosis.residual_rms_dph, 2);
-  const double above = now - std::pow(diagnosis.noise_floor_dph, 2);
-  return above > 0 ? std::min(1.0, (now - std::pow(finding.rms_after_dph, 2)) / above) : 0;
 }
 
 // Coil temperature, its rate, and the one other input on which the residual depends, if any. Each
@@ -108,11 +88,6 @@ std::vector<std::string> first_events(const Diagnosis& diagnosis,
   return events;
 }
 
-bool needs_event(const Diagnosis& diagnosis) {
-  return !diagnosis.explanations.empty() &&
-         !events_among(diagnosis, diagnosis.explanations.front().effects).empty();
-}
-
 std::optional<AdditionRequest> request_of(const Diagnosis& diagnosis,
                                           const std::vector<std::string>& effects) {
   AdditionRequest request;
@@ -134,58 +109,25 @@ std::optional<AdditionRequest> request_of(const Diagnosis& diagnosis,
   return request;
 }
 
-std::vector<Description> certain_ones(const Diagnosis& diagnosis,
-                                      const std::vector<std::string>& named) {
+std::vector<Description> rivals_of(const Diagnosis& diagnosis,
+                                   const std::vector<std::string>& named) {
   std::vector<Description> descriptions;
   for (const CandidateFinding& finding : diagnosis.candidates) {
     const bool is_event = model::is_event(finding.term());
     if (finding.probability < rules::kNamed || finding.is_expression() || is_event) continue;
-    if (std::find(named.begin(), named.end(), finding.effect) != named.end()) continue;
+    if (named == std::vector<std::string>{finding.effect}) continue;
     descriptions.push_back({*request_of(diagnosis, {finding.effect}), finding.explained_fraction});
   }
-  return descriptions;
-}
-
-std::vector<Description> sets_of_effects(const Diagnosis& diagnosis,
-                                         const std::vector<std::string>& named) {
-  std::vector<Description> descriptions;
-  const bool has_part =
-      diagnosis.verdict == Verdict::unknown && events_among(diagnosis, named).size() < named.size();
   std::set<std::vector<std::string>> seen{{}, named};
   for (const Diagnosis::Explanation& set : diagnosis.explanations) {
+    if (set.probability < rules::kConfusable) break;
     const std::vector<std::string> effects = without_events(diagnosis, set.effects);
     const bool has_event = effects.size() < set.effects.size();
-    if (has_event && (has_part || effects.size() < 2)) continue;
+    if (has_event && effects.size() < 2) continue;
     if (names_twice(effects) || !seen.insert(effects).second) continue;
-    const bool is_pliable =
-        effects.size() > kMaxWithoutOwnInput && has_no_own_input(diagnosis, effects);
-    if (is_pliable && diagnosis.verdict == Verdict::unknown) continue;
     if (auto request = request_of(diagnosis, effects)) {
       descriptions.push_back({std::move(*request), set.explained_fraction, false, effects});
     }
-  }
-  return descriptions;
-}
-
-std::vector<Description> single_effects(const Diagnosis& diagnosis,
-                                        const std::vector<std::string>& named) {
-  std::vector<const CandidateFinding*> singles;
-  for (const CandidateFinding& finding : diagnosis.candidates) {
-    if (helps_clearly(diagnosis, finding) && !finding.is_expression() &&
-        !model::only_tail_is_seen(finding.term()) &&
-        named != std::vector<std::string>{finding.effect}) {
-      singles.push_back(&finding);
-    }
-  }
-  const auto less = [](const CandidateFinding* a, const CandidateFinding* b) {
-    return a->rms_after_dph < b->rms_after_dph;
-  };
-  std::stable_sort(singles.begin(), singles.end(), less);
-  if (singles.size() > kMaxSingles) singles.resize(kMaxSingles);
-  std::vector<Description> descriptions;
-  for (const CandidateFinding* const single : singles) {
-    descriptions.push_back(
-        {*request_of(diagnosis, {single->effect}), removed_alone(diagnosis, *single)});
   }
   return descriptions;
 }

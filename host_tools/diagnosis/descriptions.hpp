@@ -39,31 +39,16 @@ std::vector<std::string> without_events(const Diagnosis& diagnosis,
 std::vector<std::string> first_events(const Diagnosis& diagnosis,
                                       const std::vector<std::string>& named);
 
-/// Whether the most probable set has an event. It explains whatever the others leave: a formula
-/// that needs none may be the truth.
-bool needs_event(const Diagnosis& diagnosis);
-
 /// The request for `add`; nothing for an expression or a bias step together with others: `add`
 /// takes effects, one expression, or cuts.
 std::optional<AdditionRequest> request_of(const Diagnosis& diagnosis,
                                           const std::vector<std::string>& effects);
 
-/// Effects that are as certainly missing as `named`, which was refused.
-std::vector<Description> certain_ones(const Diagnosis& diagnosis,
-                                      const std::vector<std::string>& named);
-
-/// Sets of effects, most probable first, but for `named`, which was refused. A walk is no reason to
-/// leave out sets with it: beside more of what is missing there may be nothing left for a walk to
-/// explain. Events are added one at a time, as cuts: a set with one is given
-/// without it if two effects are left (single ones are tried where they help clearly), and not
-/// beside an effect that is a certain part, which comes first.
-std::vector<Description> sets_of_effects(const Diagnosis& diagnosis,
-                                         const std::vector<std::string>& named);
-
-/// Effects but for `named` that alone lower the error clearly, whatever their share of what is
-/// missing; a few of those that leave least.
-std::vector<Description> single_effects(const Diagnosis& diagnosis,
-                                        const std::vector<std::string>& named);
+/// What may be missing in place of `named`, which was refused, most probable first: effects that
+/// are as certainly missing as a name has to be, then sets (rules::kConfusable). Events are added
+/// one at a time, as cuts: a set with one is given without it if two effects are left.
+std::vector<Description> rivals_of(const Diagnosis& diagnosis,
+                                   const std::vector<std::string>& named);
 
 /// Formulas that may be what is missing.
 struct LikelyFormulas {

@@ -23,15 +23,6 @@ namespace fogcomp::diagnosis {
 enum class Verdict : std::uint8_t { none, missing_effect, ambiguous, unknown };
 const char* name_of(Verdict verdict);
 
-/// Why what a diagnosis names is something else.
-enum class Refuted {
-  no,
-  out_of_sample,  ///< it fails there: a description gains clearly more, it raises
-                  ///< the error and nothing lowers it, or it harms far from the rows
-  by_formula      ///< it needs or is an event, or needs two parts; a formula that needs none is as
-                  ///< certain as names
-};
-
 struct Diagnosis {
   Verdict verdict = Verdict::none;
   std::string effect;                        ///< the one named, "" unless missing_effect
@@ -59,9 +50,8 @@ struct Diagnosis {
   /// For the verdict unknown: noise alone may look like this.
   bool faint = false;
   bool only_by_formula = false;  ///< for the verdict unknown: set by shown_by_formulas()
-  /// For the verdict unknown: what was named until it was refuted; else "".
+  /// For the verdict unknown: what was named until it was refused; else "".
   std::string withdrawn;
-  Refuted refuted = Refuted::no;
   FastStructure fast;
   TwoLevels jumps;
   FastKind fast_kind = FastKind::none;  ///< the surest of these, where it is sure and counts
@@ -118,17 +108,14 @@ struct DiagnosisSettings {
   std::function<void(double)> progress{};
 };
 
-/// Whether an effect, no event, alone lowers the error of the rows by kNoticeable or more.
-bool helps_clearly(const Diagnosis& diagnosis, const CandidateFinding& finding);
-
 /// Whether most of what is left is fast: a cycle, jumps.
 bool is_mainly_fast(const Diagnosis& diagnosis);
 
 /// Only formulas outside the catalogue show that something is missing: the verdict becomes unknown.
 void shown_by_formulas(Diagnosis& diagnosis, double nothing);
 
-/// Takes a name back: the verdict becomes unknown.
-void withdraw_name(Diagnosis& diagnosis, Refuted refuted);
+/// Takes a name back that fails out of sample: the verdict becomes unknown.
+void withdraw_name(Diagnosis& diagnosis);
 
 /// Decides whether the effects of `model` leave more than noise and, if so, which effect of the
 /// catalogue or expression of data.offered() is missing. A network is left out; a separate step

@@ -25,11 +25,6 @@ const char* name_of(Verdict verdict) {
   return "unknown";
 }
 
-bool helps_clearly(const Diagnosis& diagnosis, const CandidateFinding& finding) {
-  return finding.rms_after_dph <= (1 - kNoticeable) * diagnosis.residual_rms_dph &&
-         !model::is_event(finding.term());
-}
-
 bool is_mainly_fast(const Diagnosis& diagnosis) {
   return diagnosis.fast_share >= kMost;
 }
@@ -42,8 +37,7 @@ void shown_by_formulas(Diagnosis& diagnosis, double nothing) {
   diagnosis.blind_spot.clear();
 }
 
-void withdraw_name(Diagnosis& diagnosis, Refuted refuted) {
-  diagnosis.refuted = refuted;
+void withdraw_name(Diagnosis& diagnosis) {
   diagnosis.withdrawn =
       diagnosis.confusable.empty() ? diagnosis.effect : join(diagnosis.confusable, " or ");
   diagnosis.verdict = Verdict::unknown;

@@ -78,7 +78,7 @@ Look look_once(const model::Model& model, const DiagnosisData& given, AdditionJu
   unheard.progress = nullptr;
   look.next = find_next_step(model, look.diagnosis, data, judge, unheard);
   if (look.next.chance_of_forms) shown_by_formulas(look.diagnosis, *look.next.chance_of_forms);
-  if (look.next.name_is != Refuted::no) withdraw_name(look.diagnosis, look.next.name_is);
+  if (look.next.refutes_name) withdraw_name(look.diagnosis);
   lead_with_addition(look.next, look.diagnosis);
   return look;
 }

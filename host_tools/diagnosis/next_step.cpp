@@ -4,13 +4,9 @@
 #include <iterator>
 #include <utility>
 
-#include "diagnosis/decision_rules.hpp"
 #include "diagnosis/refinement.hpp"
-#include "model/catalogue.hpp"
-#include "model/effect_list.hpp"
 #include "support/evidence.hpp"
 #include "support/parallel.hpp"
-#include "support/text.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {
@@ -23,39 +19,12 @@ std::vector<std::string> named_effects(const Diagnosis& diagnosis) {
   return one.empty() ? effects_together(diagnosis) : std::vector<std::string>{one};
 }
 
-// The next orders of an effect as `add` takes it: {"scale_factor_temperature:order=2", ...}.
-std::vector<std::string> higher_orders(const std::string& effect) {
-  const model::EffectTerm term = model::parse_effects(effect).front();
-  std::vector<std::string> orders;
-  const auto& parameters = model::find_effect(term.name).parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (parameters[i].scale != fog::Scale::whole) continue;
-    for (int order = static_cast<int>(term.parameters[i].value) + 1;
-         order <= parameters[i].max_milli / 1000; ++order) {
-      orders.push_back(term.name + format(":%s=%d", parameters[i].name, order));
-    }
-  }
-  return orders;
-}
-
 // Whether trials side by side would take too much memory: each needs a hundred columns.
 bool is_large(const runs::Runs& runs) {
   constexpr std::size_t kMaxBlocks = 20'000;
   std::size_t blocks = 0;
   for (const runs::Run& run : runs.training) blocks += run.blocks.blocks.size();
   return blocks > kMaxBlocks;
-}
-
-// The effect of a description that goes on while the power is off, if there is one power-on: all
-// stretches of it share its time, so that none shows what is left at the next. A name has physics
-// for it. "": none.
-std::string effect_of_one_power_on(const AdditionRequest& request, const runs::Runs& runs) {
-  if (runs.have_several_power_ons()) return "";
-  for (const std::string& effect : request.effects) {
-    const model::EffectTerm term = model::parse_effects(effect).front();
-    if (model::info_of(term).outlives_power) return term.name;
-  }
-  return "";
 }
 
 std::vector<Description> joined(std::vector<Description> all, std::vector<Description> more) {
@@ -79,10 +48,7 @@ bool is_function_of_signals(const Diagnosis& diagnosis) {
 
 // Whether what is left may be slow noise, by these runs alone, and enough to hide an effect.
 bool noise_may_hide(const Diagnosis& diagnosis) {
-  const bool may_be_noise = diagnosis.verdict == Verdict::none
-                                ? !diagnosis.blind_spot.empty()
-                                : diagnosis.may_be_noise() && !is_mainly_fast(diagnosis);
-  return may_be_noise &&
+  return diagnosis.may_be_noise() && !is_mainly_fast(diagnosis) &&
          diagnosis.residual_rms_dph > (1 + kNoticeable) * diagnosis.noise.white_dph();
 }
 
@@ -110,29 +76,18 @@ class StepSearch {
       next_.describes = true;
       keep(judge_({{fit::kNetworkName}, ""}));
     }
+    next_.refutes_name = diagnosis_.verdict != Verdict::none && !is_unknown_ &&
+                         !next_.refused.empty() && (!next_.addition || next_.describes);
     return std::move(next_);
   }
 
  private:
-  // Tries names and descriptions; false if no description holds.
+  // Tries names, their rivals, certain jumps, and descriptions; false if none holds.
   bool explains() {
-    if ((!is_unknown_ || !events_.empty()) && is_what_is_named()) return true;
-    if (!is_unknown_ &&
-        is_one_of(certain_ones(diagnosis_, named_), sets_of_effects(diagnosis_, named_)) &&
-        leaves_noise(*next_.addition)) {
+    if (!is_unknown_ && (is_named(named_) || is_one_of(rivals_of(diagnosis_, named_)))) {
       return true;
     }
-    if (!next_.addition && is_named(events_)) return true;
-    const bool described = is_described_by(possible_descriptions());
-    if (described && !next_.describes) return true;
-    if (refutes_name(described)) next_.name_is = Refuted::out_of_sample;
-    return described;
-  }
-
-  bool is_what_is_named() {
-    const bool may_be_formula = is_unknown_ || needs_event(diagnosis_) || needs_second_part();
-    return (may_be_formula && is_formula()) || (!is_unknown_ && is_named(named_)) ||
-           has_higher_order() || is_rival();
+    return is_named(events_) || is_described_by(possible_descriptions());
   }
 
   // Whether the addition is accepted; stores it in either case.
@@ -152,35 +107,11 @@ class StepSearch {
     return true;
   }
 
-  // The effect that is named was refused: what a higher order leaves may have refused the first.
-  bool has_higher_order() {
-    if (named_.size() != 1 || diagnosis_.verdict != Verdict::missing_effect) return false;
-    const AdditionRequest first = *request_of(diagnosis_, named_);
-    if (first.effects.size() != 1) return false;
-    for (const std::string& effect : higher_orders(first.effects.front())) {
-      if (keep(judge_({{effect}, ""}))) return true;
-    }
-    return false;
-  }
-
-  // The first of several that cannot be told apart was refused: another may hold. On several runs
-  // each judges as the first was, because other programmes would show it wrong; on one it must hold
-  // as a description.
-  bool is_rival() {
-    if (diagnosis_.verdict != Verdict::ambiguous || judge_.runs().training.size() < 2) return false;
-    for (const std::string& rival : diagnosis_.confusable) {
-      if (named_ == std::vector<std::string>{rival}) continue;
-      if (keep(judge_(*request_of(diagnosis_, {rival})))) return true;
-    }
-    return false;
-  }
-
-  // The catalogue explains the residual, but not by what is named: tries the first few of some
-  // sets, then of others, in its place, as uncertain as descriptions, until one is accepted.
-  bool is_one_of(std::vector<Description> some, std::vector<Description> others) {
-    for (Description& set : joined(first_few(std::move(some)), first_few(std::move(others)))) {
-      if (!keep(judge_(std::move(set.request)))) continue;
-      if (set.effects.size() > 1) next_.together = std::move(set.effects);
+  // What is named was refused: tries its rivals.
+  bool is_one_of(std::vector<Description> rivals) {
+    for (Description& rival : first_few(std::move(rivals))) {
+      if (!keep(judge_(std::move(rival.request)))) continue;
+      if (rival.effects.size() > 1) next_.together = std::move(rival.effects);
       return true;
     }
     return false;
@@ -192,10 +123,9 @@ class StepSearch {
            tried.rms_after_dph <= diagnosis_.noise_floor_dph;
   }
 
-  // Tries the first few descriptions; of those accepted the one that leaves least out of sample is
-  // taken, an earlier one if that is nearly as good. The addition that is there is the first.
+  // Tries the first few descriptions; of those accepted the one that gains most is taken, an
+  // earlier one if that is nearly as good.
   bool is_described_by(std::vector<Description> descriptions) {
-    next_.describes = !next_.addition;
     descriptions = first_few(std::move(descriptions));
     std::vector<TriedAddition> tried = all_tried(descriptions);
     for (std::size_t i = 0; i < tried.size(); ++i) {
@@ -204,7 +134,6 @@ class StepSearch {
       } else if (!next_.addition || tried[i].is_clearly_better(*next_.addition)) {
         next_.addition = std::move(tried[i]);
         next_.describes = !descriptions[i].is_part;
-        next_.together.clear();
       }
     }
     return next_.addition.has_value();
@@ -212,7 +141,7 @@ class StepSearch {
 
   std::vector<TriedAddition> all_tried(const std::vector<Description>& descriptions) {
     std::vector<TriedAddition> tried(descriptions.size());
-    const auto judge_one = [&](std::size_t i) { tried[i] = tried_as_description(descriptions[i]); };
+    const auto judge_one = [&](std::size_t i) { tried[i] = judge_(descriptions[i].request); };
     if (tried.empty()) return tried;
     judge_one(0);  // with all threads: often it is the one
     if (leaves_noise(tried[0])) {
@@ -225,72 +154,19 @@ class StepSearch {
     return tried;
   }
 
-  TriedAddition tried_as_description(const Description& description) {
-    TriedAddition tried = judge_(description.request);
-    const std::string effect =
-        tried.accepted ? effect_of_one_power_on(tried.request, judge_.runs()) : "";
-    if (effect.empty()) return tried;
-    tried.accepted = false;
-    tried.reason = effect +
-                   " goes on while the power is off, and one run cannot tell what is left of it "
-                   "at the next power-on: a second run beside the first, or as holdout, would";
-    return tried;
-  }
-
-  // Whether an effect of temperature and time is named in two parts, which imitate nearly
-  // everything on one programme.
-  bool needs_second_part() const {
-    return std::any_of(named_.begin(), named_.end(), [&](const std::string& effect) {
-      const CandidateFinding* const finding = diagnosis_.find(effect);
-      return finding != nullptr && model::has_second_part(finding->term()) &&
-             !model::has_own_input(finding->term());
-    });
-  }
-
-  // Diagnosed when first asked: that takes as long as the first diagnosis.
-  const LikelyFormulas& formulas() {
-    if (!formulas_) formulas_ = likely_formulas(model_, diagnosis_, data_, settings_);
-    return *formulas_;
-  }
-
-  void tell_formulas() {
-    next_.forms = formulas().forms;
-    next_.experiment = formulas().experiment;
-  }
-
-  // Tries formulas against a name; none unless they are more certain than names have to be.
-  bool is_formula() {
-    double probability = 0;
-    for (const Form& form : formulas().forms) probability += form.share;
-    if (probability < rules::kNamed) return false;
-    NextStep before = std::exchange(next_, {});
-    tell_formulas();
-    if (!is_described_by(formulas().descriptions)) {
-      next_ = std::move(before);
-      return false;
-    }
-    if (!is_unknown_) next_.name_is = Refuted::by_formula;
-    return true;
-  }
-
-  // What may describe the residual, those that explain most first: with what is named, a certain
-  // part of what is missing, or refused.
+  // What may describe the residual, those that explain most first: a certain part of what is
+  // missing, formulas, or ripples where most is a cycle.
   std::vector<Description> possible_descriptions() {
     std::vector<Description> all;
-    const bool is_function = is_function_of_signals(diagnosis_);
-    if (is_unknown_ && !named_.empty() && events_among(diagnosis_, named_).empty()) {
+    if (is_unknown_ && !named_.empty()) {
       all.push_back(
           {*request_of(diagnosis_, named_), diagnosis_.find(named_[0])->explained_fraction, true});
     }
-    if (is_unknown_ && is_function) {
-      all = joined(std::move(all), sets_of_effects(diagnosis_, named_));
-    }
-    if (!diagnosis_.may_be_noise()) {
-      all = joined(std::move(all), single_effects(diagnosis_, named_));
-    }
-    if (is_function) {
-      tell_formulas();
-      all = joined(std::move(all), formulas().descriptions);
+    if (is_function_of_signals(diagnosis_)) {
+      LikelyFormulas formulas = likely_formulas(model_, diagnosis_, data_, settings_);
+      next_.forms = std::move(formulas.forms);
+      next_.experiment = std::move(formulas.experiment);
+      all = joined(std::move(all), std::move(formulas.descriptions));
     } else {
       for (const std::string& ripple : diagnosis_.late_ripples) {
         all.push_back({{{}, ripple}, diagnosis_.fast_share});
@@ -302,26 +178,13 @@ class StepSearch {
     return all;
   }
 
-  // Whether the refusal of what the diagnosis names contradicts the name: it raises the error far
-  // from the rows fitted, a description leaves far less out of sample, or nothing is accepted at
-  // all.
-  bool refutes_name(bool described) const {
-    const auto refused =
-        std::find_if(next_.refused.begin(), next_.refused.end(),
-                     [&](const TriedAddition& one) { return one.request.names() == named_; });
-    if (is_unknown_ || refused == next_.refused.end()) return false;
-    if (refused->rms_before_dph <= 0) return false;
-    if (refused->fails_far) return true;
-    return !described || next_.addition->is_clearly_better(*refused);
-  }
-
-  // Among formulas as well: one may stand out of the slow noise in which no effect of the catalogue
-  // does.
+  // Formulas compete with slow noise as effects do: one may stand out in which no effect does.
   void try_what_noise_hides() {
-    if (!formulas().show_something || formulas().forms.empty()) return;
-    tell_formulas();
-    next_.chance_of_forms = formulas().chance;
-    is_described_by(formulas().descriptions);
+    LikelyFormulas formulas = likely_formulas(model_, diagnosis_, data_, settings_);
+    if (!formulas.show_something || !is_described_by(std::move(formulas.descriptions))) return;
+    next_.forms = std::move(formulas.forms);
+    next_.experiment = std::move(formulas.experiment);
+    next_.chance_of_forms = formulas.chance;
   }
 
   // Whether nothing is to be added, or a formula that says nothing of the cause.
@@ -354,7 +217,6 @@ class StepSearch {
   bool is_unknown_;
   std::vector<std::string> named_;   // what the diagnosis names, but for events
   std::vector<std::string> events_;  // the first of those
-  std::optional<LikelyFormulas> formulas_;
   NextStep next_;
 };
 

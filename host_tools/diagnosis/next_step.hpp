@@ -22,7 +22,7 @@ struct NextStep {
   bool only_with_own_biases = false;
   /// It shows with one bias for all recordings; within them nothing is missing.
   bool only_between_recordings = false;
-  Refuted name_is = Refuted::no;  ///< what the diagnosis names
+  bool refutes_name = false;  ///< what the diagnosis names is refused, and so are its rivals
   std::vector<TriedAddition> refused;
   std::vector<Form> forms;               ///< best first
   std::optional<Experiment> experiment;  ///< that would tell these apart
@@ -34,17 +34,14 @@ struct NextStep {
 /// What frees something that the formulas of the model's own effects leave out, if it is accepted.
 NextStep find_refinement(const model::Model& model, AdditionJudge& judge);
 
-/// Tries what `diagnosis` names; if that is refused, its higher orders, then, on several runs,
-/// those that cannot be told from it, then sets of effects, and others that are as certainly
-/// missing. If it names nothing, all that is refused, or a set leaves more than noise, tries sets,
-/// single effects and formulas over the signals that vary (formulas_over()), those that explain
-/// most, and takes the one that gains most. A certain bias step comes before these descriptions:
-/// the rest is judged without the jump. If all fail, or a formula is left, a
-/// refinement is tried (find_refinement()), then a network of temperature and rate, unless the
-/// model has one or there is only one run. Nothing but single effects is tried if most of the
-/// residual is no function of the signals (a cycle, jumps), nothing but a refinement if it may be a
-/// random walk. If nothing is missing, but slow noise of these runs may hide it, formulas are asked
-/// beside the catalogue. `data` has the rows of the training runs of `judge`, which is of `model`.
+/// Tries what `diagnosis` names; if that is refused, its rivals, most probable first. If
+/// none holds, or it names nothing: a certain jump, beside which the rest is judged, or else a
+/// certain part of what is missing and formulas over the signals that vary (formulas_over()), of
+/// which the one that gains most is taken. If all fail, or a formula is left, a refinement is tried
+/// (find_refinement()), then a network of temperature and rate, unless the model has one or there
+/// is only one run. No formula is tried if most of the residual is no function of the signals (a
+/// cycle, jumps). Where what is left may be a random walk, formulas alone are asked. `data` has the
+/// rows of the training runs of `judge`, which is of `model`.
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
                         const DiagnosisData& data, AdditionJudge& judge,
                         const DiagnosisSettings& settings = {});

@@ -41,17 +41,6 @@ std::string lead_words(const diagnosis::Diagnosis& diagnosis) {
   return join(leads, ", ");
 }
 
-std::string refutation_words(const diagnosis::Diagnosis& diagnosis) {
-  if (diagnosis.refuted != diagnosis::Refuted::by_formula) return " does not hold out of sample";
-  const diagnosis::CandidateFinding* const withdrawn = diagnosis.find(diagnosis.withdrawn);
-  if (withdrawn != nullptr && model::is_event(withdrawn->term())) {
-    return " follows a formula that needs no step";
-  }
-  return diagnosis::needs_event(diagnosis)
-             ? " needs a bias step beside it, and a formula needs none"
-             : " would need two parts of one effect, and a formula explains it alone";
-}
-
 Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_holds) {
   if (diagnosis.faint) return {"something may be missing, too faint to be named", ""};
   if (diagnosis.only_by_formula) {
@@ -60,8 +49,8 @@ Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
         ""};
   }
   if (!diagnosis.withdrawn.empty()) {
-    return {"something is missing that no effect of the catalogue explains: what looks like " +
-                diagnosis.withdrawn + refutation_words(diagnosis),
+    return {"something is missing: what looks like " + diagnosis.withdrawn +
+                " does not hold out of sample",
             ""};
   }
   const bool is_fast = diagnosis.fast_kind != diagnosis::FastKind::none;

@@ -207,19 +207,6 @@ ShapeBounds catalogue_bounds(const CatalogueEntry& entry, std::size_t index) {
   return {parameter.min_milli / 1000.0, parameter.max_milli / 1000.0};
 }
 
-bool has_second_part(const EffectTerm& term) {
-  if (term.expression) return false;
-  const auto& parameters = find_effect(term.name).parameters;
-  for (std::size_t i = 0; i < parameters.size(); ++i) {
-    if (is_optional_part(parameters[i]) && term.parameters[i].value != 0) return true;
-  }
-  return false;
-}
-
-bool has_own_input(const EffectTerm& term) {
-  return (info_of(term).needs & ~bit_of(fog::Input::elapsed)) != 0;
-}
-
 bool is_event(const EffectTerm& term) {
   return !term.expression && find_effect(term.name).description.event;
 }

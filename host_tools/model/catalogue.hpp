@@ -75,9 +75,6 @@ inline bool is_optional_part(const fog::ParameterDescription& parameter) {
   return parameter.not_given == fog::NotGiven::left_out;
 }
 
-/// Whether a term has such a second part.
-bool has_second_part(const EffectTerm& term);
-
 /// Whether a parameter that is not given is computed from the rows of the fit.
 inline bool is_reference(const fog::ParameterDescription& parameter) {
   return parameter.not_given == fog::NotGiven::mean_temperature ||
@@ -96,9 +93,6 @@ void refuse_events(const std::vector<EffectTerm>& terms);
 
 /// Removes the events of an older file, for a fit; returns a sentence on each.
 std::vector<std::string> leave_out_events(std::vector<EffectTerm>& terms);
-
-/// Whether an input other than temperature and time drives it.
-bool has_own_input(const EffectTerm& term);
 
 /// Names of all effects, and of the event.
 std::vector<std::string> effect_names();
