@@ -10,6 +10,7 @@
 #include "findings/run_plots.hpp"
 #include "findings/text.hpp"
 #include "model/input_value.hpp"
+#include "support/evidence.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::findings {
@@ -31,10 +32,17 @@ Next next_of(const DiagnosisWords& said, const diagnosis::Ladder& ladder, const 
     return {"add it; it is kept only if it helps out of sample", said.command};
   }
   if (said.next.empty()) {
-    const bool is_none = ladder.first.verdict == diagnosis::Verdict::none;
-    return next_export(is_none ? "make the board's header"
-                               : "these recordings tell no more; make the board's header",
-                       ladder.model, file);
+    const diagnosis::Diagnosis& first = ladder.first;
+    if (first.verdict == diagnosis::Verdict::none) {
+      return next_export("make the board's header", ladder.model, file);
+    }
+    if (first.residual_rms_dph > (1 + kNoticeable) * first.noise_floor_dph) {
+      return words(
+          "record the same programme once more and give both runs: an effect comes back, slow "
+          "noise does not");
+    }
+    return next_export("these recordings tell no more; make the board's header", ladder.model,
+                       file);
   }
   return words(said.next);
 }

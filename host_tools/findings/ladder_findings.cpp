@@ -69,8 +69,9 @@ Next next_after_ladder(const diagnosis::Ladder& ladder, const diagnosis::Diagnos
   for (const auto* experiment : {&ladder.last.experiment, &ladder.last_next.experiment}) {
     if (*experiment && !(*experiment)->profile.empty()) return words((*experiment)->sentence);
   }
-  return next_export("these recordings tell no more; make the board's header of what is known",
-                     ladder.model, files.output);
+  std::vector<std::string> compare{"fogcomp", "compare", files.output};
+  compare.insert(compare.end(), files.runs.begin(), files.runs.end());
+  return {"what is left has no name; see where it is", compare};
 }
 
 }  // namespace fogcomp::findings

@@ -224,9 +224,7 @@ Eigen::VectorXd shares_of_biases(const series::Rows& rows) {
   const std::vector<recording::RowRange> biases = rows.bias_ranges();
   Eigen::VectorXd shares(static_cast<Eigen::Index>(biases.size()));
   for (std::size_t i = 0; i < biases.size(); ++i) {
-    const bool goes_on =
-        std::binary_search(rows.cut_rows.begin(), rows.cut_rows.end(), biases[i].end);
-    shares[static_cast<Eigen::Index>(i)] = goes_on ? 0 : 1;
+    shares[static_cast<Eigen::Index>(i)] = rows.is_cut_at(biases[i].end) ? 0 : 1;
   }
   return shares / shares.sum();
 }

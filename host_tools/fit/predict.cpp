@@ -28,20 +28,32 @@ double slope(const KnownRegressors& known, const NoiseWeightedFit& fit,
   return std::sqrt(above.squaredNorm() / static_cast<double>(above.size()));
 }
 
-// Before the shapes, which are found already. Without them what a coil's lag leaves of each ramp is
-// taken for a random walk, whose slow part no row shows.
-void add_inexact_rate(const series::Rows& rows, const NoiseWeightedFit& fit, judge::Rows& judged) {
-  const Eigen::MatrixXd inexact =
-      inexact_rate_terms(rows, fit.terms, fit.columns, fit.coefficients);
+// Before the shapes, which are found already. `sigma`: of each beforehand, 0: any.
+void add_nuisances(const Eigen::MatrixXd& nuisances, double sigma, judge::Rows& judged) {
   const Eigen::Index before = judged.first_found;
   const Eigen::Index shapes = judged.columns.cols() - before;
-  judged.columns = side_by_side(
-      {judged.columns.leftCols(before), inexact, judged.columns.rightCols(shapes)}, rows.size());
+  judged.columns =
+      side_by_side({judged.columns.leftCols(before), nuisances, judged.columns.rightCols(shapes)},
+                   judged.size());
   Eigen::VectorXd prior_sigma(judged.columns.cols());
-  prior_sigma << judged.prior_sigma.head(before), Eigen::VectorXd::Ones(inexact.cols()),
-      judged.prior_sigma.tail(shapes);
+  prior_sigma << judged.prior_sigma.head(before),
+      Eigen::VectorXd::Constant(nuisances.cols(), sigma), judged.prior_sigma.tail(shapes);
   judged.prior_sigma = std::move(prior_sigma);
-  judged.first_found += inexact.cols();
+  judged.first_found += nuisances.cols();
+}
+
+// The bias is what power-ons end with. What is before a cut has any bias, and says nothing of it.
+void add_biases(const series::Rows& rows, judge::Rows& judged) {
+  for (const recording::RowRange& range : rows.bias_ranges()) {
+    if (!rows.is_cut_at(range.end)) {
+      judged.power_ons.push_back(range);
+      continue;
+    }
+    Eigen::VectorXd before_cut = Eigen::VectorXd::Zero(rows.size());
+    series::of_rows(before_cut, range).setOnes();
+    add_nuisances(before_cut, 0, judged);
+  }
+  if (judged.power_ons.size() == 1) judged.power_ons.clear();
 }
 
 // Unknowns of judged rows in those of which a prior knows that they are independent. What lies
@@ -152,10 +164,11 @@ judge::Prediction predict(const series::Rows& rows, const NoiseWeightedFit& fit,
                           const series::ColumnRange& offsets,
                           const judge::TemperatureError& temperature) {
   judge::Rows judged = judged_rows(rows, fit, offsets);
-  add_inexact_rate(rows, fit, judged);
+  // Without them what a coil's lag leaves of each ramp is taken for a random walk, whose slow part
+  // no row shows.
+  add_nuisances(inexact_rate_terms(rows, fit.terms, fit.columns, fit.coefficients), 1, judged);
+  add_biases(rows, judged);
   judged.temperature = temperature;
-  const std::vector<recording::RowRange> power_ons = rows.bias_ranges();
-  if (power_ons.size() > 1) judged.power_ons = power_ons;
   return prediction(std::move(judged), fit, series::Reading::of_gyro);
 }
 

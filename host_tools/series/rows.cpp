@@ -72,6 +72,10 @@ std::size_t Rows::run_at(std::size_t row) const {
   return static_cast<std::size_t>(after - run_starts.begin()) - 1;
 }
 
+bool Rows::is_cut_at(std::size_t row) const {
+  return std::binary_search(cut_rows.begin(), cut_rows.end(), row);
+}
+
 bool Rows::starts_run(std::size_t row) const {
   return std::binary_search(run_starts.begin(), run_starts.end(), row);
 }

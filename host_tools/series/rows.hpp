@@ -50,6 +50,8 @@ struct Rows {
   /// Recording of a row, and whether the row is its first.
   std::size_t run_at(std::size_t row) const;
   bool starts_run(std::size_t row) const;
+  /// Whether a row is the first after a cut.
+  bool is_cut_at(std::size_t row) const;
   /// Whether a row directly follows the one before it: same recording, no gap.
   bool follows(std::size_t row) const;
   /// Rows without a gap.
