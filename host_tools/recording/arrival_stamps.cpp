@@ -364,6 +364,37 @@ class EvenRows {
 
 }  // namespace
 
+std::optional<std::vector<double>> counted_times(const std::vector<double>& stamp_s,
+                                                 double rate_hz) {
+  const double period_s = 1 / rate_hz;
+  double step_s = std::numeric_limits<double>::infinity();
+  std::size_t second = 0;  // row with the second time
+  std::size_t times = 1;
+  std::size_t losses = 0;
+  for (std::size_t row = 1; row < stamp_s.size(); ++row) {
+    const double spacing_s = stamp_s[row] - stamp_s[row - 1];
+    if (spacing_s <= 0) continue;
+    step_s = std::min(step_s, spacing_s);
+    if (second == 0) second = row;
+    ++times;
+  }
+  if (second == 0) return std::nullopt;
+  std::vector<double> time_s(stamp_s.size());
+  double next_s = stamp_s[second] - static_cast<double>(second) * period_s;
+  for (std::size_t row = 0; row < stamp_s.size(); ++row) {
+    const double behind = (stamp_s[row] - next_s) / period_s;
+    if (behind > 1) {
+      next_s += std::floor(behind) * period_s;
+      ++losses;
+    }
+    if (next_s > stamp_s[row] + step_s + period_s) return std::nullopt;
+    time_s[row] = next_s;
+    next_s = time_s[row] + period_s;
+  }
+  if (2 * losses > times) return std::nullopt;
+  return time_s;
+}
+
 std::optional<EvenTimes> even_times(const std::vector<double>& time_s,
                                     const std::optional<double>& rate_hz) {
   if (time_s.size() < rules::kMinCases * kFewValues) return std::nullopt;

@@ -17,6 +17,12 @@ struct EvenTimes {
   std::size_t gaps_after = 0;     ///< where samples are lost
 };
 
+/// Times of rows that a coarse clock stamps, several alike (a log with minutes only): samples of
+/// this rate are counted, and lost where the clock is more than a sample ahead. Nothing if there
+/// are more rows than its time allows, samples lost at most of its times, or only one time.
+std::optional<std::vector<double>> counted_times(const std::vector<double>& stamp_s,
+                                                 double rate_hz);
+
 /// Recognises times of arrival: packets, a queue behind a stalled reader, a clock that is read
 /// coarsely. Each sample is late by a delay that comes and goes, so that spacings scatter but their
 /// sums do not: what a pause takes, the next spacings give back, unlike at lost samples. The least

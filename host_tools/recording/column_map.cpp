@@ -62,7 +62,9 @@ std::optional<ChosenField> find_one(const std::string& name, const std::vector<C
   if (const auto whole = field_named(name, names)) return ChosenField{*whole};
   const ColumnName apart(name);
   const std::size_t bracket = name.find_last_of("[(");
-  if (bracket == std::string::npos) return std::nullopt;
+  if (bracket == std::string::npos || name.find_last_of("])") + 1 != name.size()) {
+    return std::nullopt;
+  }
   const auto field = field_named(name.substr(0, bracket), names);
   if (!field) return std::nullopt;
   if (!apart.unit) {
@@ -85,12 +87,12 @@ std::optional<double> constant_of(const ColumnChoice& choice) {
   return apart.unit->convert(*number);
 }
 
-// --columns parts names at commas.
+// --columns parts names at commas, and a shell its words at apostrophes.
 std::string column_choice(const std::vector<std::string>& names, std::size_t field) {
   const std::string& name = names[field];
   const bool is_alone = std::count(names.begin(), names.end(), name) == 1;
   const bool is_plain =
-      name.find_first_of(",\"\n") == std::string::npos && displayable(name) == name;
+      name.find_first_of(",'\"\n") == std::string::npos && displayable(name) == name;
   return !name.empty() && is_alone && is_plain ? name : std::to_string(field + 1);
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -47,15 +48,56 @@ bool is_unit_alone(const std::string& key) {
   return is_unambiguous(key) || key == "s" || key == "ms" || key == "us" || key == "ns";
 }
 
-// What scales a unit that follows it, "0.01 deg/s", "x10 dps", "1e-6 rad/s": a number that is not a
-// digit alone, which numbers a sensor, or a power.
+// A number before a unit, "0.01 deg/s", that is not a digit alone, which numbers a sensor.
 bool is_factor(std::string_view name) {
   const std::string_view last = name.substr(name.find_last_of("_ ,:;(*") + 1);
-  if (last.size() < 2) return false;
-  const std::string_view digits =
-      last.substr(std::min(last.find_first_not_of("xX*"), last.size() - 1));
-  return parse_number(std::string(digits)) ||
-         (digits[0] >= '0' && digits[0] <= '9' && digits.find('^') != std::string_view::npos);
+  return last.size() > 1 && parse_number(last);
+}
+
+bool is_numeral(char c) {
+  return c >= '0' && c <= '9';
+}
+
+// From `at` on; digits, a point, and a power: "1000", "0.1", "1e-3", "10^-3".
+std::size_t end_of_number(const std::string& text, std::size_t at) {
+  const auto digits = [&] {
+    while (at < text.size() &&
+           (is_numeral(text[at]) || (text[at] == '.' && is_numeral(text[at + 1]))))
+      ++at;
+    return at;
+  };
+  const std::size_t end = digits();
+  if (end == text.size() || (text[end] != 'e' && text[end] != '^')) return end;
+  at = end + 1;
+  if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
+  const std::size_t first = at;
+  return digits() > first ? at : end;
+}
+
+double value_of(const std::string& number) {
+  const std::size_t power = number.find('^');
+  const double base = parse_number(number.substr(0, power)).value_or(0);
+  if (power == std::string::npos) return base;
+  return std::pow(base, parse_number(number.substr(power + 1)).value_or(0));
+}
+
+// Whether a number between these texts is a factor: beside a sign of a product, behind or before
+// an x if it is no digit alone, which numbers an axis, or with a power.
+bool is_scaling(std::string_view before, const std::string& number, std::string_view after) {
+  const auto is_name = [](std::string_view text, std::size_t at) {
+    return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0;
+  };
+  const bool has_power = number.find_first_of("e^") != std::string::npos;
+  if (has_power && !is_name(before, before.size() - 1)) return true;
+  before = trim(before);
+  after = trim(after);
+  const char last = before.empty() ? ' ' : before.back();
+  const char next = after.empty() ? ' ' : after.front();
+  if (last == '*' || next == '*') return true;
+  if (number.size() < 2) return false;
+  if (last == '/') return !is_name(after, 0) && next != '/';
+  return (last == 'x' && !is_name(before, before.size() - 2)) ||
+         (next == 'x' && !is_name(after, 1));
 }
 
 bool begins_with(const std::string& word, std::string_view beginning) {
@@ -68,6 +110,25 @@ std::string_view base_of(const ColumnInfo& column) {
 }
 
 }  // namespace
+
+std::optional<double> factor_in(std::string_view name) {
+  constexpr std::string_view kTimes = "\xC3\x97";
+  std::string text = folded(name);
+  for (std::size_t at = text.find(kTimes); at != std::string::npos; at = text.find(kTimes)) {
+    text.replace(at, kTimes.size(), "*");
+  }
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (!is_numeral(text[at])) continue;
+    const std::size_t end = end_of_number(text, at);
+    const std::string number = text.substr(at, end - at);
+    if (is_scaling(std::string_view(text).substr(0, at), number,
+                   std::string_view(text).substr(end))) {
+      return value_of(number);
+    }
+    at = end;
+  }
+  return std::nullopt;
+}
 
 std::string without_quotes(std::string_view name) {
   name = trim(name);
@@ -104,6 +165,9 @@ ColumnName::ColumnName(std::string_view name, std::string_view from_units_row)
     if (!unit && unknown_unit.empty()) take_tail(text);
     if (!unit && unknown_unit.empty()) take_tail(split_camel_case(text));
   }
+  if (!unit_alone && unknown_unit.empty()) {
+    factor = factor_in(unit ? text.substr(0, text.rfind(unit_text)) : text);
+  }
   if (stem_key.empty()) stem_key = key;
   if (words.empty() && !unit_alone) words = words_of(split_camel_case(text));
   std::string row(without_quotes(from_units_row));
@@ -114,7 +178,7 @@ ColumnName::ColumnName(std::string_view name, std::string_view from_units_row)
   if (!from_row) return;
   if (unit && unit->words != from_row->words) {
     contradiction = "'" + displayable(text) + "' is in " + unit->words + " by its name and in " +
-                    from_row->words + " by the row of units";
+                    from_row->words + " by the units beside it";
   }
   unit = from_row;
   unit_text = row;
@@ -131,7 +195,7 @@ void ColumnName::take_bracket() {
   if (open == std::string::npos) return;
   const std::string inside = text.substr(open + 1, text.size() - open - 2);
   const std::string stem = text.substr(0, open);
-  unit = find_unit(inside);
+  unit = find_multiple(inside);
   (unit ? unit_text : unknown_unit) = inside;
   stem_key = key_of_name(stem);
   words = words_of(split_camel_case(stem));
@@ -143,9 +207,10 @@ void ColumnName::take_tail(const std::string& name) {
   for (std::size_t at = name.find_first_of(kSeparators); at != std::string::npos;
        at = name.find_first_of(kSeparators, at + 1)) {
     const std::string tail(trim(name.substr(at + 1)));
+    if (begins_with(folded(tail), "-")) continue;  // it separates the unit from the name
     const auto found = find_unit(tail);
     if (!found) continue;
-    if (is_factor(name.substr(0, at))) {
+    if (!factor_in(name.substr(0, at)) && is_factor(name.substr(0, at))) {
       unknown_unit = name.substr(name.find_last_of("_ ,:;(*", at - 1) + 1);
       return;
     }
@@ -160,7 +225,14 @@ void ColumnName::take_tail(const std::string& name) {
 bool ColumnName::has_minus() const {
   const bool is_sign =
       key.size() > 1 && key[0] == '-' && parse_number(key.substr(0, 2)) == std::nullopt;
-  return is_sign || has_word({"minus", "neg", "invert"});
+  const std::string name = folded(text.substr(0, text.find_first_of("[({")));
+  bool is_before_word = false;
+  for (std::size_t at = 1; at + 1 < name.size(); ++at) {
+    const bool begins = name[at] == '-' && (name[at - 1] == ' ' || name[at - 1] == '_');
+    if (begins && std::isalpha(static_cast<unsigned char>(name[at + 1])) != 0)
+      is_before_word = true;
+  }
+  return is_sign || is_before_word || has_word({"minus", "neg", "invert"});
 }
 
 bool ColumnName::has_word(const std::vector<std::string_view>& beginnings) const {
@@ -180,6 +252,7 @@ bool ColumnName::is_part_of_date() const {
 }
 
 bool ColumnName::is_time() const {
+  if (unit && unit->quantity == Quantity::date) return true;
   if (unit && unit->quantity != Quantity::time) return false;
   if (unit_alone) return true;
   if (is_part_of_date()) return false;
@@ -187,8 +260,14 @@ bool ColumnName::is_time() const {
   if (std::find(words.begin(), words.end(), "tow") != words.end()) return true;
   if (words == std::vector<std::string>{"t"}) return unit || text[0] == 't';
   if (has_word({"temp", "sample", "const"})) return false;
-  return has_word({"time", "elapsed", "zeit", "date", "epoch", "unix", "utc"}) ||
+  return has_word({"time", "elapsed", "zeit", "uhr", "date", "datum", "epoch", "unix", "utc"}) ||
          (unit && has_word({"stamp", "tv"}));
+}
+
+// What was wanted of a sensor, or is known of its readings.
+bool ColumnName::is_no_reading() const {
+  return has_word({"set", "target", "cmd", "command", "demand", "std", "sigma", "noise", "err",
+                   "resid", "limit"});
 }
 
 bool ColumnName::is_temperature() const {
@@ -196,16 +275,15 @@ bool ColumnName::is_temperature() const {
   const bool in_degrees = unit && folded(unit_text) == "deg";
   if (unit && unit->quantity != Quantity::temperature && !in_degrees) return false;
   if (unit_alone) return is_unambiguous(unit_text);
-  if (has_word({"rate", "grad", "deriv", "set", "dt"})) return false;
+  if (has_word({"rate", "grad", "deriv", "dt"}) || is_no_reading()) return false;
   if (words == std::vector<std::string>{"t"}) return unit || text[0] == 'T';
   return has_word({"temp"}) || (unit && is_unambiguous(unit_text));
 }
 
 bool ColumnName::is_rate() const {
   if (unit && unit->quantity != Quantity::rate && unit->quantity != Quantity::counts) return false;
-  if (has_word({"temp",  "sample", "data",  "frame", "input",   "ref",    "table", "turntable",
-                "true",  "truth",  "set",   "cmd",   "command", "demand", "earth", "bias",
-                "drift", "std",    "sigma", "noise", "err",     "resid",  "limit"})) {
+  if (is_no_reading() || has_word({"temp", "sample", "data", "frame", "input", "ref", "table",
+                                   "turntable", "true", "truth", "earth", "bias", "drift"})) {
     return false;
   }
   if (unit && unit->quantity == Quantity::rate) return true;

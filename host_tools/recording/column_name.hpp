@@ -26,9 +26,11 @@ struct ColumnName {
   std::string stem_key;            ///< the same without the unit
   std::vector<std::string> words;  ///< folded, without the unit
   std::optional<Unit> unit{};
-  std::string unit_text{};      ///< of the unit
-  bool unit_alone = false;      ///< "seconds": the unit is all the name
-  std::string unknown_unit{};   ///< unit in brackets that is unknown
+  std::string unit_text{};     ///< of the unit
+  bool unit_alone = false;     ///< "seconds": the unit is all the name
+  std::string unknown_unit{};  ///< unit in brackets that is unknown
+  /// By which its values are scaled, or divided, as the name says: "rate x1000 [deg/h]".
+  std::optional<double> factor{};
   std::string contradiction{};  ///< between name and row of units, if any
 
   /// Meaning of the name, if it has one. A time, temperature or rate may lack a unit; any other
@@ -46,6 +48,7 @@ struct ColumnName {
   void take_tail(const std::string& name);
   bool is_part_of_date() const;
   bool is_time() const;
+  bool is_no_reading() const;
   bool is_temperature() const;
   bool is_rate() const;
   std::optional<std::size_t> optional_slot() const;
@@ -53,6 +56,9 @@ struct ColumnName {
 
 /// Folded, without blanks: "Gyro X [°/s]" is "gyrox[deg/s]".
 std::string key_of_name(std::string_view name);
+
+/// The factor beside a name: "x1000", "1000*", "1e3", "/10"; of an axis or a sensor's number none.
+std::optional<double> factor_in(std::string_view name);
 
 /// A field without enclosing blanks and quotes.
 std::string without_quotes(std::string_view field);

@@ -5,7 +5,9 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <string>
+#include <utility>
 
 #include "recording/decimal.hpp"
 #include "support/text.hpp"
@@ -59,23 +61,61 @@ class DateScanner {
   explicit DateScanner(std::string_view text) : rest_(text) {}
 
   bool at_end() const { return rest_.empty(); }
-  /// Reads a number of `min_digits` to `max_digits`, at most `max`.
-  bool digits(std::size_t min_digits, std::size_t max_digits, int max, int& value) {
+  bool begins_with(char c) const { return !rest_.empty() && rest_.front() == c; }
+  bool begins_with_digit() const { return !rest_.empty() && is_digit(rest_.front()); }
+  /// Reads a number of `min_digits` to `max_digits`, at most `max`. Returns how many it has, or 0.
+  std::size_t digits(std::size_t min_digits, std::size_t max_digits, int max, int& value) {
     std::size_t count = 0;
     for (value = 0; count < max_digits && count < rest_.size() && is_digit(rest_[count]); ++count) {
       value = 10 * value + (rest_[count] - '0');
     }
     rest_.remove_prefix(count);
-    return count >= min_digits && value <= max;
+    return count >= min_digits && value <= max ? count : 0;
   }
   /// With or without a zero before it: "3", "03".
-  bool padded(int max, int& value) { return digits(1, 2, max, value); }
+  std::size_t padded(int max, int& value) { return digits(1, 2, max, value); }
+  /// Reads "Mar" or "March", in any case.
+  bool month_name(int& month) {
+    constexpr std::string_view kNames[] = {"january",   "february", "march",    "april",
+                                           "may",       "june",     "july",     "august",
+                                           "september", "october",  "november", "december"};
+    std::string word;
+    for (const char c : rest_) {
+      if (std::isalpha(static_cast<unsigned char>(c)) == 0) break;
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    const auto found = std::find_if(std::begin(kNames), std::end(kNames), [&](auto name) {
+      return word.size() >= 3 && name.substr(0, word.size()) == word;
+    });
+    if (found == std::end(kNames)) return false;
+    month = static_cast<int>(found - std::begin(kNames)) + 1;
+    rest_.remove_prefix(word.size());
+    return true;
+  }
+  /// Reads "AM" or "pm", or nothing: 'a', 'p' or 0.
+  char half_of_day() {
+    const std::size_t at = begins_with(' ') ? 1 : 0;
+    if (rest_.size() < at + 2 || std::tolower(static_cast<unsigned char>(rest_[at + 1])) != 'm') {
+      return 0;
+    }
+    const char half = static_cast<char>(std::tolower(static_cast<unsigned char>(rest_[at])));
+    if (half != 'a' && half != 'p') return 0;
+    rest_.remove_prefix(at + 2);
+    return half;
+  }
   bool rest_is(std::string_view text) const { return rest_ == text; }
   /// Reads one of the characters.
   bool one_of(std::string_view characters) {
     if (rest_.empty() || characters.find(rest_.front()) == std::string_view::npos) return false;
     rest_.remove_prefix(1);
     return true;
+  }
+  /// Reads all of the characters that follow, at least one.
+  bool some_of(std::string_view characters) {
+    const bool any = one_of(characters);
+    while (one_of(characters)) {
+    }
+    return any;
   }
   /// Reads digits after the point.
   double fraction() {
@@ -104,14 +144,66 @@ std::int64_t days_since_1970(int year, int month, int day) {
   return era * 146097 + day_of_era - 719468;
 }
 
-bool scan_date(DateScanner& scan, std::int64_t& days) {
+// Day, month and year, in the order in which they stand.
+bool scan_date(DateScanner& scan, DayOrder order, std::int64_t& days) {
+  constexpr std::string_view kMarks = "-/. ";
   int year = 0;
   int month = 0;
   int day = 0;
-  const bool date = scan.digits(4, 4, 9999, year) && scan.one_of("-/.") && scan.padded(12, month) &&
-                    scan.one_of("-/.") && scan.padded(31, day);
-  if (!date || month == 0 || day == 0) return false;
+  int first = 0;
+  bool is_date = false;
+  if (scan.month_name(month)) {
+    is_date = scan.some_of(" .-/") && scan.padded(31, day) && scan.some_of(" ,-/") &&
+              scan.digits(4, 4, 9999, year);
+  } else if (const std::size_t count = scan.digits(1, 8, 99'999'999, first); count == 8) {
+    year = first / 10'000;
+    month = first / 100 % 100;
+    day = first % 100;
+    is_date = year >= 1970 && year <= 2100 && month <= 12 && day <= 31;
+  } else if (count == 4) {
+    year = first;
+    is_date = scan.one_of("-/.") && (scan.month_name(month) || scan.padded(12, month)) &&
+              scan.one_of("-/.") && scan.padded(31, day);
+  } else if (count == 1 || count == 2) {
+    const bool has_point = scan.begins_with('.');
+    const bool is_month_first = !has_point && order == DayOrder::month_first;
+    if (!scan.some_of(kMarks)) return false;
+    if (scan.month_name(month)) {
+      day = first;
+    } else {
+      const bool is_read = has_point || order != DayOrder::unknown;
+      if (!is_read || !scan.padded(31, day)) return false;
+      month = first;
+      if (!is_month_first) std::swap(day, month);
+    }
+    is_date = scan.some_of(kMarks) && scan.digits(4, 4, 9999, year) && month <= 12 && day <= 31;
+  }
+  if (!is_date || month == 0 || day == 0) return false;
   days = days_since_1970(year, month, day);
+  return true;
+}
+
+// "13:30", "1:30:15.25 PM", "133015": seconds since midnight.
+bool scan_time_of_day(DateScanner& scan, TimeReading& reading) {
+  int hour = 0;
+  int minute = 0;
+  int second = 0;
+  const std::size_t digits = scan.digits(1, 2, 24, hour);
+  if (digits == 0) return false;
+  const bool is_compact = digits == 2 && !scan.begins_with(':');
+  const auto two_digits = [&](int max, int& value) {
+    return is_compact ? scan.digits(2, 2, max, value) : scan.padded(max, value);
+  };
+  if ((!is_compact && !scan.one_of(":")) || two_digits(59, minute) == 0) return false;
+  if (is_compact ? scan.begins_with_digit() : scan.one_of(":")) {
+    if (two_digits(60, second) == 0) return false;
+    if (scan.one_of(".,")) reading.fraction = scan.fraction();
+  }
+  if (const char half = scan.half_of_day(); half != 0) {
+    if (hour < 1 || hour > 12) return false;
+    hour = hour % 12 + (half == 'p' ? 12 : 0);
+  }
+  reading.whole = hour * 3600 + minute * 60 + second;
   return true;
 }
 
@@ -172,7 +264,11 @@ bool is_grouped(std::string_view digits, char mark) {
 }
 
 FieldKind read_number(std::string_view field, const CsvDialect& dialect, double& value) {
+  constexpr std::string_view kMinus = "\xE2\x88\x92";
   if (field.size() > kLongestNumber) return FieldKind::text;
+  if (field.substr(0, kMinus.size()) == kMinus) {
+    return read_number("-" + std::string(field.substr(kMinus.size())), dialect, value);
+  }
   if (dialect.groups && field.find(dialect.group_mark()) != std::string_view::npos) {
     const std::string plain = without_groups(field, dialect);
     if (plain.empty()) return FieldKind::text;
@@ -218,25 +314,38 @@ std::optional<TimeReading> read_long_number(std::string_view field, const CsvDia
   return reading;
 }
 
-std::optional<TimeReading> read_calendar_time(std::string_view field) {
+std::optional<TimeReading> read_calendar_time(std::string_view field, DayOrder order) {
   DateScanner scan(field);
   std::int64_t days = 0;
-  int hour = 0;
-  int minute = 0;
-  int second = 0;
   std::int64_t east_s = 0;
   TimeReading reading;
-  if (!scan_date(scan, days) || !scan.one_of("Tt ") || !scan.padded(24, hour) ||
-      !scan.one_of(":") || !scan.padded(59, minute)) {
-    return std::nullopt;
-  }
-  if (scan.one_of(":")) {
-    if (!scan.padded(60, second)) return std::nullopt;
-    if (scan.one_of(".,")) reading.fraction = scan.fraction();
-  }
-  if (!scan_zone(scan, east_s)) return std::nullopt;
-  reading.whole = days * 86400 + hour * 3600 + minute * 60 + second - east_s;
+  if (!scan_date(scan, order, days)) return std::nullopt;
+  const bool is_compact = scan.begins_with_digit();
+  if (!is_compact && !scan.one_of("Tt") && !scan.some_of(" ,:_")) return std::nullopt;
+  if (!scan_time_of_day(scan, reading) || !scan_zone(scan, east_s)) return std::nullopt;
+  reading.whole += days * 86400 - east_s;
   return reading;
+}
+
+bool is_calendar_time(std::string_view field) {
+  return read_calendar_time(field, DayOrder::day_first) ||
+         read_calendar_time(field, DayOrder::month_first);
+}
+
+bool is_date_alone(std::string_view field) {
+  for (const DayOrder order : {DayOrder::day_first, DayOrder::month_first}) {
+    DateScanner scan(field);
+    std::int64_t days = 0;
+    if (scan_date(scan, order, days) && scan.at_end()) return true;
+  }
+  return false;
+}
+
+bool is_time_of_day(std::string_view field) {
+  DateScanner scan(field);
+  TimeReading reading;
+  std::int64_t east_s = 0;
+  return scan_time_of_day(scan, reading) && scan_zone(scan, east_s);
 }
 
 }  // namespace fogcomp::recording

@@ -49,9 +49,21 @@ struct TimeReading {
 /// A number in any unit; nothing if the field is not a number.
 std::optional<TimeReading> read_long_number(std::string_view field, const CsvDialect& dialect);
 
-/// ISO 8601, date and time of day: "2024-03-05T12:30:15.25+01:00", with a blank for the T, without
-/// seconds or zone, and what loggers make of it: "2024/3/5 1:30:15 UTC". In seconds since 1970; a
-/// time without a zone counts as UTC. Nothing for anything else.
-std::optional<TimeReading> read_calendar_time(std::string_view field);
+/// What stands first in a date with the year behind, "05/03/2024".
+enum class DayOrder : std::uint8_t { unknown, day_first, month_first };
+
+/// A date and time of day in seconds since 1970; without a zone it counts as UTC. ISO 8601, with a
+/// blank for the T, without seconds or zone or any sign, and what loggers make of it: "2024/3/5
+/// 1:30:15 UTC", "5.3.2024 13:30", "05-Mar-2024 1:30:15 PM", "Mar 5, 2024 13:30". Dates as
+/// "05/03/2024" need their order. Nothing for anything else, such as years of two digits.
+std::optional<TimeReading> read_calendar_time(std::string_view field,
+                                              DayOrder order = DayOrder::unknown);
+
+/// Whether read_calendar_time() reads it in either order.
+bool is_calendar_time(std::string_view field);
+
+/// The two parts of such a time in columns of their own.
+bool is_date_alone(std::string_view field);
+bool is_time_of_day(std::string_view field);
 
 }  // namespace fogcomp::recording

@@ -58,8 +58,7 @@ class HeaderReader {
       // seconds.
       const bool close = i < rules::kMaxColumnsUnderstood ||
                          slot_named(without_quotes(lines.names[i])) != CsvHeader::kIgnored;
-      columns_.emplace_back(close ? lines.names[i] : "",
-                            close && i < lines.units.size() ? lines.units[i] : "");
+      columns_.emplace_back(close ? lines.names[i] : "", close ? unit_beside(lines, i) : "");
       header_.names.push_back(without_quotes(lines.names[i]));
     }
     header_.slots.assign(header_.names.size(), CsvHeader::kIgnored);
@@ -84,6 +83,14 @@ class HeaderReader {
 
  private:
   using Fields = std::vector<std::size_t>;
+
+  // In the row of units or, of all rows, in a column behind it that is called "unit".
+  static std::string unit_beside(const HeaderLines& lines, std::size_t field) {
+    if (field < lines.units.size()) return lines.units[field];
+    if (field + 1 >= std::min(lines.names.size(), lines.first_row.size())) return "";
+    const bool is_unit = ColumnName(lines.names[field + 1]).has_word({"unit", "einheit"});
+    return is_unit ? lines.first_row[field + 1] : "";
+  }
 
   [[noreturn]] void fail(const std::string& what) const { throw InputError(lines_.where, what); }
   void say(const std::string& what) const { options_.watch.say(lines_.file, what); }
@@ -166,7 +173,8 @@ class HeaderReader {
         if (found[slot] < header_.names.size()) {
           fail("column '" + printable(header_.names[i]) + "' stands twice, in fields " +
                std::to_string(found[slot] + 1) + " and " + std::to_string(i + 1) +
-               "; rename or remove one");
+               "; say which: --columns '" + numbered(found[slot], slot) + "' or '" +
+               numbered(i, slot) + "'");
         }
         found[slot] = i;
         take(i, slot, std::nullopt);
@@ -174,6 +182,12 @@ class HeaderReader {
     };
     take_names([&](std::size_t i) { return header_.names[i]; });
     take_names([&](std::size_t i) { return columns_[i].key; });
+  }
+
+  // "rate=3[deg/h]", of a column with a recording's own name.
+  std::string numbered(std::size_t field, std::size_t slot) const {
+    const std::optional<Unit>& unit = columns_[field].unit;
+    return map_key(slot) + "=" + std::to_string(field + 1) + (unit ? "[" + unit->words + "]" : "");
   }
 
   /// Uses `counts` as rate if there is a scale factor, or no other rate.
@@ -204,6 +218,7 @@ class HeaderReader {
 
   /// Takes the only column whose name fits. If several fit, the user has to choose.
   void take_likely(std::size_t slot) {
+    if (slot == kTimeSlot && take_date_and_clock()) return;
     Fields fields = likely(slot);
     if (slot == kTimeSlot && take_time_in_parts(fields)) return;
     if (slot == kTimeSlot) fields = exactly_named_or_all(fields);
@@ -292,8 +307,61 @@ class HeaderReader {
   }
 
   void take(const ChosenField& chosen, std::size_t slot) {
+    if (slot == kTimeSlot) header_.time_is_chosen = true;
+    if (chosen.part && is_date(chosen.field) && is_clock(*chosen.part)) {
+      return take_date_and_clock(chosen.field, *chosen.part, chosen.unit);
+    }
     take(chosen.field, slot, chosen.unit);
     if (chosen.part) take_time_part(*chosen.part, chosen.part_unit);
+  }
+
+  std::string_view first_value(std::size_t field) const {
+    return field < lines_.first_row.size() ? std::string_view(lines_.first_row[field]) : "";
+  }
+  bool is_date(std::size_t field) const { return is_date_alone(first_value(field)); }
+  bool is_clock(std::size_t field) const { return is_time_of_day(first_value(field)); }
+
+  void take_date_and_clock(std::size_t date, std::size_t clock, const std::optional<Unit>& order) {
+    header_.slots[date] = CsvHeader::kDate;
+    header_.slots[clock] = kTimeSlot;
+    take_order(order ? order : columns_[date].unit);
+    header_.understood.push_back("time: " + place(date) + " and " + place(clock));
+  }
+
+  // Of day and month.
+  void take_order(const std::optional<Unit>& unit) {
+    if (!unit || unit->quantity != Quantity::date) return;
+    header_.day_order = unit->words[0] == 'D' ? DayOrder::day_first : DayOrder::month_first;
+  }
+
+  // Digits alone are a date, or hhmmss, only if the name says so, too.
+  bool may_be_of_date(std::size_t field) const {
+    const std::string_view value = first_value(field);
+    if (!parse_number(value)) return true;
+    constexpr std::size_t kShortest = 6;
+    const auto meaning = columns_[field].meaning();
+    return meaning && meaning->slot == kTimeSlot &&
+           std::min(value.find('.'), value.size()) >= kShortest;
+  }
+
+  /// Takes the only column of dates and the only one of times of day.
+  bool take_date_and_clock() {
+    Fields dates;
+    Fields clocks;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      if (header_.slots[i] != CsvHeader::kIgnored || !may_be_of_date(i)) continue;
+      if (is_date(i)) dates.push_back(i);
+      if (is_clock(i)) clocks.push_back(i);
+    }
+    if (dates.empty() || clocks.empty()) return false;
+    if (dates.size() == 1 && clocks.size() == 1) {
+      take_date_and_clock(dates[0], clocks[0], std::nullopt);
+      return true;
+    }
+    const std::string sum =
+        column_choice(header_.names, dates[0]) + "+" + column_choice(header_.names, clocks[0]);
+    fail("time could be of several dates or times of day, such as " + place(dates[0]) + " and " +
+         place(clocks[0]) + "; say which: --columns 'time=" + sum + "'");
   }
 
   void take(std::size_t field, std::size_t slot, const std::optional<Unit>& given) {
@@ -305,6 +373,7 @@ class HeaderReader {
       fail(column.contradiction + "; correct one of them, or say which: --columns '" +
            map_key(slot) + "=" + std::to_string(field + 1) + unit_proposal(slot) + "'");
     }
+    if (!given && column.factor) fail_for_factor(field, slot);
     if (!given && quantity_of(slot) == Quantity::rate && column.has_minus()) {
       const std::string choice = map_key(slot) + "=" + std::to_string(field + 1) + "[";
       const std::string unit = column.unit ? column.unit->words : "deg/s";
@@ -318,8 +387,23 @@ class HeaderReader {
     use_unit(field, slot, given ? given : column.unit);
   }
 
+  // The same number may be multiplied by it or wait to be.
+  [[noreturn]] void fail_for_factor(std::size_t field, std::size_t slot) const {
+    const ColumnName& column = columns_[field];
+    const std::string choice = map_key(slot) + "=" + std::to_string(field + 1) + "[";
+    const std::string unit = column.unit ? column.unit->words : "UNIT";
+    fail(place(field) + " has a factor, so that a 1 can mean several things; give it: --columns '" +
+         choice + format("%.12g ", 1 / *column.factor) + unit + "]', '" + choice +
+         format("%.12g ", *column.factor) + unit + "]', or '" + choice + unit +
+         "]' if none is meant");
+  }
+
   void use_unit(std::size_t field, std::size_t slot, std::optional<Unit> unit) {
     const ColumnName& column = columns_[field];
+    if (slot == kTimeSlot && unit && unit->quantity == Quantity::date) {
+      take_order(unit);
+      unit.reset();
+    }
     if (unit && unit->quantity == Quantity::counts && quantity_of(slot) == Quantity::rate) {
       const double sign = unit->factor;
       unit = counts_unit(place(field));
@@ -338,7 +422,8 @@ class HeaderReader {
     if (!unit && !column.unknown_unit.empty()) {
       fail(place(field) + ": unit '" + printable(column.unknown_unit) +
            "' is not known; give it: --columns '" + map_key(slot) + "=" +
-           std::to_string(field + 1) + unit_proposal(slot) + "'");
+           std::to_string(field + 1) + "[UNIT]', of " + join(units_of(quantity_of(slot)), ", ") +
+           " or a multiple such as 0.1 " + units_of(quantity_of(slot)).front());
     }
     const bool own = column.key == kColumns[slot].name;
     if (!unit && slot == kRateSlot && !own) {
@@ -481,6 +566,16 @@ bool CsvHeader::takes_row_of(const std::vector<std::string_view>& fields) const 
 
 std::size_t CsvHeader::field_of(std::size_t slot) const {
   return static_cast<std::size_t>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
+}
+
+std::string_view CsvHeader::time_of(const std::vector<std::string_view>& fields,
+                                    std::string& both) const {
+  const std::string_view time = fields[field_of(kTimeSlot)];
+  if (!has(kDate)) return time;
+  const std::string_view date = fields[field_of(kDate)];
+  if (date.empty() || time.empty()) return {};
+  both = std::string(date) + " " + std::string(time);
+  return both;
 }
 
 Unit CsvHeader::unit_of(std::size_t slot) const {

@@ -7,6 +7,7 @@
 
 #include "recording/column_name.hpp"
 #include "recording/columns.hpp"
+#include "recording/csv_fields.hpp"
 #include "recording/recording.hpp"
 
 namespace fogcomp::recording {
@@ -19,6 +20,8 @@ struct CsvHeader {
   /// Behind the last column of a recording: of a time in two columns ("sec", "nanosec"), that which
   /// is added to the other one.
   static constexpr std::size_t kTimePart = kColumns.size();
+  /// The date of a time that has only the time of day in its own column.
+  static constexpr std::size_t kDate = 102;
 
   std::vector<std::string> names;  ///< as in the file, one per field
   std::vector<std::size_t> slots;  ///< of each field
@@ -35,6 +38,8 @@ struct CsvHeader {
   };
   std::vector<Constant> constants;
   bool time_has_unit = true;
+  bool time_is_chosen = false;  ///< by --columns or the model
+  DayOrder day_order = DayOrder::unknown;
   /// Interpretation of names that are not a recording's own: "rate: column 4 'Gyro_X [deg/s]' x
   /// 3600; ...". Empty for the plain format.
   std::vector<std::string> understood;
@@ -45,6 +50,8 @@ struct CsvHeader {
   std::size_t field_of(std::size_t slot) const;
   /// Of a slot of time; s if it is not converted.
   Unit unit_of(std::size_t slot) const;
+  /// A row's time as written; of two columns the date before the time of day, put into `both`.
+  std::string_view time_of(const std::vector<std::string_view>& fields, std::string& both) const;
   /// Empty fields behind the names in each row, whose lines end in separators: they are nothing.
   std::size_t empty_behind = 0;
   /// Whether a row has a field for each name, and these.
@@ -56,7 +63,8 @@ struct HeaderLines {
   std::vector<std::string> names;
   std::vector<std::string> units{};  ///< empty without such a row
   std::string file{};
-  std::string where{};  ///< `FILE:LINE` of the names
+  std::string where{};                   ///< `FILE:LINE` of the names
+  std::vector<std::string> first_row{};  ///< fields of the first row, if there is one
 };
 
 /// Determines the meaning of every field, and the columns that are one value: from options.columns,

@@ -175,6 +175,7 @@ class LayoutFinder {
     std::vector<std::string> fields;
     if (first < lines_.size()) fields = names_in(lines_[first], separator);
     if (!fields.empty()) header = without_empty_names(std::move(header), fields.size());
+    header.first_row = fields;
     CsvLayout layout;
     layout.lines_before_rows = lines_before_rows;
     layout.dialect.separator = separator;
@@ -215,12 +216,14 @@ class LayoutFinder {
 
   static bool is_good(const std::vector<std::string_view>& fields, Reading& reading) {
     const CsvHeader& header = reading.layout.header;
+    std::string both;
     if (!header.takes_row_of(fields)) return false;
     for (std::size_t i = 0; i < header.slots.size(); ++i) {
       if (header.slots[i] >= kColumns.size()) continue;
       double value = 0;
       const FieldKind kind = read_number(fields[i], reading.layout.dialect, value);
-      const bool calendar = header.slots[i] == kTimeSlot && read_calendar_time(fields[i]);
+      const bool calendar =
+          header.slots[i] == kTimeSlot && is_calendar_time(header.time_of(fields, both));
       if (kind == FieldKind::text && !calendar) return false;
       if (kind == FieldKind::number) reading.values.push_back(value);
     }
@@ -317,6 +320,7 @@ class LayoutFinder {
     refuse_several_sensors(lines_, head_.path, layout, options_);
     understand_header(chosen.lines, options_);  // to report its interpretation
     understand_times(lines_, head_.path, layout);
+    refuse_second_times(lines_, head_.path, layout);
     std::vector<std::string> understood = layout.header.understood;
     if (layout.dialect.separator != ',' || layout.dialect.decimal_comma) {
       understood.push_back(words(layout.dialect));
@@ -324,14 +328,18 @@ class LayoutFinder {
     if (!chosen.lines.units.empty()) understood.emplace_back("a row of units");
     if (head_.utf16) understood.emplace_back("UTF-16");
     if (layout.time != TimeFormat::number) {
-      const char* const calendar = layout.time == TimeFormat::calendar ? "ISO 8601"
-                                   : layout.scale == nullptr           ? "calendar"
-                                                                       : layout.scale->name;
-      understood.push_back(std::string(calendar) +
+      understood.push_back(std::string(words_of_times(layout)) +
                            " times, counted from the first sample: power-on is not known");
     }
     if (!understood.empty()) options_.watch.say(head_.path, "read as " + join(understood, "; "));
     return layout;
+  }
+
+  static const char* words_of_times(const CsvLayout& layout) {
+    const DayOrder order = layout.header.day_order;
+    if (order == DayOrder::day_first) return "day/month/year";
+    if (order == DayOrder::month_first) return "month/day/year";
+    return layout.scale == nullptr ? "calendar" : layout.scale->name;
   }
 
   // A row with a field more than the header has names, which is empty: nothing stands there. But if

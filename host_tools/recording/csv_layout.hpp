@@ -19,7 +19,7 @@ namespace fogcomp::recording {
 enum class TimeFormat : std::uint8_t {
   number,
   dates,     ///< numbers of a calendar
-  calendar,  ///< ISO 8601
+  calendar,  ///< a date and a time of day (read_calendar_time())
 };
 
 /// Layout of a CSV: everything that is known before its rows are read.
@@ -94,6 +94,12 @@ CsvColumns columns_in(const LikelyHeader& likeliest, const CsvHeader* header,
 /// form and for those that can mean several things, with the --columns that says which.
 void understand_times(const std::vector<std::string_view>& lines, const std::string& path,
                       CsvLayout& layout);
+
+/// Throws InputError if another column has times that run otherwise than those that are taken, in
+/// units that allow to say so, and nobody chose: two tables that stand side by side. `lines`: the
+/// first ones of the file.
+void refuse_second_times(const std::vector<std::string_view>& lines, const std::string& path,
+                         const CsvLayout& layout);
 
 /// The refusal if the numbers of a column that is read have three digits behind their mark,
 /// all of them, and no number of the file tells what the mark is: "12,389" is 12.389 or 12389. A

@@ -72,8 +72,8 @@ bool is_units_row(const std::vector<std::string>& fields) {
 bool is_value(std::string_view field) {
   double value = 0;
   return read_number(field, {}, value) == FieldKind::number ||
-         read_number(field, {',', true}, value) == FieldKind::number ||
-         read_calendar_time(field).has_value();
+         read_number(field, {',', true}, value) == FieldKind::number || is_calendar_time(field) ||
+         is_date_alone(field) || is_time_of_day(field);
 }
 
 bool is_all_numbers(const std::vector<std::string>& names) {

@@ -13,11 +13,13 @@
 #include "recording/columns.hpp"
 #include "recording/csv_lines.hpp"
 #include "recording/csv_row.hpp"
+#include "recording/decision_rules.hpp"
 #include "recording/held_rate.hpp"
 #include "recording/long_recording.hpp"
 #include "recording/plausibility.hpp"
 #include "recording/row_filter.hpp"
 #include "recording/row_range.hpp"
+#include "support/evidence.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
@@ -112,13 +114,16 @@ class CutLine {
 class RowCollector {
  public:
   RowCollector(const CsvLayout& layout, const InputFile& file, const ReadOptions& options,
-               LineNumbers& lines, std::size_t min_rows)
+               LineNumbers& lines, const RowMarks& marks, std::size_t min_rows)
       : reader_(layout),
+        layout_(layout),
         file_(file),
         options_(options),
         lines_(lines),
+        marks_(marks),
         long_recording_(options, min_rows),
-        wrap_(layout) {
+        wrap_(layout),
+        rate_unit_(layout.header.unit_of(kRateSlot)) {
     recording_.file = file.path();
     recording_.power_on_unknown = layout.time != TimeFormat::number;
     for (const std::size_t slot : layout.header.slots) {
@@ -153,12 +158,13 @@ class RowCollector {
   void add(std::string_view line, const CutLine* cut) {
     CsvRow row;
     const std::size_t number = rows_read_++;
-    if (!reader_.read(line, row)) return refuse(reader_.fault_of(line));
+    if (!reader_.read(line, row)) return refuse_text(line);
     const std::string fault_of_end = cut != nullptr ? cut->fault_of(line) : std::string();
     if (!fault_of_end.empty()) return refuse(fault_of_end);
     if (period_s_ > 0) row.values[kTimeSlot] = static_cast<double>(number) * period_s_;
     for (const CsvHeader::Constant& each : constants_) row.values[each.slot] = each.value;
     if (row.lacks_values && lacks_needed(row)) return;
+    if (has_waiting_) take_waiting(row);
     for (const auto& [slot, values] : columns_) {
       const double value = row.values[slot];
       if (!kColumns[slot].can_be(value) && !std::isnan(value)) {
@@ -172,12 +178,8 @@ class RowCollector {
       wrapped_s_ += wrap_s;
       if (wrap_s > 0) ++wraps_;
     }
-    if (!(time_s > previous_s_)) {
-      const bool may_be_even = time_s == previous_s_ && !options_.skip_bad_rows;
-      const std::string fault =
-          fault_of_time(first_s_, previous_s_, time_s, recording_.power_on_unknown);
-      if (!may_be_even) return refuse(fault);
-      if (first_repeat_.empty()) first_repeat_ = {file_.where(), fault};
+    if (!(time_s > previous_s_) && !is_taken_as_repeat(time_s, row)) {
+      return refuse_time(line, time_s);
     }
     if (recording_.rows() == long_recording_.part_rows()) hand_over();
     row.values[kTimeSlot] = time_s;
@@ -195,22 +197,25 @@ class RowCollector {
 
   Recording finish() {
     const bool none = recording_.rows() == 0 && long_recording_.rows_taken() == 0;
-    if (none && recording_.bad_rows == 0 && recording_.empty_rows > 0) {
-      throw InputError(file_.path(), "has no sample with a time and a rate");
-    }
+    if (recording_.bad_rows > 0) judge_bad_rows(none);
     if (none) {
-      throw InputError(file_.path(), recording_.bad_rows == 0
-                                         ? "has a header but no samples"
-                                         : "has no good row; the first bad one: " + first_fault_);
+      throw InputError(file_.path(), recording_.empty_rows > 0
+                                         ? "has no sample with a time and a rate"
+                                         : "has a header but no samples");
     }
     if (recording_.empty_rows > 0) {
       options_.watch.say(file_.path(), counted(recording_.empty_rows, "sample") +
                                            " left out: no time or rate, the first at line " +
                                            std::to_string(first_empty_));
     }
+    if (moved_ > 0) {
+      options_.watch.say(file_.path(), counted(moved_, "row") +
+                                           " without a rate: the other values count from the next "
+                                           "sample on");
+    }
     if (recording_.bad_rows > 0) {
       options_.watch.say(file_.path(), counted(recording_.bad_rows, "bad row") +
-                                           " left out, the first: " + first_fault_);
+                                           " left out, the first: " + first_bad_.at_line());
     }
     if (wraps_ > 0) {
       options_.watch.say(
@@ -218,6 +223,8 @@ class RowCollector {
     }
     complete();
     if (!unit_question_.empty()) refuse_doubted_time();
+    const std::string signs = fault_of_signs(recording_.rate_dph, rate_unit_);
+    if (!signs.empty()) throw InputError(file_.path(), signs);
     recording_.first_date_s = reader_.first_date_s();
     if (!long_recording_.begun()) return std::move(recording_);
     if (!options_.join.empty()) {
@@ -261,8 +268,17 @@ class RowCollector {
   }
 
   void even_out_times() {
+    leave_out_doubled();
     auto even = even_times(recording_.time_s, given_rate_hz());
-    if (even && even->is_known) {
+    const bool is_counted = given_rate_hz() && !first_repeat_.empty() && !(even && even->is_known);
+    auto counted_s = is_counted ? counted_times(recording_.time_s, *given_rate_hz())
+                                : std::optional<std::vector<double>>();
+    if (counted_s) {
+      options_.watch.say(file_.path(), "times of a coarse clock; samples are counted, " +
+                                           format("%g in a second as given", *given_rate_hz()));
+      recording_.time_s = std::move(*counted_s);
+      first_repeat_ = {};
+    } else if (even && even->is_known) {
       options_.watch.say(
           file_.path(),
           format("times are those at which samples arrived; taken as even, at %.8g +- %.2g Hz: "
@@ -271,18 +287,41 @@ class RowCollector {
                  counted(even->gaps_after, "gap").c_str()));
       recording_.time_s = std::move(even->time_s);
       first_repeat_ = {};
-    } else if (even) {
-      throw InputError(
-          file_.path(),
-          given_rate_hz()
-              ? format("times do not go with %g samples a second: too many, or too late; "
-                       "give another --rate",
-                       *given_rate_hz())
-              : "times are those at which samples arrived, and do not tell the sample "
-                "rate: too many are lost or late; give --rate HZ");
+    } else if ((even && even->uneven_before > repeats_) || is_counted) {
+      refuse_times();
     } else if (!first_repeat_.empty()) {
-      throw InputError(first_repeat_.where,
-                       first_repeat_.fault + "; correct the line or give --skip-bad-rows");
+      refuse_repeats();
+    }
+    repeats_ = 0;
+    doubled_.clear();
+  }
+
+  [[noreturn]] void refuse_times() const {
+    throw InputError(file_.path(),
+                     given_rate_hz()
+                         ? format("times do not go with %g samples a second: too many, or too "
+                                  "late; give another --rate",
+                                  *given_rate_hz())
+                         : "times are those at which samples arrived, and do not tell the sample "
+                           "rate: too many are lost or late; give --rate HZ");
+  }
+
+  [[noreturn]] void refuse_repeats() const {
+    const bool are_few = are_few_of(repeats_, recording_.rows());
+    throw InputError(
+        first_repeat_.where,
+        first_repeat_.fault + (are_few ? "; correct the line or give --skip-bad-rows"
+                                       : "; give --rate HZ, and the samples are counted"));
+  }
+
+  // If all rows of one time are: a clock that is too coarse would show different samples.
+  void leave_out_doubled() {
+    if (repeats_ > 0 && doubled_.size() == repeats_) {
+      options_.watch.say(file_.path(), counted(repeats_, "row") +
+                                           " left out that repeat the one before, time and values");
+      lines_ = lines_.without(doubled_, recording_.rows());
+      remove_rows(recording_, doubled_);
+      first_repeat_ = {};
     }
   }
 
@@ -316,20 +355,111 @@ class RowCollector {
     for (const auto& [slot, values] : columns_) values->reserve(long_recording_.part_rows());
   }
 
-  // A row needs time and rate; other values are completed later.
+  // A row needs time and rate; other values are completed later. What a row without a rate has
+  // waits for the next one.
   bool lacks_needed(const CsvRow& row) {
-    if (!std::isnan(row.values[kTimeSlot]) && !std::isnan(row.values[kRateSlot])) return false;
-    if (recording_.empty_rows++ == 0) first_empty_ = file_.line_number();
+    const bool has_time = !std::isnan(row.values[kTimeSlot]);
+    if (has_time && !std::isnan(row.values[kRateSlot])) return false;
+    bool any = false;
+    for (const auto& [slot, values] : columns_) {
+      if (!has_time || slot == kTimeSlot || std::isnan(row.values[slot])) continue;
+      if (!kColumns[slot].can_be(row.values[slot])) continue;
+      if (!has_waiting_) waiting_.values.fill(std::numeric_limits<double>::quiet_NaN());
+      waiting_.values[slot] = row.values[slot];
+      has_waiting_ = any = true;
+    }
+    if (any) {
+      waiting_.values[kTimeSlot] = row.values[kTimeSlot];
+      ++moved_;
+    } else if (recording_.empty_rows++ == 0) {
+      first_empty_ = file_.line_number();
+    }
     return true;
   }
 
+  void take_waiting(CsvRow& row) {
+    has_waiting_ = false;
+    const double waited_s = row.values[kTimeSlot] - waiting_.values[kTimeSlot];
+    if (waited_s < 0 || waited_s > kHoldSeconds) return;
+    for (const auto& [slot, values] : columns_) {
+      if (std::isnan(row.values[slot])) row.values[slot] = waiting_.values[slot];
+    }
+  }
+
+  // Rows of one time may be samples of a coarse clock, or one row that stands there twice.
+  bool is_taken_as_repeat(double time_s, const CsvRow& row) {
+    if (time_s != previous_s_ || options_.skip_bad_rows) return false;
+    if (first_repeat_.empty()) {
+      first_repeat_ = {file_.where(),
+                       fault_of_time(first_s_, previous_s_, time_s, recording_.power_on_unknown)};
+    }
+    ++repeats_;
+    const bool is_same = std::all_of(columns_.begin(), columns_.end(), [&](const Target& each) {
+      const double value = row.values[each.slot];
+      if (each.slot == kTimeSlot || each.values->empty()) return each.slot == kTimeSlot;
+      return each.values->back() == value || (std::isnan(each.values->back()) && std::isnan(value));
+    });
+    if (is_same) doubled_.push_back(recording_.rows());
+    return true;
+  }
+
+  void refuse_text(std::string_view line) {
+    const std::vector<std::string> names = names_in(line, layout_.dialect.separator);
+    const bool is_header = names.size() > 1 && std::none_of(names.begin(), names.end(), is_value) &&
+                           !is_units_row(names) && names != layout_.header.names &&
+                           required_columns_among(names, options_) > 1;
+    if (is_header) {
+      throw InputError(file_.where(), "another header; split the file at this line");
+    }
+    if (recording_.bad_rows == 0) cure_ = reader_.cure_of(line);
+    refuse(reader_.fault_of(line));
+  }
+
+  // Rows that go on from a time that lies back are those of a clock that was set.
+  void refuse_time(std::string_view line, double time_s) {
+    const std::string run = marks_.run_before(line, file_.line_number());
+    if (recording_.bad_rows == 0 && !run.empty()) cure_ = run + " takes the rows before it";
+    if (recording_.bad_rows > 0 && time_s < back_s_ && 2 * ++falls_ > rows_read_) {
+      cure_ = "the newest row stands first: sort the rows by time";
+    }
+    goes_on_ = time_s > back_s_ ? goes_on_ + 1 : 0;
+    back_s_ = time_s;
+    if (goes_on_ > kFewValues) was_set_back_ = true;
+    refuse(fault_of_time(first_s_, previous_s_, time_s, recording_.power_on_unknown));
+  }
+
   void refuse(const std::string& fault) {
-    if (!options_.skip_bad_rows) {
-      throw InputError(file_.where(), fault + "; correct the line or give --skip-bad-rows");
+    if (recording_.bad_rows++ == 0) first_bad_ = {file_.where(), fault, file_.line_number()};
+    bad_run_ = rows_read_ - last_bad_ == 1 ? bad_run_ + 1 : 1;
+    last_bad_ = rows_read_;
+    longest_bad_run_ = std::max(longest_bad_run_, bad_run_);
+  }
+
+  static bool are_few_of(std::size_t bad, std::size_t rows) {
+    return bad <= kFewValues ||
+           static_cast<double>(bad) <= rules::kMaxBadShare * static_cast<double>(rows);
+  }
+
+  // Bad rows are left out where they are few, so that the others are read as they are meant.
+  void judge_bad_rows(bool none) {
+    const std::size_t bad = recording_.bad_rows;
+    const std::string share = std::to_string(bad) + " of " + counted(rows_read_, "row");
+    const bool are_most = 2 * bad > rows_read_;
+    if (options_.skip_bad_rows && none) {
+      throw InputError(file_.path(), "has no good row; the first bad one: " + first_bad_.at_line());
     }
-    if (recording_.bad_rows++ == 0) {
-      first_fault_ = "line " + std::to_string(file_.line_number()) + ", " + fault;
+    const bool has_cure = !cure_.empty() && !are_few_of(bad, rows_read_);
+    if (options_.skip_bad_rows && (are_most || was_set_back_ || has_cure)) {
+      throw InputError(first_bad_.where, first_bad_.fault + "; " + share +
+                                             " would be left out: correct the file" +
+                                             (cure_.empty() ? "" : "; " + cure_));
     }
+    if (options_.skip_bad_rows) return;
+    const bool are_few = !are_most && longest_bad_run_ <= kFewValues && are_few_of(bad, rows_read_);
+    const std::string remedy = !cure_.empty() ? cure_
+                               : are_few      ? "correct the line or give --skip-bad-rows"
+                                              : share + " are bad: correct the file";
+    throw InputError(first_bad_.where, first_bad_.fault + "; " + remedy);
   }
 
   void add_label(std::string_view label) {
@@ -339,9 +469,11 @@ class RowCollector {
   }
 
   CsvRowReader reader_;
+  const CsvLayout& layout_;
   const InputFile& file_;
   const ReadOptions& options_;
   LineNumbers& lines_;
+  const RowMarks& marks_;
   Recording recording_;
   LongRecording long_recording_;
   std::vector<Target> columns_;
@@ -361,7 +493,26 @@ class RowCollector {
     std::string fault;
     bool empty() const { return where.empty(); }
   } first_repeat_;
-  std::string first_fault_;
+  std::size_t repeats_ = 0;           // rows with the time of the one before
+  std::vector<std::size_t> doubled_;  // those that have its values, too
+  struct BadRow {
+    std::string where;
+    std::string fault;
+    std::size_t line = 0;
+    std::string at_line() const { return "line " + std::to_string(line) + ", " + fault; }
+  } first_bad_;
+  std::string cure_;  // of the first bad row, other than to leave it out
+  std::size_t last_bad_ = 0;
+  std::size_t bad_run_ = 0;
+  std::size_t longest_bad_run_ = 0;
+  double back_s_ = -std::numeric_limits<double>::infinity();  // time of the last row that lies back
+  std::size_t falls_ = 0;    // rows before the one that lies back before them
+  std::size_t goes_on_ = 0;  // rows after it that rise
+  bool was_set_back_ = false;
+  CsvRow waiting_{};  // values of rows without a rate
+  bool has_waiting_ = false;
+  std::size_t moved_ = 0;
+  Unit rate_unit_;
   std::size_t first_empty_ = 0;  // line of the first row without time or rate
   bool sparse_ = false;
   std::string last_label_;
@@ -386,7 +537,8 @@ Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lin
   const FileHead file_head{head, file.at_end(), file.is_utf16(), file.path()};
   const CsvLayout layout = find_csv_layout(file_head, options);
   const CutLine cut(layout, file_head);
-  RowCollector collector(layout, file, options, lines, min_rows_of(file, head));
+  RowMarks marks(first_lines(file_head), layout);
+  RowCollector collector(layout, file, options, lines, marks, min_rows_of(file, head));
   for (std::size_t i = 0; i < layout.lines_before_rows; ++i) file.next_line(line);
   bool reserved = false;
   RowFilter filter(layout, options, file.path());
@@ -395,11 +547,15 @@ Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lin
     if (!filter.takes_all() && !filter.takes(line)) continue;
     if (!reserved) collector.reserve(file.size(), line.size());
     reserved = true;
+    if (marks.has_flag()) marks.see(line);
     collector.add(line, file.lacks_line_end() ? &cut : nullptr);
   }
   if (filter.left_out() > 0) {
     options.watch.say(file.path(),
                       counted(filter.left_out(), "row") + " of other sensors left out");
+  }
+  if (const std::string flag = marks.flag_words(); !flag.empty()) {
+    options.watch.say(file.path(), flag);
   }
   return collector.finish();
 }

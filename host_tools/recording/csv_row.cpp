@@ -59,7 +59,7 @@ bool CsvRowReader::read_any(std::string_view line, CsvRow& row) {
     if (slot >= row.values.size()) continue;
     double& value = row.values[slot];
     const FieldKind kind = slot == kTimeSlot && layout_.time != TimeFormat::number
-                               ? read_time(fields_[field], value)
+                               ? read_time(value)
                                : read_number(fields_[field], layout_.dialect, value);
     if (kind == FieldKind::text) return false;
     if (kind == FieldKind::number) continue;
@@ -70,9 +70,10 @@ bool CsvRowReader::read_any(std::string_view line, CsvRow& row) {
 }
 
 // Relative to the first row, before rounding to double.
-FieldKind CsvRowReader::read_time(std::string_view field, double& value) {
+FieldKind CsvRowReader::read_time(double& value) {
+  const std::string_view field = layout_.header.time_of(fields_, both_);
   const auto reading = layout_.time == TimeFormat::calendar
-                           ? read_calendar_time(field)
+                           ? read_calendar_time(field, layout_.header.day_order)
                            : read_long_number(field, layout_.dialect);
   if (!reading) {
     double none = 0;
@@ -100,6 +101,27 @@ double CsvRowReader::first_date_s() const {
          first_part_s_.value_or(0);
 }
 
+std::string CsvRowReader::cure_of(std::string_view line) {
+  const CsvHeader& header = layout_.header;
+  CsvDialect with_groups = layout_.dialect;
+  with_groups.groups = true;
+  split_fields(line, layout_.dialect.separator, fields_);
+  if (layout_.dialect.groups || !header.takes_row_of(fields_)) return "";
+  bool any = false;
+  for (std::size_t i = 0; i < header.slots.size(); ++i) {
+    double value = 0;
+    if (header.slots[i] > CsvHeader::kTimePart ||
+        (header.slots[i] == kTimeSlot && layout_.time == TimeFormat::calendar) ||
+        read_number(fields_[i], layout_.dialect, value) != FieldKind::text) {
+      continue;
+    }
+    if (read_number(fields_[i], with_groups, value) != FieldKind::number) return "";
+    any = true;
+  }
+  if (!any) return "";
+  return std::string("give --decimal-mark ") + (with_groups.decimal_comma ? "comma" : "point");
+}
+
 std::string CsvRowReader::fault_of(std::string_view line) {
   const CsvHeader& header = layout_.header;
   split_fields(line, layout_.dialect.separator, fields_);
@@ -114,8 +136,9 @@ std::string CsvRowReader::fault_of(std::string_view line) {
     if (header.slots[i] > CsvHeader::kTimePart) continue;
     double value = 0;
     const bool calendar = header.slots[i] == kTimeSlot && layout_.time == TimeFormat::calendar;
-    if (calendar && !read_calendar_time(fields_[i])) {
-      return "time is '" + printable(fields_[i]) + "', no ISO 8601 date and time";
+    const std::string_view time = calendar ? header.time_of(fields_, both_) : fields_[i];
+    if (calendar && !read_calendar_time(time, header.day_order)) {
+      return "time is '" + printable(time) + "', no date and time";
     }
     if (calendar || read_number(fields_[i], layout_.dialect, value) != FieldKind::text) {
       continue;

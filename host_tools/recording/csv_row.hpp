@@ -38,19 +38,22 @@ class CsvRowReader {
   }
 
   std::string fault_of(std::string_view line);
+  /// The option with which the fields that are no numbers are some; "" if there is none.
+  std::string cure_of(std::string_view line);
   /// Of the first row, seconds of its calendar, with calendar times.
   double first_date_s() const;
 
  private:
   bool read_plain(std::string_view line, CsvRow& row) const;
   bool read_any(std::string_view line, CsvRow& row);
-  FieldKind read_time(std::string_view field, double& value);
+  FieldKind read_time(double& value);
   void add_time_part(CsvRow& row);
 
   const CsvLayout& layout_;
   const std::vector<CsvHeader::Conversion>& conversions_;
   bool plain_;          ///< the fast path may be used
   bool has_time_part_;  ///< the time is in two columns
+  std::string both_;    ///< a date and a time of day
   std::vector<std::string_view> fields_;
   std::optional<TimeReading> first_time_;
   std::optional<double> first_part_s_;

@@ -1,13 +1,16 @@
 #include "recording/csv_layout.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "recording/column_map.hpp"
 #include "recording/columns.hpp"
 #include "recording/csv_fields.hpp"
 #include "recording/csv_lines.hpp"
+#include "recording/decision_rules.hpp"
 #include "recording/time_scale.hpp"
+#include "support/evidence.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"
@@ -22,6 +25,8 @@ class TimeColumn {
       : lines_(lines), path_(path), layout_(layout) {}
 
   void understand() {
+    if (!layout_.header.has(kTimeSlot)) return;
+    choose_day_order();
     const std::vector<TimeReading> numbers = read_numbers();
     if (numbers.empty()) return;
     if (!part_fits_) refuse_part();
@@ -34,24 +39,62 @@ class TimeColumn {
   }
 
  private:
+  // Of dates with the year behind, the order that all of them have.
+  void choose_day_order() {
+    CsvHeader& header = layout_.header;
+    std::string example;
+    bool day_first = true;
+    bool month_first = true;
+    for_each_row(lines_, layout_, [&](std::size_t, const auto& fields) {
+      if (fields.size() < header.slots.size()) return;
+      const std::string_view text = header.time_of(fields, both_);
+      if (read_calendar_time(text) || !is_calendar_time(text)) return;
+      if (example.empty()) example = text;
+      day_first = day_first && read_calendar_time(text, DayOrder::day_first);
+      month_first = month_first && read_calendar_time(text, DayOrder::month_first);
+    });
+    if (example.empty() || header.day_order != DayOrder::unknown) return;
+    if (day_first == month_first) refuse_order(example, day_first);
+    header.day_order = day_first ? DayOrder::day_first : DayOrder::month_first;
+  }
+
+  [[noreturn]] void refuse_order(const std::string& example, bool may_be_both) const {
+    const CsvHeader& header = layout_.header;
+    const bool is_apart = header.has(CsvHeader::kDate);
+    const std::string time = column_choice(header.names, header.field_of(kTimeSlot));
+    const std::string date =
+        is_apart ? column_choice(header.names, header.field_of(CsvHeader::kDate)) : time;
+    const std::string rest = (is_apart ? "+" + time : "") + "'";
+    const std::string where = path_ + ": times such as " + printable(example);
+    if (!may_be_both) {
+      throw InputError(where +
+                       " have the day first in some rows and the month in others; write "
+                       "2024-03-05T12:30:15");
+    }
+    throw InputError(where + " can have the day or the month first; say which: --columns 'time=" +
+                     date + "[D/M/Y]" + rest + " or 'time=" + date + "[M/D/Y]" + rest);
+  }
+
   // Empty if the first time is a date, or if there is none.
   std::vector<TimeReading> read_numbers() {
     std::vector<std::string_view> fields;
     std::vector<TimeReading> numbers;
-    if (!layout_.header.has(kTimeSlot)) return {};
-    const std::size_t time_field = layout_.header.field_of(kTimeSlot);
+    const CsvHeader& header = layout_.header;
+    std::size_t dates = 0;  // among the numbers: "20240305080000"
     double none = 0;
     std::size_t line_of_text = 0;
-    std::string_view other;
+    std::string other;
     for (std::size_t i = next_row(lines_, layout_.lines_before_rows); i < lines_.size();
          i = next_row(lines_, i + 1)) {
       split_fields(lines_[i], layout_.dialect.separator, fields);
-      if (time_field >= fields.size()) continue;
-      const std::string_view text = fields[time_field];
+      if (fields.size() < header.slots.size()) continue;
+      const std::string_view text = header.time_of(fields, both_);
+      const bool is_date = read_calendar_time(text, header.day_order).has_value();
       if (const auto number = read_long_number(text, layout_.dialect)) {
         numbers.push_back(*number);
+        if (is_date) ++dates;
         check_part(*number, fields);
-      } else if (numbers.empty() && read_calendar_time(text)) {
+      } else if (numbers.empty() && is_date) {
         layout_.time = TimeFormat::calendar;
         return {};
       } else if (read_number(text, layout_.dialect, none) == FieldKind::text && line_of_text == 0) {
@@ -60,7 +103,9 @@ class TimeColumn {
       }
     }
     if (numbers.empty() && line_of_text > 0) refuse_text(other, line_of_text);
-    return numbers;
+    if (dates < numbers.size() || !header.unit_of(kTimeSlot).is_ours()) return numbers;
+    layout_.time = TimeFormat::calendar;
+    return {};
   }
 
   // A part is added to whole numbers, and is less than one of them.
@@ -93,7 +138,7 @@ class TimeColumn {
   [[noreturn]] void refuse_text(std::string_view text, std::size_t line) const {
     throw InputError(path_ + ":" + std::to_string(line),
                      "time '" + printable(text) +
-                         "' is no ISO 8601 date and time; write 2024-03-05T12:30:15.25 or seconds");
+                         "' is no date and time; write 2024-03-05T12:30:15.25 or seconds");
   }
 
   void refuse_clock(const std::vector<TimeReading>& numbers) const {
@@ -171,9 +216,71 @@ class TimeColumn {
   const std::string& path_;
   CsvLayout& layout_;
   bool part_fits_ = true;  // of a time in two columns
+  std::string both_;       // a date and a time of day
 };
 
+/// The first and the last of times that rise in all rows.
+struct RisingTimes {
+  std::size_t rows = 0;
+  double first_s = 0;
+  double last_s = 0;
+  bool is_rising = true;
+
+  void add(double time_s) {
+    is_rising = is_rising && (rows == 0 || time_s > last_s);
+    if (rows++ == 0) first_s = time_s;
+    last_s = time_s;
+  }
+  double length_s() const { return last_s - first_s; }
+};
+
+// Over the rows in which both fields have numbers.
+std::pair<RisingTimes, RisingTimes> rising_times(const std::vector<std::string_view>& lines,
+                                                 const CsvLayout& layout, std::size_t other,
+                                                 const Unit& unit) {
+  const std::size_t time = layout.header.field_of(kTimeSlot);
+  std::pair<RisingTimes, RisingTimes> both;
+  for_each_row(lines, layout, [&](std::size_t, const auto& fields) {
+    if (fields.size() <= std::max(time, other)) return;
+    const auto one = read_long_number(fields[time], layout.dialect);
+    const auto two = read_long_number(fields[other], layout.dialect);
+    if (!one || !two) return;
+    const auto number = [](const TimeReading& each) {
+      return static_cast<double>(each.whole) + each.fraction;
+    };
+    both.first.add(layout.header.unit_of(kTimeSlot).convert(number(*one)));
+    both.second.add(unit.convert(number(*two)));
+  });
+  return both;
+}
+
 }  // namespace
+
+void refuse_second_times(const std::vector<std::string_view>& lines, const std::string& path,
+                         const CsvLayout& layout) {
+  const CsvHeader& header = layout.header;
+  if (!header.has(kTimeSlot) || header.time_is_chosen) return;
+  const std::size_t time = header.field_of(kTimeSlot);
+  const std::size_t close = std::min(header.names.size(), rules::kMaxColumnsUnderstood);
+  for (std::size_t i = 0; i < close; ++i) {
+    if (header.slots[i] != CsvHeader::kIgnored) continue;
+    const auto meaning = ColumnName(header.names[i]).meaning();
+    if (!meaning || meaning->slot != kTimeSlot) continue;
+    if (meaning->unit.has_value() != ColumnName(header.names[time]).unit.has_value()) continue;
+    const Unit unit = meaning->unit ? *meaning->unit : header.unit_of(kTimeSlot);
+    const auto [own, other] = rising_times(lines, layout, i, unit);
+    if (other.rows < kFewValues || !own.is_rising || !other.is_rising) continue;
+    const double ratio = other.length_s() / own.length_s();
+    if (std::fabs(ratio - 1) <= rules::kMaxClockError) continue;
+    throw InputError(path, "two columns of times that run otherwise, '" +
+                               printable(header.names[time]) + "' and '" +
+                               printable(header.names[i]) +
+                               "': if these are two tables, put each into a file and give --join; "
+                               "if one holds for all columns, --columns 'time=" +
+                               column_choice(header.names, time) +
+                               "' or 'time=" + column_choice(header.names, i) + "'");
+  }
+}
 
 void understand_times(const std::vector<std::string_view>& lines, const std::string& path,
                       CsvLayout& layout) {

@@ -7,6 +7,7 @@
 #include "recording/decision_rules.hpp"
 #include "recording/row_range.hpp"
 #include "recording/segments.hpp"
+#include "support/evidence.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 
@@ -93,6 +94,33 @@ std::string slow_doubt(const Recording& recording) {
 }
 
 }  // namespace
+
+std::string fault_of_signs(const std::vector<double>& rate_dph, const Unit& unit) {
+  std::vector<double> counts;
+  counts.reserve(rate_dph.size());
+  for (const double rate : rate_dph) {
+    const double count = rate / unit.factor * unit.divisor;
+    constexpr double kRounding = 1e-6;
+    if (count < 0 || std::fabs(count - std::round(count)) > kRounding) return "";
+    counts.push_back(std::round(count));
+  }
+  std::sort(counts.begin(), counts.end());
+  for (const int bits : {16, 24, 32}) {
+    const double span = std::ldexp(1.0, bits);
+    const auto upper = std::lower_bound(counts.begin(), counts.end(), span / 2);
+    if (upper == counts.begin() || upper == counts.end() || counts.back() >= span) continue;
+    const double width = (*(upper - 1) - counts.front()) + (counts.back() - *upper);
+    const double joined = counts.front() + span - counts.back();
+    const bool are_many = upper - counts.begin() >= static_cast<std::ptrdiff_t>(kFewValues) &&
+                          counts.end() - upper >= static_cast<std::ptrdiff_t>(kFewValues);
+    if (!are_many || counts.back() == *upper || joined > width || width > span / 2) continue;
+    return format(
+        "its rate is %.0f to %.0f and %.0f to %.0f, as are negative counts that are written "
+        "without a sign; subtract %.0f from those of the second range",
+        counts.front(), *(upper - 1), *upper, counts.back(), span);
+  }
+  return "";
+}
 
 std::string doubt_of_time(const Recording& recording) {
   for (const std::string& doubt :

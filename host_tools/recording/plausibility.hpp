@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "recording/recording.hpp"
+#include "recording/unit_spelling.hpp"
 
 namespace fogcomp::recording {
 
@@ -14,5 +15,9 @@ std::vector<std::string> doubts(const Recording& recording, double white_noise_d
 
 /// The first of them that a wrong unit of the time explains; "" for none.
 std::string doubt_of_time(const Recording& recording);
+
+/// What is wrong with rates in whole numbers of `unit` that are two ranges, which are one if 2^16,
+/// 2^24 or 2^32 is subtracted from the second: two's complement without its sign. "" if nothing is.
+std::string fault_of_signs(const std::vector<double>& rate_dph, const Unit& unit);
 
 }  // namespace fogcomp::recording

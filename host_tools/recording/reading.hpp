@@ -77,9 +77,10 @@ Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lin
 void join_file(Recording& recording, LineNumbers& lines, const ReadOptions& options);
 
 /// Completes a column with readings in some rows only (NaN elsewhere): by straight lines between
-/// readings at most kHoldSeconds apart, or different by at most `step` if that is not 0;
-/// behind the last reading it repeats that for as long.
-void join_by_lines(const std::vector<double>& time_s, std::vector<double>& column, double step = 0);
+/// readings at most `longest_s` apart, or different by at most `step` if that is not 0;
+/// behind the last reading it repeats that for kHoldSeconds.
+void join_by_lines(const std::vector<double>& time_s, std::vector<double>& column, double step = 0,
+                   double longest_s = kHoldSeconds);
 
 /// The same for all columns of a recording, the input rate first by draw_input_rate(), with masks
 /// where it is unknown, the uptime over restarts. Then removes rows without temperature or input
@@ -150,6 +151,11 @@ UnknownFlanks unknown_flanks(const Recording& recording);
 /// Removes rows from every column. `rows`: in rising order. A label without remaining rows is
 /// removed.
 void remove_rows(Recording& recording, const std::vector<std::size_t>& rows);
+
+/// Removes samples whose rate is one exact value that is far from the samples around, time after
+/// time, and hardly stands anywhere else: it stands for no reading. Reports each such value to
+/// `watch`.
+void leave_out_sentinels(Recording& recording, LineNumbers& lines, const ReadWatch& watch);
 
 /// Removes from `recording` the samples that the board of a gyro with these limits would refuse
 /// (refused_rows()), counts them in recording.refused_rows, and reports them to `watch` with their

@@ -104,6 +104,9 @@ Recording read_recording(InputFile& file, const ReadOptions& options) {
   }
   const std::vector<Mask> given = masks_of(options.masks, path);
   recording.masks.insert(recording.masks.end(), given.begin(), given.end());
+  if (!options.keep_refused_rows && recording.rows_per_row == 1 && !options.is_table) {
+    leave_out_sentinels(recording, lines, options.watch);
+  }
   find_stretches(recording);
   mask_unknown_flanks(recording, options.watch);
   if (!options.keep_refused_rows && recording.rows_per_row == 1) {

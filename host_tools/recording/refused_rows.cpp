@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "recording/board_limits.hpp"
 #include "recording/columns.hpp"
+#include "recording/decision_rules.hpp"
 #include "recording/row_judge.hpp"
 #include "support/evidence.hpp"
 #include "support/input_error.hpp"
@@ -155,13 +158,70 @@ std::vector<RowRange> held_ranges(const std::vector<double>& values) {
   return held;
 }
 
-/// Those after a jump and before one: no reading, but what stands for none.
-std::vector<RowRange> between_jumps(const std::vector<double>& values, std::vector<RowRange> held) {
+// Of the rows at which a column changes.
+double usual_step(const std::vector<double>& values) {
   std::vector<double> steps;
   for (std::size_t row = 1; row < values.size(); ++row) {
     if (values[row] != values[row - 1]) steps.push_back(step_at(values, row));
   }
-  const double usual = median(std::move(steps));
+  return steps.empty() ? 0 : median(std::move(steps));
+}
+
+/// Short ranges of one value that is far from the ones around.
+struct Outliers {
+  explicit Outliers(const std::vector<double>& values) {
+    const double far = rules::kMinSentinelSteps * usual_step(values);
+    if (far == 0) return;
+    const auto is_far_at = [&](std::size_t row) {
+      return row == 0 || row == values.size() || step_at(values, row) >= far;
+    };
+    for (std::size_t row = 1, first = 0; row <= values.size(); ++row) {
+      if (row < values.size() && values[row] == values[row - 1]) continue;
+      const bool is_short = row - first <= kFewValues;
+      if (is_short && is_far_at(first) && is_far_at(row)) each.push_back(values[first]);
+      first = row;
+    }
+    std::sort(each.begin(), each.end());
+  }
+
+  // The one that stands there most often, and how often.
+  std::pair<double, std::size_t> most_frequent() const {
+    std::pair<double, std::size_t> most{0, 0};
+    for (auto at = each.begin(); at != each.end();) {
+      const auto end = std::upper_bound(at, each.end(), *at);
+      const auto count = static_cast<std::size_t>(end - at);
+      if (count > most.second) most = {*at, count};
+      at = end;
+    }
+    return most;
+  }
+
+  std::vector<double> each{};  // of each range, sorted
+};
+
+/// The value of most outliers, if it hardly stands anywhere else, and unlike the tail of a noise is
+/// more frequent than the next value by far; nothing if there is none.
+std::optional<double> sentinel_of(const std::vector<double>& values) {
+  const auto [value, count] = Outliers(values).most_frequent();
+  if (count < kFewValues) return std::nullopt;
+  std::size_t ranges = 0;
+  double next = std::numeric_limits<double>::infinity();
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    if (values[row] == value && (row == 0 || values[row - 1] != value)) ++ranges;
+    const bool is_nearer = std::fabs(values[row] - value) < std::fabs(next - value);
+    if (values[row] != value && is_nearer) next = values[row];
+  }
+  const bool has_next = std::fabs(next - value) < rules::kMinSentinelSteps * usual_step(values);
+  const auto others = has_next ? std::count(values.begin(), values.end(), next) : 0;
+  const bool is_sentinel =
+      static_cast<double>(count) >= rules::kMinSentinelShare * static_cast<double>(ranges) &&
+      static_cast<double>(others) <= (1 - rules::kMinSentinelShare) * static_cast<double>(count);
+  return is_sentinel ? std::optional(value) : std::nullopt;
+}
+
+/// Those after a jump and before one: no reading, but what stands for none.
+std::vector<RowRange> between_jumps(const std::vector<double>& values, std::vector<RowRange> held) {
+  const double usual = usual_step(values);
   const auto jumps_at = [&](std::size_t row) {
     return row == 0 || row == values.size() || step_at(values, row) >= usual;
   };
@@ -246,6 +306,25 @@ void name_refused_rows(const Recording& recording, const Words& words,
 }
 
 }  // namespace
+
+void leave_out_sentinels(Recording& recording, LineNumbers& lines, const ReadWatch& watch) {
+  for (auto value = sentinel_of(recording.rate_dph); value;
+       value = sentinel_of(recording.rate_dph)) {
+    std::vector<std::size_t> rows;
+    for (std::size_t row = 0; row < recording.rows(); ++row) {
+      if (recording.rate_dph[row] == *value) rows.push_back(row);
+    }
+    const std::string place = lines.empty() ? format("at %.6g s", recording.time_s[rows.front()])
+                                            : format("at line %zu", lines.line_of(rows.front()));
+    watch.say(recording.file,
+              counted(rows.size(), "sample") +
+                  format(" left out: the rate is exactly %.6g deg/h, the first ", *value) + place +
+                  ", each far from those around: no readings");
+    recording.empty_rows += rows.size();
+    if (!lines.empty()) lines = lines.without(rows, recording.rows());
+    remove_rows(recording, rows);
+  }
+}
 
 void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
                             const GyroLimits& limits, const ReadWatch& watch) {

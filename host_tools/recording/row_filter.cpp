@@ -147,6 +147,66 @@ bool RowFilter::takes(std::string_view line) {
   return is_taken;
 }
 
+RowMarks::RowMarks(const std::vector<std::string_view>& lines, const CsvLayout& layout)
+    : layout_(layout),
+      first_change_(layout.header.slots.size()),
+      changes_(layout.header.slots.size()) {
+  std::vector<std::string_view> before;
+  for_each_row(lines, layout, [&](std::size_t line, const auto& fields) {
+    if (fields.size() < first_change_.size()) return;
+    if (first_row_.empty()) {
+      first_row_.assign(fields.begin(), fields.end());
+      before.assign(fields.begin(), fields.end());
+    }
+    for (std::size_t i = 0; i < first_change_.size(); ++i) {
+      if (fields[i] == before[i]) continue;
+      before[i] = fields[i];
+      if (changes_[i]++ == 0) first_change_[i] = line + 1;
+    }
+  });
+  const std::size_t close = std::min(first_change_.size(), rules::kMaxColumnsUnderstood);
+  for (flag_ = 0; flag_ < close; ++flag_) {
+    if (layout.header.slots[flag_] != CsvHeader::kIgnored) continue;
+    const ColumnName name(layout.header.names[flag_]);
+    if (name.has_word({"valid", "status", "quality", "flag", "healthy"})) return;
+  }
+  flag_ = first_change_.size();
+}
+
+std::string RowMarks::run_before(std::string_view line, std::size_t line_number) const {
+  std::vector<std::string_view> fields;
+  split_fields(line, layout_.dialect.separator, fields);
+  for (std::size_t i = 0; i < std::min(fields.size(), first_row_.size()); ++i) {
+    if (i >= first_change_.size() || layout_.header.slots[i] != CsvHeader::kIgnored) continue;
+    if (first_change_[i] != 0 && first_change_[i] != line_number) continue;
+    if (changes_[i] >= rules::kMaxSensors) continue;
+    if (first_row_[i].empty() || fields[i] == first_row_[i]) continue;
+    return "--where " + shell_word(column_choice(layout_.header.names, i) + "=" + first_row_[i]);
+  }
+  return "";
+}
+
+void RowMarks::see(std::string_view line) {
+  std::vector<std::string_view> fields;
+  split_fields(line, layout_.dialect.separator, fields);
+  if (flag_ >= fields.size() || rows_of_flag_.size() > rules::kMaxSensors) return;
+  ++rows_of_flag_[std::string(fields[flag_])];
+}
+
+std::string RowMarks::flag_words() const {
+  if (rows_of_flag_.size() < 2 || rows_of_flag_.size() > rules::kMaxSensors) return "";
+  std::vector<std::string> values;
+  auto most = rows_of_flag_.begin();
+  for (auto each = rows_of_flag_.begin(); each != rows_of_flag_.end(); ++each) {
+    values.push_back("'" + printable(each->first) + "' in " + counted(each->second, "row"));
+    if (each->second > most->second) most = each;
+  }
+  const std::vector<std::string>& names = layout_.header.names;
+  return "column " + std::to_string(flag_ + 1) + " '" + printable(names[flag_]) + "' is " +
+         join_list(values, "and") + ", and all are read; those of one value: --where " +
+         shell_word(column_choice(names, flag_) + "=" + most->first);
+}
+
 void refuse_several_sensors(const std::vector<std::string_view>& lines, const std::string& path,
                             const CsvLayout& layout, const ReadOptions& options) {
   if (!options.where.empty()) return;
@@ -164,8 +224,9 @@ void refuse_several_sensors(const std::vector<std::string_view>& lines, const st
     for (const auto& each : column.sensors) values.push_back(printable(each.first));
     throw InputError(path, "rows of several sensors: column " + std::to_string(field + 1) + " '" +
                                printable(names[field]) + "' is " + join(values, ", ") +
-                               " in turn; say which: --where '" + name + "=" + values.front() +
-                               "' (or '" + name + "=*' if all rows are of one)");
+                               " in turn; say which: --where " +
+                               shell_word(name + "=" + values.front()) + " (or " +
+                               shell_word(name + "=*") + " if all rows are of one)");
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,31 @@ class RowFilter {
   std::string value_ = "*";
   std::size_t left_out_ = 0;
   std::vector<std::string_view> fields_;
+};
+
+/// Columns that nobody reads and that tell runs apart, or good rows from bad ones.
+class RowMarks {
+ public:
+  /// `lines`: the first ones of the file; `layout` must outlive this.
+  RowMarks(const std::vector<std::string_view>& lines, const CsvLayout& layout);
+
+  /// The --where that takes the rows before this one, where the time begins again: of a column that
+  /// has had one value so far, and has another one here. "" if there is none.
+  std::string run_before(std::string_view line, std::size_t line_number) const;
+
+  /// Whether see() has to get all rows: a column is called valid, status or the like.
+  bool has_flag() const { return flag_ < layout_.header.slots.size(); }
+  void see(std::string_view line);
+  /// What was seen, with the --where that takes one value only; "" if there was but one.
+  std::string flag_words() const;
+
+ private:
+  const CsvLayout& layout_;
+  std::vector<std::string> first_row_;
+  std::vector<std::size_t> first_change_;  // line number; 0: none among the first lines
+  std::vector<std::size_t> changes_;       // there
+  std::size_t flag_;
+  std::map<std::string, std::size_t> rows_of_flag_;
 };
 
 /// Throws InputError if rows of several sensors follow each other in turn and no --where is given:

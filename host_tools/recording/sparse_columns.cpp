@@ -23,10 +23,10 @@ std::size_t readings_in(const std::vector<double>& column) {
 // Two readings that differ by at most `step` are joined however far they are apart: a logger that
 // writes a value when it changes had no other between them.
 void join_readings(const std::vector<double>& time_s, std::vector<double>& column,
-                   std::size_t before, std::size_t after, double step) {
+                   std::size_t before, std::size_t after, double step, double longest_s) {
   const double length_s = time_s[after] - time_s[before];
   const bool is_step = step > 0 && std::fabs(column[after] - column[before]) <= step;
-  if (length_s > kHoldSeconds && !is_step) return;
+  if (length_s > longest_s && !is_step) return;
   for (std::size_t row = before + 1; row < after; ++row) {
     const double part = (time_s[row] - time_s[before]) / length_s;
     column[row] = column[before] + part * (column[after] - column[before]);
@@ -98,6 +98,20 @@ double step_between_changes(const ColumnInfo& info, const std::vector<double>& c
   return is_step ? usual * (1 + kRounding) : 0;
 }
 
+// Between two readings of a temperature that is read each few minutes nothing is missing.
+double longest_interval_s(const ColumnInfo& info, const std::vector<double>& time_s,
+                          const std::vector<double>& column) {
+  std::vector<double> intervals_s;
+  for_each_interval(column, [&](std::size_t before, std::size_t after) {
+    intervals_s.push_back(time_s[after] - time_s[before]);
+  });
+  if (info.column != Column::temperature_degc || intervals_s.size() < rules::kMinCases) {
+    return kHoldSeconds;
+  }
+  const double usual_s = rules::kMaxSpacing * median(std::move(intervals_s));
+  return std::max(kHoldSeconds, std::min(usual_s, rules::kMaxUsualPeriodS));
+}
+
 std::vector<std::size_t> incomplete_rows(const Recording& recording) {
   std::vector<std::size_t> rows;
   for (std::size_t row = 0; row < recording.rows(); ++row) {
@@ -113,9 +127,10 @@ std::vector<std::size_t> incomplete_rows(const Recording& recording) {
 
 }  // namespace
 
-void join_by_lines(const std::vector<double>& time_s, std::vector<double>& column, double step) {
+void join_by_lines(const std::vector<double>& time_s, std::vector<double>& column, double step,
+                   double longest_s) {
   const std::size_t last = for_each_interval(column, [&](std::size_t before, std::size_t after) {
-    join_readings(time_s, column, before, after, step);
+    join_readings(time_s, column, before, after, step, longest_s);
   });
   for (std::size_t row = last + 1; row < column.size(); ++row) {
     if (time_s[row] - time_s[last] <= kHoldSeconds) column[row] = column[last];
@@ -135,7 +150,8 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
       unknown = draw_input_rate(recording.time_s, recording.rate_dph, column);
     }
     if (info.column == Column::uptime_s) complete_restarts(recording.time_s, column);
-    join_by_lines(recording.time_s, column, step_between_changes(info, column));
+    join_by_lines(recording.time_s, column, step_between_changes(info, column),
+                  longest_interval_s(info, recording.time_s, column));
     const bool complete_now = readings_in(column) == column.size();
     if (readings > 0 && (complete_now || is_needed(info.column))) {
       say_how_sparse(recording, info, readings, watch);

@@ -46,9 +46,12 @@ const Spellings kSpellings[] = {
     {{Quantity::time, "h", kSecondsPerHour}, "h hr hrs hour hours stunden"},
     {{Quantity::time, "days", 24 * kSecondsPerHour}, "d day days"},
     {{Quantity::time, "weeks", 7 * 24 * kSecondsPerHour}, "week weeks"},
-    {{Quantity::temperature, "degC"}, "degc c celsius degcelsius degreec degreesc degreescelsius"},
-    {{Quantity::temperature, "K", 1, 1, 273.15}, "k kelvin degk"},
-    {{Quantity::temperature, "degF", 1, 1.8, 32}, "f degf fahrenheit degfahrenheit"},
+    {{Quantity::temperature, "degC"},
+     "degc c celsius centigrade degcelsius degreec degreesc degreecelsius degreescelsius"},
+    {{Quantity::temperature, "K", 1, 1, 273.15}, "k kelvin kelvins degk degkelvin degreeskelvin"},
+    {{Quantity::temperature, "degF", 1, 1.8, 32},
+     "f degf fahrenheit degfahrenheit degreef degreesf degreefahrenheit degreesfahrenheit"},
+    {{Quantity::temperature, "degR", 1, 1.8, 491.67}, "degr rankine degrankine degreesrankine"},
     {{Quantity::temperature, "mdegC", 1, 1e3}, "mdegc mc"},
     {{Quantity::temperature, "cdegC", 1, 100}, "cdegc"},
     {{Quantity::field, "uT"}, "ut microtesla"},
@@ -63,6 +66,8 @@ const Spellings kSpellings[] = {
     {{Quantity::voltage, "mV", 1, 1e3}, "mv millivolt millivolts"},
     {{Quantity::vibration, "g rms"}, "grms g/rms"},
     {{Quantity::counts, "counts"}, "count counts lsb raw adc digits"},
+    {{Quantity::date, "D/M/Y"}, "d/m/y dd/mm/yyyy ddmmyyyy"},
+    {{Quantity::date, "M/D/Y"}, "m/d/y mm/dd/yyyy mmddyyyy"},
     {{Quantity::other, "another unit"},
      "hz khz mhz deg degree degrees rad mrad m mm m/s m/s2 m/s/s g mg pct % a ma ua pa hpa kpa bar "
      "mbar degc/min degc/s "
@@ -147,7 +152,8 @@ std::optional<Unit> find_unit(std::string_view spelling) {
   constexpr std::size_t kLongestSpelling = 40;
   if (spelling.size() > kLongestSpelling) return std::nullopt;
   const std::string key = key_of(spelling);
-  const bool is_negative = key.size() > 1 && key[0] == '-';
+  // A dash before a blank separates.
+  const bool is_negative = key.size() > 1 && key[0] == '-' && folded(spelling)[1] == key[1];
   const auto found = units_by_key().find(is_negative ? key.substr(1) : key);
   if (found == units_by_key().end()) return std::nullopt;
   Unit unit = found->second;
@@ -155,6 +161,21 @@ std::optional<Unit> find_unit(std::string_view spelling) {
   if (unit.quantity != Quantity::rate && unit.quantity != Quantity::counts) return std::nullopt;
   unit.words = "-" + unit.words;
   unit.factor = -unit.factor;
+  return unit;
+}
+
+std::optional<Unit> find_multiple(std::string_view spelling) {
+  if (const auto unit = find_unit(spelling)) return unit;
+  const std::string text = folded(spelling);
+  const std::size_t end = std::min(text.find(' '), text.size());
+  const auto number = parse_number(text.substr(0, end));
+  if (!number || *number <= 0) return std::nullopt;
+  auto unit = find_unit(std::string_view(text).substr(end));
+  if (!unit || unit->quantity >= Quantity::date) return std::nullopt;
+  unit->words = text.substr(0, end) + " " + unit->words;
+  unit->offset /= *number;
+  // So that 0.1 is exact.
+  (*number < 1 ? unit->divisor : unit->factor) *= *number < 1 ? 1 / *number : *number;
   return unit;
 }
 

@@ -17,6 +17,7 @@ enum class Quantity : std::uint8_t {
   voltage,
   vibration,
   counts,  ///< of a converter: a rate, with a scale factor
+  date,    ///< no unit: the order of day, month and year
   other,   ///< not in a recording
 };
 
@@ -38,6 +39,9 @@ struct Unit {
 /// The unit that `spelling` denotes, ignoring case: "deg/s", "°/s", "dps", "deg s^-1", "degrees per
 /// second"; "-deg/s" for rates of the other sign. Nothing if unknown.
 std::optional<Unit> find_unit(std::string_view spelling);
+
+/// The same, or a multiple of a unit: "0.01 deg/s", as one step of a converter is.
+std::optional<Unit> find_multiple(std::string_view spelling);
 
 /// The units of that quantity, as messages have them.
 std::vector<std::string> units_of(Quantity quantity);

@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
 #include <random>
 #include <string>
 
 #include "heard_in.hpp"
 #include "recording/recording.hpp"
 #include "support/input_error.hpp"
+#include "support/text.hpp"
 #include "temporary_file.hpp"
 
 namespace fogcomp::recording {
@@ -163,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadRow{"binary", "1.5,20,\x01", "rate_dph is '?', not a finite number"},
         BadRow{"no_value", "1.5,-999,0.5", "temperature_degc is -999, outside -273.15 to 1000"},
         BadRow{"huge", "1.5,20,1e300", "rate_dph is 1e+300, outside -1e+09 to 1e+09"},
-        BadRow{"repeat", "1,20,0.5", "time_s repeats 1"},
+        BadRow{"repeat", "1,20,0.75", "time_s repeats 1"},
         BadRow{"back", "0.5,20,0.5", "time_s goes back from 1 to 0.5"}),
     [](const auto& each) { return each.param.name; });
 
@@ -177,12 +180,104 @@ TEST(CsvReader, SaysWhereARecorderWasStartedAgain) {
             ":4: time_s goes back from 500 to 400; correct the line or give --skip-bad-rows");
 }
 
+// Rows of one value each second; `line` makes others.
+std::string rows_with(int count, const std::function<std::string(int row)>& line) {
+  std::string text = kHeader;
+  for (int row = 0; row < count; ++row) text += line(row) + "\n";
+  return text;
+}
+
+TEST(BadRows, OfAnotherFormat_NoSkippingProposed) {
+  const auto good = [](int row) { return format("%d,20,%d", row, row % 7); };
+  ReadOptions skip;
+  skip.skip_bad_rows = true;
+  const std::string hex = rows_with(100, [](int row) { return format("%d,20,0x%X", row, row); });
+  EXPECT_NE(fault(hex).find("100 of 100 rows are bad: correct the file"), std::string::npos);
+  const std::string newest = rows_with(100, [&](int row) { return good(100 - row); });
+  EXPECT_NE(fault(newest).find("; the newest row stands first: sort the rows by time"),
+            std::string::npos)
+      << fault(newest);
+  EXPECT_NE(fault(newest, skip)
+                .find(":3: time_s goes back from 100 to 99; 99 of 100 rows would be "
+                      "left out: correct the file"),
+            std::string::npos)
+      << fault(newest, skip);
+  const std::string back =
+      rows_with(900, [&](int row) { return good(row < 500 ? row : row - 50); });
+  EXPECT_EQ(fault(back).find("--skip-bad-rows"), std::string::npos) << fault(back);
+  EXPECT_NE(fault(back, skip).find(":502: time_s goes back from 499 to 450"), std::string::npos);
+  const std::string header = rows_with(
+      100, [&](int row) { return row == 50 ? "time_s,rate_dph,temperature_degc" : good(row); });
+  EXPECT_EQ(fault(header, skip), ":52: another header; split the file at this line");
+  const std::string thousands = rows_with(
+      100, [](int row) { return format("%d,20,%s", row, row % 3 == 0 ? "\"1,234.5\"" : "9.5"); });
+  EXPECT_NE(fault(thousands).find("not a finite number; give --decimal-mark point"),
+            std::string::npos)
+      << fault(thousands);
+  ReadOptions point;
+  point.decimal_comma = false;
+  EXPECT_EQ(read_text(thousands, point).rate_dph[0], 1234.5);
+}
+
+TEST(BadRows, OfASecondRun_LeftToWhere) {
+  std::string text = "run,time_s,temperature_degc,rate_dph\n";
+  for (int row = 0; row < 200; ++row) {
+    text += format("%d,%d,20,%d\n", 1 + row / 100, row % 100, row % 7);
+  }
+  EXPECT_NE(fault(text).find("; --where run=1 takes the rows before it"), std::string::npos)
+      << fault(text);
+  ReadOptions options;
+  options.where = "run=1";
+  EXPECT_EQ(read_text(text, options).rows(), 100U);
+}
+
+TEST(CsvReader, RowThatStandsTwice_LeftOut) {
+  std::string said;
+  const std::string text = rows_with(300, [](int row) {
+    const int time = row - row / 50;  // each fiftieth row is the one before
+    return format("%d,20,%d", time, time % 7);
+  });
+  EXPECT_EQ(read_text(text, heard_in(said)).rows(), 295U);
+  EXPECT_NE(said.find("5 rows left out that repeat the one before, time and values"),
+            std::string::npos)
+      << said;
+}
+
+TEST(CsvReader, ClockOfMinutes_SamplesAreCounted) {
+  const std::string text = rows_with(
+      600, [](int row) { return format("%d,20,%.3f", row / 6 * 60, std::sin(row * row)); });
+  EXPECT_NE(fault(text).find("give --rate HZ"), std::string::npos) << fault(text);
+  ReadOptions options;
+  options.stream_rate_hz = 0.1;
+  const Recording recording = read_text(text, options);
+  EXPECT_EQ(recording.period_s, 10);
+  EXPECT_EQ(recording.time_s[7], 70);
+  options.stream_rate_hz = 0.05;
+  EXPECT_NE(fault(text, options).find("do not go with 0.05 samples a second"), std::string::npos);
+}
+
+TEST(CsvReader, NegativeCountsWithoutSign_Refused) {
+  ReadOptions options;
+  options.scale_factor = 1e6;
+  for (const int bits : {16, 24, 32}) {
+    std::string text = "time_s,temperature_degc,counts\n";
+    for (int row = 0; row < 100; ++row) {
+      const double count = std::round(50 * std::sin(row));
+      text += format("%d,20,%.0f\n", row, count < 0 ? count + std::ldexp(1.0, bits) : count);
+    }
+    EXPECT_NE(fault(text, options).find(format("subtract %.0f from those", std::ldexp(1.0, bits))),
+              std::string::npos)
+        << fault(text, options);
+  }
+}
+
 TEST(CsvReader, SaysWhatIsWrongWithTheHeader) {
   EXPECT_EQ(fault("time_s,temperature_deg,rate_dph\n1,20,1\n"),
             ":1: column 2 'temperature_deg' is in another unit, which is no unit of temperature; "
             "if it is, give the right one: --columns 'temperature=2[degC]'");
   EXPECT_EQ(fault("# a\n\ntime_s,rate_dph,rate_dph,temperature_degc\n1,20,1,1\n"),
-            ":3: column 'rate_dph' stands twice, in fields 2 and 3; rename or remove one");
+            ":3: column 'rate_dph' stands twice, in fields 2 and 3; say which: --columns "
+            "'rate=2[deg/h]' or 'rate=3[deg/h]'");
   EXPECT_EQ(fault("1,20,0.5\n2,20,0.5\n"),
             ":1: numbers where the column names should be; put a line such as "
             "time_s,temperature_degc,rate_dph before them, or give --columns "

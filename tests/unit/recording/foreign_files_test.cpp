@@ -367,13 +367,15 @@ TEST(ForeignFiles, AreRefusedWithTheLineThatHelpsWhereTheyMeanTwoThings) {
       {"two times", "date,stamp_time,temperature_degc,rate_dph\n0,1,20,1\n",
        "time could be column 1"},
       {"unit against unit", "time_s,temperature_degc,rate_dph\ns,degC,deg/s\n0,20,1\n1,20,2\n",
-       "'rate_dph' is in deg/h by its name and in deg/s by the row of units"},
+       "'rate_dph' is in deg/h by its name and in deg/s by the units beside it"},
       {"unknown unit", "time_s,T [Ra],rate_dph\n0,20,1\n",
-       "column 2 'T [Ra]': unit 'Ra' is not known; give it: --columns 'temperature=2[degC]'"},
+       "column 2 'T [Ra]': unit 'Ra' is not known; give it: --columns 'temperature=2[UNIT]', of "
+       "degC, K, "
+       "degF, degR, mdegC, cdegC or a multiple such as 0.1 degC"},
       {"time of day", "time,temperature_degc,rate_dph\n12:30:15,20,1\n12:30:16,20,1\n",
-       ":2: time '12:30:15' is no ISO 8601 date and time; write 2024-03-05T12:30:15.25 or seconds"},
-      {"day first", "time,temperature_degc,rate_dph\n05.03.2024 12:30,20,1\n",
-       "is no ISO 8601 date and time"},
+       ":2: time '12:30:15' is no date and time; write 2024-03-05T12:30:15.25 or seconds"},
+      {"two digits of a year", "time,temperature_degc,rate_dph\n05.03.24 12:30,20,1\n",
+       "is no date and time"},
       {"comma twice", "time_s,temperature_degc,rate_dph\n0,5,20,1,1,5\n1,5,20,1,1,5\n",
        ":2: 6 fields where the header has 3 (a ',' within numbers? separate columns by ';')"},
       {"too few digits", "unix_s,temperature_degc,rate_dph\n1.7097e9,20,1\n1.7097e9,20,2\n",
@@ -459,6 +461,115 @@ TEST(ForeignFiles, ScaledUnit_NotTakenForTheUnit) {
   EXPECT_EQ(read_recording(temporary_file("two.csv", "time_s,coilTempC,gyro_2_dps\n0,20,1\n"), {})
                 .rate_dph,
             std::vector<double>{3600});
+}
+
+TEST(ForeignFiles, FactorInAName_AskedForItsUnit) {
+  for (const char* name :
+       {"rate x1000 [deg/h]", "rate*1000 [deg/h]", "1000*rate [deg/h]", "rate (x1e3) [deg/h]",
+        "rate \xC3\x97 1000 [deg/h]", "10^3 rate [deg/h]", "rate_x1000_dph"}) {
+    const std::string text = std::string("time_s,temp_degC,") + name + "\n0,20,1\n1,20,2\n";
+    EXPECT_NE(said_of(text).find("'rate=3[0.001 deg/h]', 'rate=3[1000 deg/h]', or 'rate=3[deg/h]'"),
+              std::string::npos)
+        << said_of(text);
+    ReadOptions options;
+    options.columns = "rate=3[0.001 deg/h]";
+    EXPECT_EQ(read_recording(temporary_file("factor.csv", text), options).rate_dph,
+              (std::vector<double>{0.001, 0.002}));
+  }
+  for (const char* name : {"temp_x10", "Temp*2 [degC]", "T/10 [degC]", "Temp [degC] x10"}) {
+    const std::string text = std::string("time_s,") + name + ",rate_dph\n0,20,1\n1,20,2\n";
+    EXPECT_NE(said_of(text).find("has a factor"), std::string::npos) << said_of(text);
+  }
+  for (const char* name : {"gyro_x1 [deg/h]", "Gyro.10.x [deg/h]", "imu/12/gyro [deg/h]"}) {
+    EXPECT_EQ(said_of(std::string("time_s,temp_degC,") + name + "\n0,20,1\n"), "no error");
+  }
+}
+
+TEST(ForeignFiles, DashBeforeAUnit_NoMinus) {
+  const auto rate_of = [](const std::string& name) {
+    return read_recording(temporary_file("dash.csv", "time_s,temp_degC," + name + "\n0,20,1\n"), {})
+        .rate_dph[0];
+  };
+  for (const char* name : {"Gyro rate - deg/h", "rate - dph", "rate-dph", "Omega-Z - \xC2\xB0/h",
+                           "Rate \xE2\x88\x92 deg/h", "Rate \xE2\x80\x93 deg/h"}) {
+    EXPECT_EQ(rate_of(name), 1) << name;
+  }
+  EXPECT_EQ(rate_of("rate [-deg/h]"), -1);
+  for (const char* name : {"rate -dph", "rate [- deg/h]"}) {
+    const std::string said = said_of(std::string("time_s,temp_degC,") + name + "\n0,20,1\n");
+    EXPECT_NE(said.find("--columns 'rate=3["), std::string::npos) << said;
+  }
+}
+
+TEST(ForeignFiles, UnitOfATemperature_AsItsWordsSay) {
+  const auto degc_of = [](const std::string& name, const char* value) {
+    const std::string text = "time_s," + name + ",rate_dph\n0," + value + ",1\n";
+    return read_recording(temporary_file("unit.csv", text), {}).temperature_degc[0];
+  };
+  EXPECT_NEAR(degc_of("temperature [degrees Fahrenheit]", "68"), 20, 1e-9);
+  EXPECT_NEAR(degc_of("temp [degR]", "527.67"), 20, 1e-9);
+  EXPECT_NEAR(degc_of("T [0.1 degC]", "200"), 20, 1e-9);
+  EXPECT_NEAR(degc_of("T [0.1 K]", "2931.5"), 20, 1e-9);
+  EXPECT_NEAR(degc_of("temp,unit", "293.15,K"), 20, 1e-9);
+  for (const char* name : {"temperature [C/10]", "temperature [R]"}) {
+    const std::string said = said_of(std::string("time_s,") + name + ",rate_dph\n0,20,1\n");
+    EXPECT_NE(said.find("is not known; give it: --columns 'temperature=2[UNIT]', of degC"),
+              std::string::npos)
+        << said;
+    EXPECT_EQ(said.find("[degC]"), std::string::npos) << said;
+  }
+}
+
+TEST(ForeignFiles, SetPointOrScatter_NoTemperature) {
+  EXPECT_NE(said_of("time_s,Target Temp,Actual,rate_dph\n0,20,21,1\n")
+                .find("no column 'temperature_degc'"),
+            std::string::npos);
+  EXPECT_EQ(
+      read_recording(temporary_file("std.csv", "time_s,temp_std,temp,rate_dph\n0,0.1,20,1\n"), {})
+          .temperature_degc,
+      std::vector<double>{20});
+}
+
+TEST(ForeignFiles, UnicodeMinus_Read) {
+  EXPECT_EQ(read_recording(temporary_file("minus.csv",
+                                          "time_s,temp_degC,rate_dph\n0,\xE2\x88\x92"
+                                          "20,\xE2\x88\x92"
+                                          "1.5\n"),
+                           {})
+                .rate_dph,
+            std::vector<double>{-1.5});
+}
+
+TEST(ForeignFiles, ApostropheInAName_NumberProposed) {
+  EXPECT_NE(said_of("time_s,temperature_degc,it's rate [deg/h],rate_y [deg/h]\n0,20,1,2\n")
+                .find("--columns 'rate=3[deg/h]'"),
+            std::string::npos);
+}
+
+TEST(ForeignFiles, MergedLoggers_TemperatureKept) {
+  std::string text = "time_s,temperature_degc,rate_dph\n";
+  for (int row = 0; row < 100; ++row) {
+    if (row % 10 == 0) text += format("%d.5,%d,\n", row - 1, 20 + row / 10);
+    text += format("%d,,%d\n", row, row % 7);
+  }
+  std::string said;
+  const Recording recording = read_recording(temporary_file("outer.csv", text), heard_in(said));
+  EXPECT_EQ(recording.rows(), 100U);
+  EXPECT_EQ(recording.temperature_degc[10], 21);
+  EXPECT_NE(said.find("10 rows without a rate: the other values count from the next sample on"),
+            std::string::npos)
+      << said;
+}
+
+TEST(ForeignFiles, TemperatureEachTwoMinutes_KnownBetween) {
+  std::string text = "time_s,temperature_degc,rate_dph\n";
+  for (int row = 0; row <= 240; ++row) {
+    text += format("%d,%s,%d\n", 10 * row, row % 12 == 0 ? digits(20 + 0.01 * row).c_str() : "",
+                   row % 7);
+  }
+  const Recording recording = read_recording(temporary_file("slow.csv", text), {});
+  EXPECT_EQ(recording.rows(), 241U);
+  EXPECT_NEAR(recording.temperature_degc[6], 20.06, 1e-9);
 }
 
 TEST(ForeignFormats, FirstBytes_RefusedWithTheWayToACsv) {
@@ -771,10 +882,9 @@ TEST(ForeignFiles, LeaveOutRowsWhoseValuesNobodyKnows) {
                      heard_in(said));
   EXPECT_EQ(recording.time_s, (std::vector<double>{2, 3, 400, 401}));
   EXPECT_EQ(recording.rate_dph, (std::vector<double>{3, 4, 7, 8}));
-  EXPECT_EQ(recording.empty_rows, 4U);
+  EXPECT_EQ(recording.empty_rows, 3U);
   EXPECT_TRUE(recording[fog::Input::supply].empty());
-  EXPECT_NE(said.find("2 samples left out: no time or rate, the first at line 3"),
-            std::string::npos)
+  EXPECT_NE(said.find("1 sample left out: no time or rate, the first at line 6"), std::string::npos)
       << said;
   EXPECT_NE(said.find("2 samples left out: no temperature or input rate within 60 s, the first at "
                       "line 2"),

@@ -39,12 +39,23 @@ std::string refused(const std::string& content, const std::string& where = "") {
 TEST(RowFilter, SensorsInTurn_RefusedWithTheChoice) {
   EXPECT_NE(refused(file_of("SensorId", 3, 0))
                 .find("sensors.csv: rows of several sensors: column 2 'SensorId' is 0, 1, 2 in "
-                      "turn; say which: --where 'SensorId=0' (or 'SensorId=*' if all rows are of "
+                      "turn; say which: --where SensorId=0 (or 'SensorId=*' if all rows are of "
                       "one)"),
             std::string::npos)
       << refused(file_of("SensorId", 3, 0));
   EXPECT_NE(refused(file_of("I", 2, 0, true)), "");
   EXPECT_NE(refused(file_of("k", 2, 5)), "");  // by what they measure
+}
+
+TEST(RowMarks, FlagOfTwoValues_Said) {
+  std::string text = "time_s,temperature_degc,rate_dph,status\n";
+  for (int row = 0; row < 50; ++row) text += format("%d,20,1,%s\n", row, row == 7 ? "BAD" : "OK");
+  std::string said;
+  read_recording(temporary_file("flag.csv", text), heard_in(said));
+  EXPECT_NE(said.find("column 4 'status' is 'BAD' in 1 row and 'OK' in 49 rows, and all are read; "
+                      "those of one value: --where status=OK"),
+            std::string::npos)
+      << said;
 }
 
 TEST(RowFilter, OtherColumns_NotTakenForSensors) {

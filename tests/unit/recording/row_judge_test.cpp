@@ -378,5 +378,41 @@ TEST(RefusedRows, AreNoneInRealRecordings) {
   }
 }
 
+TEST(Sentinels, ScatteredInTheRate_LeftOut) {
+  for (const double sentinel : {-999.0, 0.0, 32767.0}) {
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> noise(0.7, 0.03);
+    std::uniform_real_distribution<double> chance;
+    std::string text = "time_s,temperature_degc,rate_dph\n";
+    std::size_t good = 0;
+    for (int row = 0; row < 3000; ++row) {
+      const bool is_read = chance(random) > 0.03;
+      text += format("%d,20,%.6f\n", row, is_read ? noise(random) : sentinel);
+      if (is_read) ++good;
+    }
+    std::string said;
+    const Recording recording =
+        read_recording(temporary_file("sentinel.csv", text), heard_in(said));
+    EXPECT_EQ(recording.rows(), good) << said;
+    EXPECT_NE(said.find(format("left out: the rate is exactly %g deg/h", sentinel)),
+              std::string::npos)
+        << said;
+  }
+}
+
+// A rate in coarse steps, and one that swings between two values.
+TEST(Sentinels, NoneInRatesOfFewValues) {
+  for (const auto& rate : std::vector<std::function<double(int)>>{
+           [](int row) { return row * row % 7 == 0 ? 1.0 : 0.0; },
+           [](int row) { return row % 2 == 0 ? 100.0 : 0.0; },
+           [](int row) { return row / 50 % 2 == 0 ? 1000 + 0.1 * (row % 3) : 0.1 * (row % 3); }}) {
+    std::string text = "time_s,temperature_degc,rate_dph\n";
+    for (int row = 0; row < 1000; ++row) text += format("%d,20,%g\n", row, rate(row));
+    std::string said;
+    EXPECT_EQ(read_recording(temporary_file("few.csv", text), heard_in(said)).rows(), 1000U)
+        << said;
+  }
+}
+
 }  // namespace
 }  // namespace fogcomp::recording

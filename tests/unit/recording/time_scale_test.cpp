@@ -206,19 +206,72 @@ TEST(TimeColumn, CalledTime_BeforeOneWithAUnit) {
 }
 
 TEST(TimeColumn, DatesOfLoggers_Read) {
-  for (const char* format_of : {"2024-3-5 1:02:%02d", "2024/03/05 01:02:%02d UTC",
-                                "2024-03-05T01:02:%02dZ", "2024.3.5 01:02:%02d GMT"}) {
+  for (const char* format_of :
+       {"2024-3-5 1:02:%02d", "2024/03/05 01:02:%02d UTC", "2024-03-05T01:02:%02dZ",
+        "2024.3.5 01:02:%02d GMT", "05-Mar-2024 01:02:%02d", "5 March 2024 1:02:%02d AM",
+        "Mar 5 2024 13:02:%02d", "05.03.2024 01:02:%02d", "03/25/2024 1:02:%02d PM",
+        "25/03/2024 01:02:%02d", "20240305T0102%02d", "202403050102%02d"}) {
     std::string text = "time,temperature_degc,rate_dph\n";
     for (int row = 0; row < 5; ++row) text += format(format_of, 3 + row) + ",20,1\n";
     EXPECT_EQ(read(text).period_s, 1) << format_of << ": " << read(text).said;
   }
-  for (const char* other : {"05-Mar-2024 01:02:03", "5.3.2024 1:02", "12:30:15 PM",
-                            "Tue Mar 05 12:00:00 2024", "20240305T120000"}) {
+  for (const char* other : {"05/03/24 01:02:03", "5.3.24 1:02", "12:30:15 PM", "13:02 AM",
+                            "Tue Mar 05 12:00:00 2024", "2024-13-05 01:02:03"}) {
     const Read result = read(std::string("time,temperature_degc,rate_dph\n") + other + ",20,1\n");
-    EXPECT_NE(result.said.find("is no ISO 8601 date and time; write 2024-03-05T12:30:15.25"),
+    EXPECT_NE(result.said.find("is no date and time; write 2024-03-05T12:30:15.25"),
               std::string::npos)
         << result.said;
   }
+}
+
+TEST(TimeColumn, DayOrMonthFirst_RefusedWithBoth) {
+  const std::string text =
+      "Stamp time,temperature_degc,rate_dph\n03/05/2024 23:00:00,20,1\n"
+      "03/06/2024 01:00:00,20,2\n";
+  EXPECT_NE(read(text).said.find("say which: --columns 'time=Stamp time[D/M/Y]' or "
+                                 "'time=Stamp time[M/D/Y]'"),
+            std::string::npos)
+      << read(text).said;
+  EXPECT_EQ(read(text, "time=Stamp time[M/D/Y]").period_s, 7200);
+  const std::string said = read(text, "time=Stamp time[D/M/Y]").said;
+  EXPECT_NE(said.find("2.5992e+06 s apart"), std::string::npos) << said;
+}
+
+TEST(TimeColumn, DateAndTimeOfDay_OneStamp) {
+  const auto text = [](const char* names, const char* pattern) {
+    std::string rows = std::string(names) + ",temperature_degc,rate_dph\n";
+    for (int row = 0; row < 4; ++row) {
+      rows += format(pattern, 5 + row / 2, row < 2 ? 23 : 0, row < 2 ? 58 + row : row - 2) +
+              format(",20,%d\n", row);
+    }
+    return rows;
+  };
+  for (const char* pattern : {"2024-03-%02d,%02d:%02d:00", "%d.3.2024,%02d:%02d:00",
+                              "202403%02d,%02d%02d00", "%02d-Mar-2024,%02d:%02d"}) {
+    for (const char* names : {"Date,Time", "Datum,Uhrzeit"}) {
+      const Read result = read(text(names, pattern));
+      EXPECT_EQ(result.period_s, 60) << pattern << result.said;
+      EXPECT_NE(result.said.find("time: column 1"), std::string::npos) << result.said;
+    }
+  }
+  EXPECT_EQ(read(text("a,b", "2024-03-%02d,%02d:%02d:00"), "time=a+b").period_s, 60);
+  const std::string slashes = text("Date,Time", "%02d/03/2024,%02d:%02d:00");
+  EXPECT_NE(read(slashes).said.find("'time=Date[D/M/Y]+Time' or 'time=Date[M/D/Y]+Time'"),
+            std::string::npos)
+      << read(slashes).said;
+  EXPECT_EQ(read(slashes, "time=Date[D/M/Y]+Time").period_s, 60);
+}
+
+TEST(TimeColumn, SecondTimes_RefusedIfTheyRunOtherwise) {
+  const auto text = [](double every_s) {
+    std::string rows = "Time [s],Rate [deg/h],Time2 [s],Temp [degC]\n";
+    for (int row = 0; row < 40; ++row) rows += format("%d,%d,%g,20\n", row, row % 7, every_s * row);
+    return rows;
+  };
+  EXPECT_NE(read(text(5)).said.find("put each into a file and give --join"), std::string::npos)
+      << read(text(5)).said;
+  EXPECT_EQ(read(text(5), "time=Time [s]").period_s, 1);
+  EXPECT_EQ(read(text(1.0001)).period_s, 1);
 }
 
 TEST(TimeCounter, ThatBeginsAgain_CountedOn) {
