@@ -103,7 +103,8 @@ class TimeColumn {
       }
     }
     if (numbers.empty() && line_of_text > 0) refuse_text(other, line_of_text);
-    if (dates < numbers.size() || !header.unit_of(kTimeSlot).is_ours()) return numbers;
+    const bool are_dates = dates > 0 && dates == numbers.size();
+    if (!are_dates || !header.unit_of(kTimeSlot).is_ours()) return numbers;
     layout_.time = TimeFormat::calendar;
     return {};
   }

@@ -100,7 +100,7 @@ bad_row "20,inf,1"
 refuses '^row\.csv:4: .*' "${fit[@]}" row.csv
 bad_row "5,20,1"
 refuses '^row\.csv:4: .*time' "${fit[@]}" row.csv
-bad_row "10,20,1"
+bad_row "10,20,2"
 refuses '^row\.csv:4: .*time' "${fit[@]}" row.csv
 { echo "time_s,temperature_degc,rate_dph"; echo "0,20,1"; } >one.csv
 refuses 'too few' "${fit[@]}" one.csv
