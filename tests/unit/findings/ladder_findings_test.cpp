@@ -57,10 +57,10 @@ TEST(NextAfterLadder, IsToGoOnIfOnlyTheLimitEndedIt) {
             "fogcomp diagnose new.model run.csv");
 }
 
-TEST(NextAfterLadder, IsTheHeaderOfWhatIsKnownIfNothingCanBeAdded) {
+TEST(NextAfterLadder, IsAComparisonIfWhatIsLeftHasNoName) {
   for (const bool describes : {false, true}) {
     EXPECT_EQ(proposed(ladder_of(Verdict::unknown, false, describes)),
-              "fogcomp export new.model -o fog_model.h");
+              "fogcomp compare new.model run.csv");
   }
 }
 
