@@ -97,7 +97,6 @@ std::string slow_doubt(const Recording& recording) {
 
 std::string fault_of_signs(const std::vector<double>& rate_dph, const Unit& unit) {
   std::vector<double> counts;
-  counts.reserve(rate_dph.size());
   for (const double rate : rate_dph) {
     const double count = rate / unit.factor * unit.divisor;
     constexpr double kRounding = 1e-6;
