@@ -120,7 +120,7 @@ std::vector<Description> rivals_of(const Diagnosis& diagnosis,
   }
   std::set<std::vector<std::string>> seen{{}, named};
   for (const Diagnosis::Explanation& set : diagnosis.explanations) {
-    if (set.probability < rules::kConfusable) break;
+    if (set.complete < rules::kConfusable) continue;
     const std::vector<std::string> effects = without_events(diagnosis, set.effects);
     const bool has_event = effects.size() < set.effects.size();
     if (has_event && effects.size() < 2) continue;

@@ -45,8 +45,9 @@ std::optional<AdditionRequest> request_of(const Diagnosis& diagnosis,
                                           const std::vector<std::string>& effects);
 
 /// What may be missing in place of `named`, which was refused, most probable first: effects that
-/// are as certainly missing as a name has to be, then sets (rules::kConfusable). Events are added
-/// one at a time, as cuts: a set with one is given without it if two effects are left.
+/// are as certainly missing as a name has to be, then sets that may be all (rules::kConfusable).
+/// Events are added one at a time, as cuts: a set with one is given without it if two effects are
+/// left.
 std::vector<Description> rivals_of(const Diagnosis& diagnosis,
                                    const std::vector<std::string>& named);
 

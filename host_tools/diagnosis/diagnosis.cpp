@@ -39,6 +39,7 @@ std::vector<Diagnosis::Explanation> likeliest_sets(const EvidenceSpace& evidence
       set.effects.push_back(evidence.candidates[part.effect].effect);
     }
     set.probability = one.probability;
+    set.complete = one.without_it;
     set.explained_fraction = one.explained;
     sets.push_back(std::move(set));
   }
@@ -97,17 +98,12 @@ bool leaves_noise(const Diagnosis& diagnosis) {
          diagnosis.residual_rms_dph <= (1 + kNoticeable) * diagnosis.noise_floor_dph;
 }
 
-// How probably the likeliest effect is the largest of what is missing.
-double lead_of_first(const Diagnosis& diagnosis) {
-  return diagnosis.candidates.empty() ? 0 : diagnosis.candidates.front().lead;
-}
-
 void decide(Diagnosis& diagnosis) {
   if (diagnosis.fast_kind != FastKind::none) {
     diagnosis.verdict = Verdict::unknown;
   } else if (diagnosis.nothing >= judge::kMissingBefore[0]) {
     diagnosis.verdict = leaves_noise(diagnosis) ? Verdict::none : Verdict::unknown;
-  } else if (diagnosis.mostly_something_else >= lead_of_first(diagnosis)) {
+  } else if (!diagnosis.is_led_by_catalogue()) {
     diagnosis.verdict = Verdict::unknown;
   } else if (diagnosis.may_be_noise()) {
     diagnosis.verdict = Verdict::unknown;

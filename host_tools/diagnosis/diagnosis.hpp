@@ -34,6 +34,7 @@ struct Diagnosis {
     std::vector<std::string> effects;
     double probability = 0;
     double explained_fraction = 0;
+    double complete = 0;  ///< probability that it is all, with nothing else beside it
   };
   std::vector<Explanation> explanations;
 
@@ -79,6 +80,8 @@ struct Diagnosis {
 
   /// Whether all that is left may be noise.
   bool may_be_noise() const;
+  /// Whether an effect is more probably the largest of what is missing than something else is.
+  bool is_led_by_catalogue() const;
   /// That a random walk explains slow changes, "them", and what would tell.
   std::string walk_words() const;
   /// Finding for an effect; nullptr if it cannot be tested.

@@ -50,6 +50,10 @@ bool Diagnosis::may_be_noise() const {
   return nothing >= 1 - rules::kNamed;
 }
 
+bool Diagnosis::is_led_by_catalogue() const {
+  return !candidates.empty() && candidates.front().lead > mostly_something_else;
+}
+
 std::string Diagnosis::walk_words() const {
   return format(
       "a random walk of the bias of %.2g deg/h/sqrt(h) explains them as well as any effect: one "

@@ -84,9 +84,9 @@ class StepSearch {
  private:
   // Tries names, their rivals, certain jumps, and descriptions; false if none holds.
   bool explains() {
-    if (!is_unknown_ && (is_named(named_) || is_one_of(rivals_of(diagnosis_, named_)))) {
-      return true;
-    }
+    if (!is_unknown_ && is_named(named_)) return true;
+    const bool has_rivals = diagnosis_.is_led_by_catalogue() && !diagnosis_.may_be_noise();
+    if (has_rivals && is_one_of(rivals_of(diagnosis_, named_))) return true;
     return is_named(events_) || is_described_by(possible_descriptions());
   }
 
