@@ -60,20 +60,13 @@ fog::InputMask signals_of_formulas(const Diagnosis& diagnosis) {
 
 }  // namespace
 
-std::vector<std::string> events_among(const Diagnosis& diagnosis,
-                                      const std::vector<std::string>& effects) {
-  std::vector<std::string> events;
-  for (const std::string& name : effects) {
-    const CandidateFinding* const finding = diagnosis.find(name);
-    if (finding != nullptr && model::is_event(finding->term())) events.push_back(name);
-  }
-  return events;
-}
-
 std::vector<std::string> without_events(const Diagnosis& diagnosis,
                                         std::vector<std::string> effects) {
-  for (const std::string& event : events_among(diagnosis, effects))
-    effects.erase(std::find(effects.begin(), effects.end(), event));
+  const auto is_event = [&](const std::string& name) {
+    const CandidateFinding* const finding = diagnosis.find(name);
+    return finding != nullptr && model::is_event(finding->term());
+  };
+  effects.erase(std::remove_if(effects.begin(), effects.end(), is_event), effects.end());
   return effects;
 }
 

@@ -26,11 +26,7 @@ struct Description {
   std::vector<std::string> effects{};  ///< names of a set
 };
 
-/// Those of the named effects that are events.
-std::vector<std::string> events_among(const Diagnosis& diagnosis,
-                                      const std::vector<std::string>& effects);
-
-/// The others.
+/// Those of the named effects that are no events.
 std::vector<std::string> without_events(const Diagnosis& diagnosis,
                                         std::vector<std::string> effects);
 

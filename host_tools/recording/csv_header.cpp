@@ -549,41 +549,6 @@ std::string printable(std::string_view field) {
   return displayable(field.substr(0, kLongest)) + (field.size() > kLongest ? "..." : "");
 }
 
-bool CsvHeader::has(std::size_t slot) const {
-  return std::find(slots.begin(), slots.end(), slot) != slots.end();
-}
-
-bool CsvHeader::is_constant(std::size_t slot) const {
-  return std::any_of(constants.begin(), constants.end(),
-                     [&](const Constant& each) { return each.slot == slot; });
-}
-
-bool CsvHeader::takes_row_of(const std::vector<std::string_view>& fields) const {
-  return fields.size() == slots.size() + empty_behind &&
-         std::all_of(fields.begin() + static_cast<std::ptrdiff_t>(slots.size()), fields.end(),
-                     [](std::string_view field) { return field.empty(); });
-}
-
-std::size_t CsvHeader::field_of(std::size_t slot) const {
-  return static_cast<std::size_t>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
-}
-
-std::string_view CsvHeader::time_of(const std::vector<std::string_view>& fields,
-                                    std::string& both) const {
-  const std::string_view time = fields[field_of(kTimeSlot)];
-  if (!has(kDate)) return time;
-  const std::string_view date = fields[field_of(kDate)];
-  if (date.empty() || time.empty()) return {};
-  both = std::string(date) + " " + std::string(time);
-  return both;
-}
-
-Unit CsvHeader::unit_of(std::size_t slot) const {
-  const auto found = std::find_if(conversions.begin(), conversions.end(),
-                                  [&](const auto& each) { return each.slot == slot; });
-  return found == conversions.end() ? *find_unit("s") : found->unit;
-}
-
 std::size_t required_columns_among(const std::vector<std::string>& names,
                                    const ReadOptions& options) {
   std::vector<ColumnName> columns;

@@ -13,7 +13,6 @@
 #include "recording/columns.hpp"
 #include "recording/csv_lines.hpp"
 #include "recording/csv_row.hpp"
-#include "recording/decision_rules.hpp"
 #include "recording/held_rate.hpp"
 #include "recording/long_recording.hpp"
 #include "recording/plausibility.hpp"
@@ -436,8 +435,7 @@ class RowCollector {
   }
 
   static bool are_few_of(std::size_t bad, std::size_t rows) {
-    return bad <= kFewValues ||
-           static_cast<double>(bad) <= rules::kMaxBadShare * static_cast<double>(rows);
+    return bad <= kFewValues || static_cast<double>(bad) <= kNoticeable * static_cast<double>(rows);
   }
 
   // Bad rows are left out where they are few, so that the others are read as they are meant.

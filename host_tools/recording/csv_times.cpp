@@ -272,7 +272,7 @@ void refuse_second_times(const std::vector<std::string_view>& lines, const std::
     const auto [own, other] = rising_times(lines, layout, i, unit);
     if (other.rows < kFewValues || !own.is_rising || !other.is_rising) continue;
     const double ratio = other.length_s() / own.length_s();
-    if (std::fabs(ratio - 1) <= rules::kMaxClockError) continue;
+    if (std::fabs(ratio - 1) <= kNoticeable) continue;
     throw InputError(path, "two columns of times that run otherwise, '" +
                                printable(header.names[time]) + "' and '" +
                                printable(header.names[i]) +

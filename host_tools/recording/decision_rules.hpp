@@ -35,10 +35,8 @@ constexpr double kMaxExcursionS = 600;
 constexpr double kMaxFrozenSampleS = 1;
 
 /// Usual steps by which a value that stands for no reading is away from the samples around it: 6
-/// sigma of white noise. And share of its places where it is, and of it and the next value. Chosen.
-/// row_judge_test.
+/// sigma of white noise. Chosen. row_judge_test.
 constexpr double kMinSentinelSteps = 6;
-constexpr double kMinSentinelShare = 0.9;
 
 // ---- What kind of file is it? -----------------------------------------------------------------
 /// A file with one control character in so many is not text. stream_reader_test.
@@ -70,11 +68,6 @@ constexpr double kMaxUnixTimeS = 4.1e9;
 /// gyro, and 10 min beyond a logger of one. time_scale_test.
 constexpr double kMinUsualPeriodS = 1e-4;
 constexpr double kMaxUsualPeriodS = 600;
-/// Share by which two clocks of one file may differ: no oscillator is as far off. Chosen.
-/// time_scale_test.
-constexpr double kMaxClockError = 0.1;
-/// Share of bad rows up to which the rest is the recording. csv_reader_test.
-constexpr double kMaxBadShare = 0.1;
 /// A curve between readings of the input rate is unknown if its error is so many times the median
 /// of that record's. Chosen: noise of the readings reaches six. sparse_input_rate_test.
 constexpr double kMaxUsualErrors = 10;

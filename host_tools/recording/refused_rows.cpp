@@ -169,8 +169,7 @@ double usual_step(const std::vector<double>& values) {
 
 /// Short ranges of one value that is far from the ones around.
 struct Outliers {
-  explicit Outliers(const std::vector<double>& values) {
-    const double far = rules::kMinSentinelSteps * usual_step(values);
+  Outliers(const std::vector<double>& values, double far) {
     if (far == 0) return;
     const auto is_far_at = [&](std::size_t row) {
       return row == 0 || row == values.size() || step_at(values, row) >= far;
@@ -202,7 +201,8 @@ struct Outliers {
 /// The value of most outliers, if it hardly stands anywhere else, and unlike the tail of a noise is
 /// more frequent than the next value by far; nothing if there is none.
 std::optional<double> sentinel_of(const std::vector<double>& values) {
-  const auto [value, count] = Outliers(values).most_frequent();
+  const double far = rules::kMinSentinelSteps * usual_step(values);
+  const auto [value, count] = Outliers(values, far).most_frequent();
   if (count < kFewValues) return std::nullopt;
   std::size_t ranges = 0;
   double next = std::numeric_limits<double>::infinity();
@@ -211,11 +211,11 @@ std::optional<double> sentinel_of(const std::vector<double>& values) {
     const bool is_nearer = std::fabs(values[row] - value) < std::fabs(next - value);
     if (values[row] != value && is_nearer) next = values[row];
   }
-  const bool has_next = std::fabs(next - value) < rules::kMinSentinelSteps * usual_step(values);
+  const bool has_next = std::fabs(next - value) < far;
   const auto others = has_next ? std::count(values.begin(), values.end(), next) : 0;
   const bool is_sentinel =
-      static_cast<double>(count) >= rules::kMinSentinelShare * static_cast<double>(ranges) &&
-      static_cast<double>(others) <= (1 - rules::kMinSentinelShare) * static_cast<double>(count);
+      static_cast<double>(count) >= (1 - kNoticeable) * static_cast<double>(ranges) &&
+      static_cast<double>(others) <= kNoticeable * static_cast<double>(count);
   return is_sentinel ? std::optional(value) : std::nullopt;
 }
 
