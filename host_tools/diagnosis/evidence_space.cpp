@@ -22,16 +22,13 @@ judge::Rows rows_with_nuisances(const series::SignalSeries& series,
   const std::vector<series::ColumnRange> columns = series::columns_of(fit.terms, rows.row_s);
   const Eigen::Index terms = columns.empty() ? 0 : columns.back().first + columns.back().count;
   judge::Rows judged = fit::judged_rows(rows, fit, {terms, fit.linear() - terms});
-  const std::vector<recording::RowRange> power_ons = rows.bias_ranges();
-  if (power_ons.size() > 1) judged.power_ons = power_ons;
-  const Eigen::Index known = judged.columns.cols();
-  judged.columns =
-      side_by_side({judged.columns, residualizer.inexact(),
+  fit::add_nuisances(
+      side_by_side({residualizer.inexact(),
                     fit::unresolved_drift(rows, fit.terms, fit.columns, fit.coefficients,
                                           series.thermometer().unresolved_s())},
-                   rows.size());
-  judged.prior_sigma.conservativeResize(judged.columns.cols());
-  judged.prior_sigma.tail(judged.columns.cols() - known).setOnes();
+                   rows.size()),
+      1, judged);
+  fit::add_biases(rows, judged);
   judged.temperature = fit::temperature_error(series, fit);
   return judged;
 }

@@ -28,34 +28,6 @@ double slope(const KnownRegressors& known, const NoiseWeightedFit& fit,
   return std::sqrt(above.squaredNorm() / static_cast<double>(above.size()));
 }
 
-// Before the shapes, which are found already. `sigma`: of each beforehand, 0: any.
-void add_nuisances(const Eigen::MatrixXd& nuisances, double sigma, judge::Rows& judged) {
-  const Eigen::Index before = judged.first_found;
-  const Eigen::Index shapes = judged.columns.cols() - before;
-  judged.columns =
-      side_by_side({judged.columns.leftCols(before), nuisances, judged.columns.rightCols(shapes)},
-                   judged.size());
-  Eigen::VectorXd prior_sigma(judged.columns.cols());
-  prior_sigma << judged.prior_sigma.head(before),
-      Eigen::VectorXd::Constant(nuisances.cols(), sigma), judged.prior_sigma.tail(shapes);
-  judged.prior_sigma = std::move(prior_sigma);
-  judged.first_found += nuisances.cols();
-}
-
-// The bias is what power-ons end with. What is before a cut has any bias, and says nothing of it.
-void add_biases(const series::Rows& rows, judge::Rows& judged) {
-  for (const recording::RowRange& range : rows.bias_ranges()) {
-    if (!rows.is_cut_at(range.end)) {
-      judged.power_ons.push_back(range);
-      continue;
-    }
-    Eigen::VectorXd before_cut = Eigen::VectorXd::Zero(rows.size());
-    series::of_rows(before_cut, range).setOnes();
-    add_nuisances(before_cut, 0, judged);
-  }
-  if (judged.power_ons.size() == 1) judged.power_ons.clear();
-}
-
 // Unknowns of judged rows in those of which a prior knows that they are independent. What lies
 // between coefficients and shapes is not the prior's.
 Independent independent_unknowns(const NoiseWeightedFit& fit, series::Reading reading,
@@ -149,6 +121,32 @@ judge::Rows judged_rows(const series::Rows& rows, const NoiseWeightedFit& fit,
   judged.weights = fit.row_weights;
   judged.stretches = rows.stretches();
   return judged;
+}
+
+void add_nuisances(const Eigen::MatrixXd& nuisances, double sigma, judge::Rows& judged) {
+  const Eigen::Index before = judged.first_found;
+  const Eigen::Index shapes = judged.columns.cols() - before;
+  judged.columns =
+      side_by_side({judged.columns.leftCols(before), nuisances, judged.columns.rightCols(shapes)},
+                   judged.size());
+  Eigen::VectorXd prior_sigma(judged.columns.cols());
+  prior_sigma << judged.prior_sigma.head(before),
+      Eigen::VectorXd::Constant(nuisances.cols(), sigma), judged.prior_sigma.tail(shapes);
+  judged.prior_sigma = std::move(prior_sigma);
+  judged.first_found += nuisances.cols();
+}
+
+void add_biases(const series::Rows& rows, judge::Rows& judged) {
+  for (const recording::RowRange& range : rows.bias_ranges()) {
+    if (!rows.is_cut_at(range.end)) {
+      judged.power_ons.push_back(range);
+      continue;
+    }
+    Eigen::VectorXd before_cut = Eigen::VectorXd::Zero(rows.size());
+    series::of_rows(before_cut, range).setOnes();
+    add_nuisances(before_cut, 0, judged);
+  }
+  if (judged.power_ons.size() == 1) judged.power_ons.clear();
 }
 
 noise::NoiseModel noise_beside(const series::Rows& rows, const NoiseWeightedFit& fit) {

@@ -36,6 +36,14 @@ judge::TemperatureError temperature_error(const KnownRegressors& known,
 judge::Rows judged_rows(const series::Rows& rows, const NoiseWeightedFit& fit,
                         const series::ColumnRange& without);
 
+/// Columns of which nobody asks, before the shapes, which are found already. `sigma`: of each
+/// coefficient beforehand, 0: any.
+void add_nuisances(const Eigen::MatrixXd& nuisances, double sigma, judge::Rows& judged);
+
+/// A bias for each power-on. The model's bias is the one that it ends with: what is before a cut
+/// has any, as a nuisance.
+void add_biases(const series::Rows& rows, judge::Rows& judged);
+
 /// What the rows of a fit say of its coefficients and, after them, of the positions of its shapes
 /// in their ranges (0 to 1; any is equally probable beforehand): in the noise of all rows, white,
 /// flicker and random walk, not only in that of the weights, and what its prior does. `reading`: of
