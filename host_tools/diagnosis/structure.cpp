@@ -15,7 +15,6 @@ namespace {
 
 constexpr int kTemperatureKnots = 8;
 constexpr int kRateKnots = 6;
-constexpr int kProductKnots = 4;
 constexpr int kTimeKnots = 8;  // per run
 constexpr int kMaxTimeKnots = 32;
 
@@ -87,12 +86,12 @@ std::vector<StructureGroup> structure_groups(const series::Rows& rows) {
   std::vector<StructureGroup> groups;
   groups.push_back({"temperature_degc", smooths(temperature, kTemperatureKnots)});
   groups.push_back({"temperature_rate", smooths(rate, kRateKnots)});
-  const Eigen::MatrixXd product = smooths(temperature, kProductKnots);
-  groups.push_back({"temperature_degc x temperature_rate",
-                    side_by_side({rate.asDiagonal() * product,
-                                  rate.cwiseAbs2().asDiagonal() *
-                                      product.leftCols(std::min<Eigen::Index>(2, product.cols()))},
-                                 rows.size())});
+  // How the drift depends on the rate may vary with temperature as freely as the drift itself.
+  const Eigen::MatrixXd product = smooths(temperature, kTemperatureKnots);
+  groups.push_back(
+      {"temperature_degc x temperature_rate",
+       side_by_side({rate.asDiagonal() * product, rate.cwiseAbs2().cwiseProduct(temperature)},
+                    rows.size())});
   std::vector<Eigen::MatrixXd> history;
   for (const TemperatureHistory& each : kTemperatureHistories) {
     history.push_back(temperature_beyond(rows, temperature, each));
