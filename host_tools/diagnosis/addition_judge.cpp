@@ -131,10 +131,6 @@ TriedAddition AdditionJudge::tried(AdditionRequest request, const runs::Runs& ru
     if (addition->whole) {
       trial.holdouts = {addition->whole->rms_before_dph, addition->whole->rms_after_dph};
     }
-    if (trial.accepted && trial.fitted_after_dph >= trial.fitted_before_dph) {
-      trial.accepted = false;
-      trial.reason = "it does not lower the error of these runs";
-    }
     if (bias_of_ == series::BiasOf::all && trial.accepted) {
       const std::string objection = objection_of_biases(*addition);
       trial.accepted = objection.empty();

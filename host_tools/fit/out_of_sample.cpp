@@ -37,7 +37,7 @@ bool helps(const OutOfSample& judged) {
 }
 
 bool harms(const OutOfSample& judged) {
-  return judged.rms_after_dph > judged.rms_before_dph && judged.score.gain < 0 &&
+  return judged.rms_after_dph > judged.rms_before_dph && !judged.score.improves() &&
          judged.promise.is_broken();
 }
 

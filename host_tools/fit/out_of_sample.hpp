@@ -26,8 +26,8 @@ struct OutOfSample {
 /// plain error does not rise.
 bool helps(const OutOfSample& judged);
 
-/// Whether the model before foretells the rows better, and the error is larger than the uncertainty
-/// of the one after allows: not for want of rows that tell, but because the form is wrong there.
+/// Whether the error rises without a gain, and is larger than the uncertainty of the model after
+/// allows: not for want of rows that tell, but because the form is wrong there.
 bool harms(const OutOfSample& judged);
 
 /// "gain 83.4 +- 9.1, needed 4.6".
