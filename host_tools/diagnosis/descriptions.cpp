@@ -140,8 +140,7 @@ LikelyFormulas likely_formulas(const model::Model& model, const Diagnosis& diagn
   const Diagnosis offered = diagnose(model, data.with_offered(terms), settings);
   LikelyFormulas likely;
   likely.chance = offered.nothing;
-  likely.show_something =
-      offered.verdict != Verdict::none && !offered.faint && !offered.may_be_noise();
+  likely.show_something = offered.verdict != Verdict::none && !offered.may_be_noise();
   if (!diagnosis.experiment) likely.experiment = offered.experiment;
   std::vector<const CandidateFinding*> described;
   for (const CandidateFinding& finding : offered.candidates) {

@@ -91,26 +91,14 @@ void take_fast(const FastFinding& fast, double slow_excess, Diagnosis& diagnosis
   if (fast.excess > slow_excess) diagnosis.variable = "time_s";
 }
 
-// Whether no more is left than the noise that the recordings show from row to row. A random walk
-// may explain more as well as an effect does; then one recording cannot tell.
-bool leaves_noise(const Diagnosis& diagnosis) {
-  return diagnosis.has_static ||
-         diagnosis.residual_rms_dph <= (1 + kNoticeable) * diagnosis.noise_floor_dph;
-}
-
 void decide(Diagnosis& diagnosis) {
   if (diagnosis.fast_kind != FastKind::none) {
     diagnosis.verdict = Verdict::unknown;
   } else if (diagnosis.nothing >= judge::kMissingBefore[0]) {
-    diagnosis.verdict = leaves_noise(diagnosis) ? Verdict::none : Verdict::unknown;
-  } else if (!diagnosis.is_led_by_catalogue()) {
-    diagnosis.verdict = Verdict::unknown;
-  } else if (diagnosis.may_be_noise()) {
-    diagnosis.verdict = Verdict::unknown;
-    diagnosis.faint = true;
+    diagnosis.verdict = diagnosis.leaves_noise() ? Verdict::none : Verdict::unknown;
   } else {
     diagnosis.verdict = Verdict::unknown;
-    name_effects(diagnosis);
+    if (diagnosis.is_led_by_catalogue() && !diagnosis.may_be_noise()) name_effects(diagnosis);
   }
 }
 

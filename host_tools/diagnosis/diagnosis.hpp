@@ -48,9 +48,7 @@ struct Diagnosis {
   std::string variable;               ///< on which what is left depends most
   std::vector<NamedShare> variables;  ///< how much of it each variable alone could describe
   std::vector<NamedShare> segments;   ///< where in the runs it sits; sums to 1
-  /// For the verdict unknown: noise alone may look like this.
-  bool faint = false;
-  bool only_by_formula = false;  ///< for the verdict unknown: set by shown_by_formulas()
+  bool only_by_formula = false;       ///< for the verdict unknown: set by shown_by_formulas()
   /// For the verdict unknown: what was named until it was refused; else "".
   std::string withdrawn;
   FastStructure fast;
@@ -80,6 +78,9 @@ struct Diagnosis {
 
   /// Whether all that is left may be noise.
   bool may_be_noise() const;
+  /// Whether no more is left than the noise that the recordings show from row to row. A random walk
+  /// may explain more as well as an effect does; then one recording cannot tell.
+  bool leaves_noise() const;
   /// Whether an effect is more probably the largest of what is missing than something else is.
   bool is_led_by_catalogue() const;
   /// That a random walk explains slow changes, "them", and what would tell.

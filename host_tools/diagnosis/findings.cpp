@@ -32,7 +32,6 @@ bool is_mainly_fast(const Diagnosis& diagnosis) {
 void shown_by_formulas(Diagnosis& diagnosis, double nothing) {
   diagnosis.verdict = Verdict::unknown;
   diagnosis.only_by_formula = true;
-  diagnosis.faint = false;
   diagnosis.nothing = nothing;
   diagnosis.blind_spot.clear();
 }
@@ -48,6 +47,10 @@ void withdraw_name(Diagnosis& diagnosis) {
 
 bool Diagnosis::may_be_noise() const {
   return nothing >= 1 - rules::kNamed;
+}
+
+bool Diagnosis::leaves_noise() const {
+  return has_static || residual_rms_dph <= (1 + kNoticeable) * noise_floor_dph;
 }
 
 bool Diagnosis::is_led_by_catalogue() const {

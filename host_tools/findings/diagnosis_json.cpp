@@ -167,7 +167,7 @@ Json diagnosis_json(const diagnosis::Diagnosis& diagnosis, const diagnosis::Next
       .set("network", network_json(diagnosis.network))
       .set("nothing_missing", diagnosis.nothing)
       .set("something_else", diagnosis.something_else)
-      .set("faint", diagnosis.faint)
+      .set("faint", diagnosis.verdict == diagnosis::Verdict::unknown && diagnosis.may_be_noise())
       .set("notes", diagnosis.notes);
 }
 

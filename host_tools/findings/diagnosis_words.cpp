@@ -42,7 +42,6 @@ std::string lead_words(const diagnosis::Diagnosis& diagnosis) {
 }
 
 Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_holds) {
-  if (diagnosis.faint) return {"something may be missing, too faint to be named", ""};
   if (diagnosis.only_by_formula) {
     return {
         "something is missing: what looks like slow noise follows a formula outside the catalogue",
@@ -68,6 +67,7 @@ Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
     return {"something is missing that no effect of the catalogue explains: " + fast, ""};
   }
   if (diagnosis.may_be_noise()) {
+    if (diagnosis.leaves_noise()) return {"something may be missing, too faint to be named", ""};
     return {"slow changes are left, which may be noise", diagnosis.walk_words()};
   }
   const bool offered = std::any_of(
@@ -129,7 +129,7 @@ std::string together_words(const diagnosis::Diagnosis& diagnosis,
 // The reason why nothing is proposed; "" where nothing is missing that could be named.
 std::string why_nothing(const diagnosis::Diagnosis& diagnosis, const diagnosis::NextStep& next) {
   const std::string text = nothing_holds_words(next);
-  if (!text.empty() || diagnosis.verdict == diagnosis::Verdict::none || diagnosis.faint)
+  if (!text.empty() || diagnosis.verdict == diagnosis::Verdict::none || diagnosis.may_be_noise())
     return text;
   return "nothing to add: no effect and no formula that is known here explains enough of it to be "
          "tried";
@@ -142,6 +142,15 @@ std::string refused_name(const diagnosis::Diagnosis& diagnosis, const diagnosis:
   for (const diagnosis::TriedAddition& refused : next.refused) {
     const bool is_named = refused.request.names() == std::vector<std::string>{diagnosis.effect};
     if (is_named) text += "; " + refusal_words(refused);
+  }
+  return text;
+}
+
+// What is not known of the shape of what is named: "; `aging`: t0 is at its upper bound ...".
+std::string doubts_of_name(const diagnosis::Diagnosis& diagnosis) {
+  std::string text;
+  if (const auto* const finding = diagnosis.find(diagnosis::effect_to_add(diagnosis))) {
+    for (const std::string& doubt : model::shape_doubts(finding->term())) text += "; " + doubt;
   }
   return text;
 }
@@ -196,12 +205,6 @@ std::vector<std::string> limit_words(const diagnosis::Diagnosis& diagnosis,
                      " shows between the recordings, with one bias for all of them; within them "
                      "nothing is missing");
   }
-  if (const diagnosis::CandidateFinding* finding =
-          diagnosis.find(diagnosis::effect_to_add(diagnosis))) {
-    for (const std::string& doubt : model::shape_doubts(finding->term())) {
-      limits.push_back("note: " + doubt);
-    }
-  }
   return limits;
 }
 
@@ -232,7 +235,7 @@ DiagnosisWords words_of(const diagnosis::Diagnosis& diagnosis, const diagnosis::
                     join_list(next.addition->request.names(), "and") + " can be refined";
   }
   if (!is_none) {
-    words.certainty += refused_name(diagnosis, next);
+    words.certainty += doubts_of_name(diagnosis) + refused_name(diagnosis, next);
     const std::string fast = fast_words(diagnosis);
     words.place = fast.empty() ? where_words(diagnosis) : fast;
   }

@@ -63,8 +63,11 @@ TEST(DiagnosisWords, OfAnImprobableSetSayMayBe) {
 TEST(DiagnosisWords, OfSomethingFaintNameNothing) {
   diagnosis::Diagnosis found = only_together();
   found.verdict = diagnosis::Verdict::unknown;
-  found.faint = true;
+  found.nothing = 0.4;
+  found.noise_floor_dph = found.residual_rms_dph;
   EXPECT_EQ(words_of(found, {}, kFiles).verdict, "something may be missing, too faint to be named");
+  found.residual_rms_dph = 2 * found.noise_floor_dph;
+  EXPECT_EQ(words_of(found, {}, kFiles).verdict, "slow changes are left, which may be noise");
 }
 
 TEST(DiagnosisWords, OfAWithdrawnNameSayWhatItLookedLike) {
