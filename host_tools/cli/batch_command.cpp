@@ -52,8 +52,9 @@ struct BatchCommand : Command {
       : Command("batch", {"DIR", 1, 1},
                 "fit, compare, export every gyro of a folder; one table and page",
                 "fogcomp batch gyros -o results --effects bias,temperature_rate") {
-    const FitOptions& fit = common.calibration.fit;
-    needs = {{&common.output}, {&fit.effects, {&fit.model}, model::kFirstEffects}};
+    const CalibrationOptions& own = common.calibration;
+    needs = {{&common.output},
+             {&own.fit.effects, {&own.fit.model, &own.prior_lot}, model::kFirstEffects}};
   }
   int run() const override;
 

@@ -22,8 +22,9 @@ struct CalibrateCommand : Command {
       : Command("calibrate", {"DIR/SERIAL", 1, 1},
                 "fit, compare, export one gyro of a folder; why it fails",
                 "fogcomp calibrate gyros/G1 -o results --effects bias,temperature_rate") {
-    const FitOptions& fit = common.calibration.fit;
-    needs = {{&common.output}, {&fit.effects, {&fit.model}, model::kFirstEffects}};
+    const CalibrationOptions& own = common.calibration;
+    needs = {{&common.output},
+             {&own.fit.effects, {&own.fit.model, &own.prior_lot}, model::kFirstEffects}};
   }
   int run() const override;
 };

@@ -40,7 +40,9 @@ GyroCalibration::GyroCalibration(const LotOptions& options, const std::string& g
     : options_(options) {
   require_apart(gyros, options.output.required());
   const CalibrationOptions& calibration = options.calibration;
-  request_.fit = calibration.fit.request({}, calibration.recording.value());
+  request_.fit =
+      calibration.fit.request({}, calibration.recording.value(), calibration.prior_lot.given());
+  request_.fit.lot = calibration.prior_lot.find();
   check(request_.fit);
   request_.board = calibration.board.value();
   if (!options.limits.given()) return;
@@ -61,6 +63,7 @@ std::string GyroCalibration::fingerprint_of(const GyroFolder& gyro) const {
     for (const std::string& value : option->values) fingerprint.add(value);
     fingerprint.add(option->default_value);
   }
+  if (request_.fit.lot) fingerprint.add_file(*request_.fit.lot);
   for (const std::string& file : gyro.recordings) fingerprint.add_file(file);
   fingerprint.add("hold-outs");
   for (const std::string& file : gyro.holdouts) fingerprint.add_file(file);

@@ -17,6 +17,8 @@ struct CalibrationOptions : OptionGroup {
   using OptionGroup::OptionGroup;
 
   FitOptions fit{this};
+  Text prior_lot{this,
+                 {"prior-lot", "FILE", "what sisters teach (batch --lot), without this gyro"}};
   BoardOptions board{this};
   RecordingOptions recording{this};
 };

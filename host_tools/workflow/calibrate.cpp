@@ -9,10 +9,17 @@
 #include "support/units.hpp"
 #include "workflow/diagnose.hpp"
 #include "workflow/fit.hpp"
+#include "workflow/prior.hpp"
 #include "workflow/reading.hpp"
 
 namespace fogcomp::workflow {
 namespace {
+
+// Of the fit's prior, if it has one.
+std::vector<model::EffectTerm> terms_of(const FitRequest& fit) {
+  const std::optional<KnownBefore> before = known_before(fit);
+  return before ? before->model.terms : wanted_terms(fit);
+}
 
 using Figures = std::vector<std::pair<std::string, double>>;
 
@@ -173,7 +180,7 @@ std::vector<std::string> figure_names(const FitRequest& fit) {
                                  "quantization_error_dph",
                                  "network_error_dph"};
   for (const HoldOutFigure& figure : kHoldOutFigures) names.emplace_back(figure.name);
-  for (const model::EffectTerm& term : wanted_terms(fit)) {
+  for (const model::EffectTerm& term : terms_of(fit)) {
     const model::TermInfo info = model::info_of(term);
     for (const auto& parameter : info.parameters) names.push_back(term.name + "." + parameter.name);
     for (const auto& coefficient : info.coefficients) {
@@ -187,7 +194,7 @@ std::vector<std::string> compared_figures(const FitRequest& fit) {
   std::vector<std::string> names{"noise_dprh",       "fit_raw_std_dph", "fit_rms_dph",
                                  "fit_floor_dph",    "fit_misfit",      "holdout_rms_dph",
                                  "holdout_floor_dph"};
-  for (const model::EffectTerm& term : wanted_terms(fit)) {
+  for (const model::EffectTerm& term : terms_of(fit)) {
     for (const auto& coefficient : model::info_of(term).coefficients) {
       names.push_back(term.name + "." + coefficient.symbol);
     }

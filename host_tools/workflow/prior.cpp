@@ -19,9 +19,8 @@
 namespace fogcomp::workflow {
 namespace {
 
-void refuse_beside(const char* known, const char* option, bool given) {
-  if (given)
-    throw InputError(option, format("is determined by %s; leave one of the two out", known));
+void refuse_beside(const std::string& known, const char* option, bool given) {
+  if (given) throw InputError(option, "is determined by " + known + "; leave one of the two out");
 }
 
 void refuse_gyro_of(const model::Model& older, const FitRequest& request) {
@@ -57,7 +56,7 @@ fit::Prior KnownBefore::prior(const FitRequest& request,
 
 std::optional<KnownBefore> known_before(const FitRequest& request) {
   if (!request.prior && !request.lot) return std::nullopt;
-  const char* known = request.prior ? "--prior" : "--lot";
+  const std::string& known = request.prior ? *request.prior : *request.lot;
   refuse_beside(known, "--lot", request.prior && request.lot);
   refuse_beside(known, "--effects", request.effects.has_value());
   refuse_beside(known, "--effect-expr", !request.expressions.empty());
@@ -117,6 +116,9 @@ double rms_of(const model::Model& model, const std::vector<runs::Run>& runs, dou
 }
 
 void check_lot(const FitRequest& request, std::size_t gyros) {
+  if (request.lot) {
+    throw InputError("--lot", "is of what each gyro tells alone; leave --prior-lot out");
+  }
   if (wanted_model(request).network.hidden > 0) {
     throw InputError("--lot", "knows effects, and no network; leave one of the two out");
   }

@@ -42,6 +42,19 @@ holds new.json '[.prior.unknowns[] | select(.from_before > 0.5).name] | index("s
 "$fogcomp" history new.model >history.txt
 says history.txt 'prior: out/gyros.lot [(]9 gyros[)]'
 
+# The same as a gyro of a production line; in its own lot a gyro has the others as its prior.
+mkdir -p line/N1
+cp now.csv line/N1/run.csv
+"$fogcomp" calibrate line/N1 -o calibrated --prior-lot out/gyros.lot >calibrate.txt
+cmp <(grep ^effect new.model) <(grep ^effect calibrated/N1/N1.model) || fail 'calibrate --prior-lot: another model'
+"$fogcomp" batch gyros -o again --jobs 2 --prior-lot out/gyros.lot >again.txt
+"$fogcomp" history again/S3/S3.model >history.txt
+says history.txt 'prior: .*gyros.lot [(]8 gyros[)]'
+status=0
+"$fogcomp" batch gyros -o again --lot --prior-lot out/gyros.lot >said.txt 2>few.txt || status=$?
+((status == 2)) || fail "a lot of a lot: exit code $status"
+says few.txt '^--lot: is of what each gyro tells alone; leave --prior-lot out'
+
 # Unlike its lot.
 gyro unlike.csv 11 0.3 "${noise[@]}" --profile short.profile
 gyro unseen_unlike.csv 11 0.3 --profile reversed
@@ -64,8 +77,8 @@ refuses_fit now.csv 'damaged.lot: is damaged' --lot damaged.lot
 refuses_fit now.csv 'new.model: is a model, not a lot; --prior takes' --lot new.model
 refuses_fit now.csv 'is not a fogcomp lot; fogcomp batch --lot makes one' --lot now.csv
 refuses_fit now.csv 'out/gyros.lot: is not a fogcomp model' --prior out/gyros.lot
-refuses_fit now.csv 'determined by --lot' --lot out/gyros.lot --effects bias
-refuses_fit now.csv 'determined by --prior' --lot out/gyros.lot --prior new.model
+refuses_fit now.csv 'determined by out/gyros.lot' --lot out/gyros.lot --effects bias
+refuses_fit now.csv 'determined by new.model' --lot out/gyros.lot --prior new.model
 rm -r gyros/S8 gyros/S9
 status=0
 "$fogcomp" batch gyros -o few --effects $effects --jobs 2 --lot >said.txt 2>few.txt || status=$?
