@@ -63,7 +63,7 @@ struct ApplyCommand : Command {
   Text output{this, {"o", "OUT", "CSV to write: measured, every effect's part, compensated"}};
   Flag on_board{this, "board", "by the board's own code and integers; MODEL may be a header"};
   Flag json{this, "json", "one JSON object on stdout"};
-  BoardRunOptions run_options{this, "with --board: even if the integers are too far off"};
+  BoardRunOptions run_options{this, "with --board: even if the integers differ too much"};
 
   ApplyCommand()
       : Command("apply", {"MODEL RUN", 2, 2},

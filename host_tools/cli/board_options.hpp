@@ -60,9 +60,7 @@ struct BoardOptions : OptionGroup {
 /// The line of a board that is connected.
 struct BoardLineOption : Text {
   explicit BoardLineOption(OptionGroup* group)
-      : Text(group, {"line", "BAUD[,8N1]",
-                     "that the board's output port has: as its table was "
-                     "exported with --output-line",
+      : Text(group, {"line", "BAUD[,8N1]", "of the board's output port, by export --output-line",
                      "921600", kRare}) {}
   fog::SerialLine value() const {
     return board::parse_line(Text::value(), fog::kMaxOutputBaud, "--line");

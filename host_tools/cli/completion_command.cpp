@@ -91,8 +91,7 @@ int print_completion(const std::string& shell) {
 
 struct CompletionCommand : Command {
   CompletionCommand()
-      : Command("completion", {"bash", 1, 1},
-                "the script with which a shell completes fogcomp's command lines",
+      : Command("completion", {"bash", 1, 1}, "the completion script for bash",
                 "source <(fogcomp completion bash)") {
     words = {"bash"};
   }

@@ -27,7 +27,7 @@ struct ConvertCommand : Command {
   RecordingOptions recording{this};
 
   ConvertCommand()
-      : Command("convert", {"RUN", 1, 1}, "any recording or log that is understood, as a CSV",
+      : Command("convert", {"RUN", 1, 1}, "converts a recording or a log to CSV",
                 "fogcomp convert run.csv -o plain.csv") {
     needs = {{&output}};
   }

@@ -115,7 +115,7 @@ struct DenoiseCommand : Command {
 
   DenoiseCommand()
       : Command("denoise", {"RUN", 1, 1},
-                "a recording without noise and outliers: wavelet, lifting or Kalman",
+                "removes noise and outliers: wavelet, lifting or Kalman smoother",
                 "fogcomp denoise run.csv -o denoised.csv --threshold rigrsure") {
     needs = {{&output}};
   }

@@ -76,46 +76,37 @@ std::string entry_text(const model::CatalogueEntry& entry) {
   return text;
 }
 
-// Text in a table, in which a bare `|` would begin the next column.
-std::string cell(std::string text) {
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) {
-    text.insert(at, "\\");
-  }
+std::string conditions(const model::CatalogueEntry& entry) {
+  std::string text = join(needed_columns(entry), ", ");
+  const char* off_board = entry.description.host_only;
+  if (off_board != nullptr) text += std::string("; not on the board: ") + off_board;
+  if (entry.description.outlives_power) text += "; a board that is never switched off";
   return text;
 }
 
-std::string on_board(const fog::EffectDescription& effect) {
-  if (effect.host_only != nullptr) return std::string("no: ") + effect.host_only;
-  const std::string id = format("id %d", effect.id);
-  return effect.outlives_power ? id + ", only if never switched off (`export --allow-error`)" : id;
+// A bare `|` in a cell would begin the next column.
+std::string markdown_row(const std::vector<std::string>& cells) {
+  std::string text = "|";
+  for (std::string cell : cells) {
+    for (std::size_t at = 0; (at = cell.find('|', at)) != std::string::npos; at += 2) {
+      cell.insert(at, "\\");
+    }
+    text += " " + cell + " |";
+  }
+  return text + "\n";
 }
 
-std::string entry_markdown(const model::CatalogueEntry& entry) {
-  const fog::EffectDescription& effect = entry.description;
-  std::string text = format("## `%s`\n\n", effect.name);
-  const auto row = [&text](const std::string& left, const std::string& right) {
-    text += "| " + left + " | " + cell(right) + " |\n";
-  };
-  row("equation", format("`%s`", effect.equation));
-  text += "|---|---|\n";
-  row("typical size", effect.typical);
-  row("example", format("`%s`", effect.example));
-  row("signature", effect.signature);
-  for (const auto& parameter : entry.parameters) {
-    row(format("parameter `%s`", parameter.name), range(parameter));
-  }
-  std::vector<std::string> identified;
+std::string identified(const model::CatalogueEntry& entry) {
+  std::vector<std::string> symbols;
   for (const auto& coefficient : entry.coefficients) {
-    identified.push_back(format("`%s` %s", coefficient.symbol, coefficient.unit));
+    symbols.push_back(format("`%s` %s", coefficient.symbol, coefficient.unit));
   }
-  row("identified", join(identified, ", "));
-  row("source", effect.source);
-  return text + "\n";
+  return join(symbols, ", ");
 }
 
 std::string forms_markdown() {
   std::string text =
-      "## Forms outside the catalogue\n\n"
+      "\n## Forms outside the catalogue\n\n"
       "Where no effect of the catalogue explains what is left, `diagnose` tries formulas and says "
       "what gives such a form:\n\n"
       "| form | mechanisms |\n|---|---|\n";
@@ -142,24 +133,37 @@ std::string effects_markdown(const std::vector<const model::CatalogueEntry*>& en
   std::string text =
       "# Physical effects\n\n"
       "Written by `fogcomp effects --markdown` from the headers in `firmware/core/effects` and "
-      "from\n`host_tools/diagnosis/form_meaning.hpp`; a test compares them.\n\n"
+      "from\n"
+      "`host_tools/diagnosis/form_meaning.hpp`. `fogcomp effects NAME` prints all of one "
+      "effect.\n\n"
       "Drift = Σ coefficient · regressor over the effects of a model, plus the network. T is the "
-      "coil sensor's temperature\n(a block's mean), dT/dt its derivative behind two lags "
-      "(`fit --derivative-tau`), t the time since power-on. `time_s`\nis needed as time since "
-      "power-on; `input_rate_dph` on the board is what the gyro itself measures; the other columns"
-      "\nreach the board in extension records (`export --extension`).\n\n"
-      "In `fit --effects`, `NAME:parameter=value` gives a shape parameter; `parameter=?` or "
-      "`parameter=?[min,max]`\nidentifies one.\n\n"
-      "| effect | | needs | on the board |\n|---|---|---|---|\n";
+      "temperature of the coil sensor\n(a block's mean). Its derivative dT/dt is behind two lags "
+      "(`fit --derivative-tau`). Time t counts from power-on, as\n`time_s` then has to. On the "
+      "board "
+      "the gyro's own rate stands for `input_rate_dph`. Other columns reach the board "
+      "in\nextension "
+      "records (`export --extension`).\n\n"
+      "| effect | | equation | identified | source |\n|---|---|---|---|---|\n";
+  std::string signatures, shapes;
   for (const model::CatalogueEntry* entry : entries) {
     const fog::EffectDescription& effect = entry->description;
-    text += format("| [`%s`](#%s) | %s | %s | %s |\n", effect.name, effect.name,
-                   cell(effect.title).c_str(), join(needed_columns(*entry), ", ").c_str(),
-                   on_board(effect).c_str());
+    const std::string name = format("`%s`", effect.name);
+    text += markdown_row(
+        {name, effect.title, format("`%s`", effect.equation), identified(*entry), effect.source});
+    signatures += markdown_row({name, effect.signature, effect.typical, conditions(*entry)});
+    for (const auto& parameter : entry->parameters) {
+      shapes += markdown_row({name, format("`%s`", parameter.name), range(parameter)});
+    }
   }
-  text += "\n";
-  for (const model::CatalogueEntry* entry : entries) text += entry_markdown(*entry);
-  return text + forms_markdown();
+  return text +
+         "\n## What an effect looks like\n\n"
+         "| effect | signature | typical size | needs |\n|---|---|---|---|\n" +
+         signatures +
+         "\n## Shape parameters\n\n"
+         "`fit --effects NAME:parameter=value` gives one, `parameter=?` or `parameter=?[min,max]` "
+         "identifies it.\n\n"
+         "| effect | parameter | range |\n|---|---|---|\n" +
+         shapes + forms_markdown();
 }
 
 Json effect_json(const model::CatalogueEntry& entry) {

@@ -83,7 +83,7 @@ struct ExportCommand : Command {
       INT32_MAX};
   Integer<unsigned> slot{this, {"slot", "N", "of a GYRO.hex: 0 or 1", "0", kRare}, 0, 1};
   AllowErrorFlag allow_error{
-      this, "write it even if the integers are too far off, or the fit too uncertain"};
+      this, "write it even if the integers differ too much, or the fit is uncertain"};
   Flag json{this, "json", "one JSON object on stdout"};
   BoardOptions board{this};
   BoardDenoiserOptions denoiser{this};

@@ -27,7 +27,7 @@ struct TrainingOptions : OptionGroup {
                               {"trainer", "NAME", trainer_summaries(), "lm", kRare},
                               as_named(network::trainer_names())};
   Integer<std::uint64_t> seed{
-      this, {"seed", "N", "of all that training draws", "1", kRare}, 0, 1LL << 53};
+      this, {"seed", "N", "of the training's random numbers", "1", kRare}, 0, 1LL << 53};
   Choice<fog::Activation> activation{
       this,
       {"activation", "NAME", "of the hidden neurons: logsig or tansig", "logsig", kRare},
@@ -93,7 +93,7 @@ struct FitOptions : OptionGroup {
   GyroLimitOptions limits{this};
   Choice<std::optional<denoise::ThresholdRule>> denoise_rows{
       this,
-      {"denoise-rows", "RULE", "denoise what the network is trained on, by heursure, ...", "none",
+      {"denoise-rows", "RULE", "denoise the network's training rows, by heursure, ...", "none",
        kRare},
       row_rules()};
 

@@ -159,11 +159,11 @@ Json slots_json(const fog::SlotsRecord& record) {
 struct HealthCommand : Command {
   Number timeout{this, {"timeout", "S", "seconds to wait for an answer", "3"}, {0.1, 600}};
   BoardLineOption line{this};
-  Flag json{this, "json", "print one JSON object"};
+  Flag json{this, "json", "one JSON object on stdout"};
 
   HealthCommand()
       : Command("health", {"PORT", 1, 1},
-                "what a board's built-in tests have found; exit code 1: not healthy",
+                "results of a board's built-in tests; exit code 1: not healthy",
                 "fogcomp health /dev/ttyUSB0") {}
 
   int run() const override {

@@ -113,7 +113,7 @@ struct HistoryCommand : Command {
 
   HistoryCommand()
       : Command("history", {"MODEL", 1, 1},
-                "the error ladder of a model: what was added, what it brought",
+                "the error ladder of a model: each step and its improvement",
                 "fogcomp history gyro.model") {}
 
   int run() const override {

@@ -12,10 +12,10 @@ namespace {
 
 struct InfoCommand : Command {
   Number average{this,
-                 {"average", "S", "length of a block mean (a row where the rows are longer)", "10"},
+                 {"average", "S", "length of a mean, seconds; at least a row of the file", "10"},
                  {1e-6, 1e6}};
   ReportOption report{this};
-  Flag json{this, "json", "print one JSON object"};
+  Flag json{this, "json", "one JSON object on stdout"};
   RecordingOptions recording{this};
   GyroLimitOptions limits{this};
 

@@ -1,4 +1,4 @@
-// fogcomp load: loads a calibration into a board with the generic image.
+// fogcomp load: loads loads a table into a board with the generic image.
 
 #include <cstdio>
 #include <string>
@@ -54,16 +54,16 @@ void print_text(const board::LoadedTable& loaded) {
 }
 
 struct LoadCommand : Command {
-  Text serial{this,
-              {"serial", "NUMBER",
-               "that the table's gyro must have; needed for a board's first table", ""}};
+  Text serial{
+      this,
+      {"serial", "NUMBER", "of the table's gyro, checked; needed for a board's first table", ""}};
   Flag another_gyro{this, "another-gyro",
                     "replace the table of another gyro: the board has been given to this one"};
   BoardLineOption line{this};
-  Flag json{this, "json", "print one JSON object"};
+  Flag json{this, "json", "one JSON object on stdout"};
 
   LoadCommand()
-      : Command("load", {"PORT TABLE", 2, 2}, "a calibration into a board with the generic image",
+      : Command("load", {"PORT TABLE", 2, 2}, "loads a table into a board with the generic image",
                 "fogcomp load /dev/ttyUSB0 results/tables/FOG-0042.bin") {}
 
   int run() const override {

@@ -24,7 +24,7 @@ struct FitCommand : Command {
   Text output{this, {"o", "MODEL", "model file to write"}};
   FitOptions fit{this};
   Text prior{this, {"prior", "MODEL", "an older model of this gyro, which the recordings update"}};
-  Text lot{this, {"lot", "FILE", "what its sisters teach (batch --lot), without this gyro"}};
+  Text lot{this, {"lot", "FILE", "prior from a lot (batch --lot), without this gyro"}};
   ReportOption report{this};
   Flag json{this, "json", "one JSON object on stdout"};
   MaskedRecordingOptions recording{this};
@@ -33,7 +33,7 @@ struct FitCommand : Command {
 
   FitCommand()
       : Command("fit", {"RUN...", 1, kAnyNumber},
-                "identifies the effects, then trains the network on what they leave",
+                "identifies the effects; trains a network on their residual",
                 "fogcomp fit run.csv -o gyro.model --effects bias,temperature_rate") {
     recording.make_rare();
     needs = {{&output}, {&fit.effects, {&fit.model, &prior, &lot}, model::kFirstEffects}};
@@ -61,7 +61,7 @@ struct CompareCommand : Command {
 
   CompareCommand()
       : Command("compare", {"MODEL RUN...", 2, kAnyNumber},
-                "models against measurement: what is left, where, on what it depends",
+                "models against measurement: residual, where, on what it depends",
                 "fogcomp compare gyro.model run.csv --model other.model") {
     further_models = &models;
   }

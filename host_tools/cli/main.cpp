@@ -22,7 +22,7 @@ using fogcomp::cli::find_command;
 
 void print_overview() {
   std::puts("fogcomp - finds and removes the temperature drift of a fibre-optic gyro\n");
-  std::puts("usage: fogcomp COMMAND [ARGUMENTS] (options: COMMAND --help; all: help COMMAND)\n");
+  std::puts("usage: fogcomp COMMAND [ARGUMENTS] (COMMAND --help: options; help COMMAND: all)\n");
   for (const CommandPointer& command : all_commands()) {
     std::printf("  %-10s %s\n", command->name().c_str(), command->purpose.c_str());
   }

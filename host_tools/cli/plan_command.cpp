@@ -20,14 +20,14 @@ struct PlanCommand : Command {
            {"use", "BOX",
             "where a model is used: T:-40..60,ramp:3,rate:200 (degC, degC/min, deg/s; "
             "default: as in its runs, or the chamber)"}};
-  Text chamber{this, {"chamber", "BOX", "what chamber and rate table do", "T:-40..85,ramp:3"}};
+  Text chamber{this, {"chamber", "BOX", "limits of chamber and rate table", "T:-40..85,ramp:3"}};
   Text effects{this,
                {"effects", "LIST", "to be determined, without a model", model::kFirstEffects}};
   Texts noise{this,
               {"noise", "k=v,...",
                "white, flicker, random_walk as for simulate (default: the "
                "model's, or of its preset paper)"}};
-  Flag compare{this, "compare", "programmes that exist, side by side"};
+  Flag compare{this, "compare", "compares programmes: files, or of simulate --list"};
   Text model{this, {"model", "MODEL", "the model of --compare", "", kRare}};
   Integer<std::uint64_t> seed{this, {"seed", "N", "of the search", "1"}, 0, 1LL << 53};
   ReportOption report{this};
@@ -35,7 +35,7 @@ struct PlanCommand : Command {
 
   PlanCommand()
       : Command("plan", {"[MODEL] [--compare PROGRAMME...]", 0, kAnyNumber},
-                "the chamber programme that determines most, and what it shows",
+                "the chamber programme with the smallest predicted error",
                 "fogcomp plan --use T:-40..60,ramp:1 --hours 6 -o six_hours.profile") {
     needs = {{&output, {&compare}}};
     for (const EmbeddedFile& file : simulation::ready_made_profiles()) words.push_back(file.name);

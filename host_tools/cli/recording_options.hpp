@@ -64,7 +64,7 @@ struct GyroLimitOptions : OptionGroup {
       {1e-3, recording::kMaxRangeDps}};
   Number acceleration{this,
                       {"max-acceleration", "DPS2",
-                       "no more than it turns, deg/s^2 (the model's, or 20000)", "", kRare},
+                       "largest one, deg/s^2 (default: the model's, or 20000)", "", kRare},
                       {1e-3, 1e9}};
 };
 
@@ -77,12 +77,11 @@ struct MaskedRecordingOptions : RecordingOptions {
 
   Texts masks{this,
               {"mask", "FROM..TO",
-               "s since power-on: what is measured there does not count; RUN:FROM..TO in one run",
-               "", kRare}};
-  Texts cuts{this,
-             {"cut", "T",
-              "s since power-on: the bias begins anew there, as after a jump; RUN:T in one run", "",
-              kRare}};
+               "s since power-on: rows that do not count; RUN:FROM..TO in one run", "", kRare}};
+  Texts cuts{
+      this,
+      {"cut", "T", "s since power-on: the bias jumps; each part has its own; RUN:T in one run", "",
+       kRare}};
 };
 
 }  // namespace fogcomp::cli

@@ -21,11 +21,11 @@ board::ByteSink to(OutputFile& file) {
 struct ReplayCommand : Command {
   Text output{this, {"o", "OUT", "output stream to write"}};
   Flag json{this, "json", "one JSON object on stdout"};
-  BoardRunOptions run_options{this, "replay a model even if its integers are too far off"};
+  BoardRunOptions run_options{this, "replay a model even if its integers differ too much"};
 
   ReplayCommand()
       : Command("replay", {"MODEL|HEADER RUN", 2, 2},
-                "the firmware's own code here, byte for byte what the board sends",
+                "runs the firmware's code: the board's output, byte for byte",
                 "fogcomp replay fog_model.h run.csv -o out.bin") {
     needs = {{&output}};
   }
@@ -67,7 +67,7 @@ struct StreamCommand : Command {
 
   StreamCommand()
       : Command("stream", {"MODEL|HEADER RUN", 2, 2},
-                "the sensor stream in which a board would see a recording",
+                "a recording as the sensor stream that a board reads",
                 "fogcomp stream fog_model.h run.csv -o in.bin") {
     needs = {{&output}};
   }

@@ -93,17 +93,17 @@ struct SimulateCommand : Command {
       in_order<Axis>(kAxes)};
   Text columns{this,
                {"columns", "NAME,...", "further columns: temperature2, light_power, ..., all"}};
-  Text hide{this, {"hide", "OUT", "writes the truth there: every effect's share"}};
+  Text hide{this, {"hide", "OUT", "writes the truth there: each effect's part"}};
   Choice<recording::RecordingFormat> file_format{
       this,
       {"format", "csv|stream", "CSV, or the sensor stream that the board reads", "csv"},
       {{"csv", recording::RecordingFormat::csv},
        {"stream", recording::RecordingFormat::sensor_stream}}};
   Flag list{this, "list", "lists profiles, presets, effects and parameters"};
-  Flag json{this, "json", "prints one JSON object"};
+  Flag json{this, "json", "one JSON object on stdout"};
 
   SimulateCommand()
-      : Command("simulate", {}, "makes the recording of a gyro in a chamber from first principles",
+      : Command("simulate", {}, "simulates a gyro in a thermal chamber from first principles",
                 "fogcomp simulate -o run.csv --effect shupe:peak=0.03 --seed 7") {
     needs = {{&output, {&list}}};
   }

@@ -22,7 +22,7 @@ struct WorkbenchCommand : Command {
 
   WorkbenchCommand()
       : Command("workbench", {"[MODEL] [RUN...]", 0, kAnyNumber},
-                "the loop as a page that calculates: tick effects, see what is left",
+                "the loop as a page that calculates: tick effects, see the residual",
                 "fogcomp workbench gyro.model run.csv -o bench.html") {
     needs = {{&output}};
   }

@@ -78,22 +78,13 @@ words_of_builds = set(re.findall(r"[\w-]+", " ".join(map(read, of_type("CMakeLis
 words_of_tests = set(re.findall(r"\w+", " ".join(map(read, of_type("CMakeLists.txt", "_test.cpp")))))
 labels = re.findall(r"fog_test\(\S+ (\w+)|fog_gtest\(\S+ \S+ (\w+)", " ".join(map(read, of_type("CMakeLists.txt"))))
 labels = {one for pair in labels for one in pair if one}
-reference = os.path.join(root, "host_tools/REFERENCE.md")
 
 
 def options_of_commands():
-    """The options of each subcommand by the reference, its groups of shared options among them. A test holds the
-    reference to the tool: tests/integration/reference_document.sh."""
-    if not os.path.exists(reference):
-        return {}
-    sections = {m[1].lower(): m[0] for m in re.finditer(r"^###+ (.+)\n(?:(?!^##).*\n?)*", read(reference), re.M)}
-    said = {name: re.findall(r"^Options: (?:.+\n?)+", text, re.M) for name, text in sections.items()}
-    own = {name: set(re.findall(r"`(--[a-z0-9-]+)", "".join(text))) for name, text in said.items()}
-    found = {}
-    for name in filter(re.compile(r"[a-z]+$").match, sections):
-        groups = re.findall(r"\[([^]]+)\]\(#", "".join(said[name]))
-        found[name] = own[name].union({"--help"}, *(own.get(" ".join(g.split()).lower(), set()) for g in groups))
-    return found
+    """The options of each subcommand. A test holds the file to the tool: tests/integration/reference_document.sh."""
+    path = os.path.join(root, "tests/checks/command_options.txt")
+    lines = [line.split() for line in read(path).splitlines()] if os.path.exists(path) else []
+    return {name.rstrip(":"): {"--help", *options} for name, *options in lines}
 
 
 command_options = options_of_commands()

@@ -5,15 +5,14 @@ set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 tree=$(mktemp -d)
 trap 'rm -rf "$tree"' EXIT
-mkdir -p "$tree/part" "$tree/tests/unit" "$tree/host_tools"
+mkdir -p "$tree/part" "$tree/tests/unit" "$tree/tests/checks"
 printf '# Part\n\n## `add`: one, or several\n' >"$tree/part/README.md"
 
 echo 'constexpr int kOne = 1;' >"$tree/part/one.cpp"
 printf '#!/bin/sh\ncase $1 in --fast) ;; esac\n' >"$tree/tests/try.sh" && chmod +x "$tree/tests/try.sh"
 printf '#!/bin/sh\n' >"$tree/tests/data.sh"
 echo 'fog_gtest(test_part unit/part unit fogcomp_part)' >"$tree/tests/CMakeLists.txt"
-printf '%s\n' '### fit' '' 'Options: `--levels N`, [shared' 'options](#shared-options).' '' '#### Shared options' '' \
-  'Options: `--rate HZ`.' >"$tree/host_tools/REFERENCE.md"
+echo 'fit: --levels --rate' >"$tree/tests/checks/command_options.txt"
 echo '{ "configurePresets": [{ "name": "host" }] }' >"$tree/CMakePresets.json"
 
 # judge TEXT...: the check's opinion of a page of these, a paragraph each; of the i-th, the line where it begins: at[i].

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# reference_document.sh FOGCOMP SOURCE [--renew]: host_tools/REFERENCE.md has every command's usage and the names of its
-# options as `fogcomp help` says them, every JSON key that the code writes and none that it does not, and every key of a
-# model file. --renew writes usage and options anew.
+# reference_document.sh FOGCOMP SOURCE [--renew]: host_tools/REFERENCE.md has every command's usage as `fogcomp help` says
+# it, every JSON key that the code writes and none that it does not, and every key of a model file. What checks pages by,
+# tests/checks/command_options.txt, has every command's options. --renew writes usage and options anew.
 set -euo pipefail
 exec python3 - "$@" <<'EOF'
-import glob, re, subprocess, sys, textwrap
+import glob, os, re, subprocess, sys
 
 fogcomp, source, renew = sys.argv[1], sys.argv[2], "--renew" in sys.argv[3:]
 page = f"{source}/host_tools/REFERENCE.md"
+options_file = f"{source}/tests/checks/command_options.txt"
 problems = []
 
 
@@ -25,31 +26,13 @@ def one_line(text):
 
 
 def command_help(command):
-    """Its usage and purpose as a line, and its options with their values, by name."""
+    """Its usage and purpose as a row of the table of commands, and the names of its options."""
     text = said("help", command)
     purpose = one_line(re.search(rf"fogcomp {command} - (.*?)\n\nusage", text, re.S)[1])
     usage = one_line(re.search(r"^usage: (.*?)\n\n", text, re.M | re.S)[1])
-    options = re.findall(r"^  ((--?[a-z][a-z-]*)(?: \S+)?)", text.split("\nusage: ")[1].split("\nexample: ")[0], re.M)
-    return f"`{usage}`: {purpose}.", {name: option for option, name in options}
-
-
-def wrapped(text):
-    """An option stays with its value."""
-    whole = re.sub(r"`[^`]+`", lambda code: code[0].replace(" ", "\0"), text)
-    return "\n".join(textwrap.wrap(whole, 120, break_on_hyphens=False, break_long_words=False)).replace("\0", " ")
-
-
-def options_paragraph(section):
-    found = re.search(r"^Options: (?:.+\n)+", section, re.M)
-    return found[0].rstrip("\n") if found else ""
-
-
-def options_in(section):
-    return [one_line(option) for option in re.findall(r"`(--?[a-z][^`]*)`", options_paragraph(section))]
-
-
-def groups_in(section):
-    return re.findall(r"\[[^]]+\]\(#[^)]+\)", one_line(options_paragraph(section)))
+    usage = usage.removeprefix("fogcomp ").removesuffix(" [options]").replace("|", "\\|")
+    options = re.findall(r"^  (--?[a-z][a-z-]*)", text.split("\nusage: ")[1].split("\nexample: ")[0], re.M)
+    return f"| `{usage}` | {purpose} |\n", options
 
 
 text = open(page, encoding="utf-8").read()
@@ -57,38 +40,15 @@ sections = {m[2]: m[0] for m in re.finditer(r"^(###+) (.+)\n(?:(?!^##).*\n)*", t
 commands = re.findall(r"^  ([a-z]+) ", said("--help"), re.M)
 helps = {command: command_help(command) for command in commands}
 
+table = re.search(r"(?<=\| `fogcomp` \| \|\n\|---\|---\|\n)(?:\| `.+\n)+", text)[0]
+wanted = "".join(row for row, _ in helps.values())
+if table != wanted:
+    problems.append(f"REFERENCE.md, table of commands: wanted\n{wanted}\nthere is\n{table}")
+    text = text.replace(table, wanted, 1)
 
-def replace_or_complain(section, wanted, present, what):
-    """The same section with what is wanted in the place of what is present."""
-    if wanted != present:
-        problems.append(f"REFERENCE.md, {section}: {what}: wanted\n{wanted}\nthere is\n{present}")
-    return wanted
-
-
-for command in commands:
-    section = sections.get(command)
-    if section is None:
-        problems.append(f"REFERENCE.md: no section '### {command}'")
-        continue
-    usage, options = helps[command]
-    fresh = section
-    present = re.search(r"^`fogcomp [^`]*`: (?:.+\n)+", section, re.M)[0].rstrip("\n")
-    if replace_or_complain(command, usage, one_line(present), "usage") != one_line(present):
-        fresh = fresh.replace(present, wrapped(usage), 1)
-    own = dict(options)
-    groups = groups_in(section)
-    for group in groups:
-        title = re.match(r"\[([^]]+)", group)[1].capitalize()
-        there = options_in(sections[title])
-        shared = [own.pop(name) for name in [option.split()[0] for option in there] if name in own]
-        if shared != there:
-            problems.append(f"REFERENCE.md: {command} has not the {title.lower()} of the group")
-    listed = ", ".join([*(f"`{option}`" for option in own.values()), *groups])
-    wanted = f"Options: {listed}." if listed else ""
-    present = options_paragraph(section)
-    if replace_or_complain(command, wanted, one_line(present), "options") != one_line(present):
-        fresh = fresh.replace(present, wrapped(wanted), 1)
-    text = text.replace(section, fresh, 1)
+options = "".join(f"{command}: {' '.join(names)}".rstrip() + "\n" for command, (_, names) in helps.items())
+if not os.path.exists(options_file) or open(options_file, encoding="utf-8").read() != options:
+    problems.append(f"{options_file} is not as fogcomp help has it")
 
 # JSON: keys by the files that write them.
 everything = read("*/*.cpp", "*/*.hpp")
@@ -117,7 +77,8 @@ for key in model_keys:
 
 if renew:
     open(page, "w", encoding="utf-8").write(text)
-    print("REFERENCE.md: usage and options as the commands say them")
+    open(options_file, "w", encoding="utf-8").write(options)
+    print("REFERENCE.md, command_options.txt: usage and options as the commands have them")
     sys.exit(0)
 for problem in problems:
     print(problem, file=sys.stderr)
