@@ -20,8 +20,9 @@ constexpr double kPartSpan = 4;  // from the least part to the largest
 /// Drift of every block on a way up and down through the trained range.
 class RoundTrip {
  public:
-  /// A block lasts `block_s`, and the model takes it for `believed_s`.
-  RoundTrip(const model::Model& model, double block_s, double believed_s)
+  /// A block lasts `block_s`, and the model takes it for `believed_s`. `inputs_at`: where in their
+  /// trained ranges those without thermal mass stand, 0 to 1.
+  RoundTrip(const model::Model& model, double block_s, double believed_s, double inputs_at)
       : model_(model, believed_s) {
     const model::Range& rate = *model.rate_range_degc_per_min;
     const double fastest = std::max({std::abs(rate.min), std::abs(rate.max), kSlowestDegcPerMin});
@@ -33,7 +34,9 @@ class RoundTrip {
     block_.elapsed = kSinceStartS / block_s;
     for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
       const auto& input = model.input_ranges[i];
-      if (input) block_.extension[i] = (input->range.min + input->range.max) / 2;
+      if (!input) continue;
+      const double at = fog::extension_input(i) == fog::Input::temperature2 ? 0.5 : inputs_at;
+      block_.extension[i] = input->range.min + at * (input->range.max - input->range.min);
     }
     model_.start(block_);
     for (const double end : {model.max_degc, model.min_degc}) {
@@ -46,19 +49,16 @@ class RoundTrip {
     }
   }
 
-  double largest_change_dph(std::size_t blocks) const { return largest_difference(*this, blocks); }
-  /// `other`: the same way.
-  double largest_error_dph(const RoundTrip& other) const { return largest_difference(other, 0); }
-
- private:
-  // Between the drift of a block and that of `other`, `blocks` before it.
-  double largest_difference(const RoundTrip& other, std::size_t blocks) const {
+  /// Between the drift of a block and that of `other`, which goes the same way, `blocks` before it.
+  double largest_difference_dph(const RoundTrip& other, std::size_t blocks) const {
     double largest = 0;
     for (std::size_t i = blocks; i < drift_dph_.size(); ++i) {
       largest = std::max(largest, std::abs(drift_dph_[i] - other.drift_dph_[i - blocks]));
     }
     return largest;
   }
+
+ private:
   void step() {
     model_.step(block_);
     drift_dph_.push_back(model_.drift_dph());
@@ -74,9 +74,12 @@ class RoundTrip {
 std::uint32_t accurate_hold_blocks(const model::Model& model, double block_s,
                                    std::uint32_t hold_blocks) {
   if (!model.rate_range_degc_per_min) return hold_blocks;
-  const RoundTrip trip(model, block_s, block_s);
+  // A field or a supply may within a block be anywhere that it has been.
+  const RoundTrip from(model, block_s, block_s, 0);
+  const RoundTrip to(model, block_s, block_s, 1);
   std::uint32_t blocks = 0;
-  while (blocks < hold_blocks && trip.largest_change_dph(blocks + 1) <= model.residual_rms_dph) {
+  while (blocks < hold_blocks &&
+         to.largest_difference_dph(from, blocks + 1) <= model.residual_rms_dph) {
     ++blocks;
   }
   return blocks;
@@ -85,9 +88,9 @@ std::uint32_t accurate_hold_blocks(const model::Model& model, double block_s,
 std::uint32_t sample_rate_part(const model::Model& model, double block_s) {
   if (!model.rate_range_degc_per_min) return kLeastPart;
   const double slow_s = block_s * (1 + 1.0 / kLeastPart);
-  const RoundTrip right(model, slow_s, slow_s);
-  const RoundTrip believed(model, slow_s, block_s);
-  const double error = right.largest_error_dph(believed);
+  const RoundTrip right(model, slow_s, slow_s, 0.5);
+  const RoundTrip believed(model, slow_s, block_s, 0.5);
+  const double error = right.largest_difference_dph(believed, 0);
   if (error <= model.residual_rms_dph) return kLeastPart;
   const double parts = std::min(error / model.residual_rms_dph, kPartSpan);
   return static_cast<std::uint32_t>(std::ceil(kLeastPart * parts));

@@ -40,6 +40,17 @@ TEST(HeldAccuracy, IsNotKnownOfAModelThatKnowsNoRamps) {
   EXPECT_EQ(accurate_hold_blocks(model, 1, 60), 60U);
 }
 
+// A field may be anywhere in its trained range at once: 0.005 deg/h/uT over 2 or 0.02 uT.
+TEST(HeldAccuracy, InputThatMayLeap_ItsWholeRangeCounts) {
+  model::Model model = model_of(0.00501);
+  model.terms.push_back(fog::test::natural_term("magnetic", {}, {0.005, 0}));
+  auto& field = model.input_ranges[extension_number(fog::Input::magnetic)];
+  field = {{-1, 1}, 0.1};
+  EXPECT_EQ(accurate_hold_blocks(model, 1, 60), 0U);
+  field = {{-0.01, 0.01}, 0.001};
+  EXPECT_EQ(accurate_hold_blocks(model, 1, 60), 9U) << "0.0001 of 0.005 deg/h are the field's";
+}
+
 // 2 deg/h per degC/min in a ramp of 3: 0.12 deg/h at 2 %, and a tenth more while the derivative's
 // lags settle.
 TEST(SampleRatePart, RateTerm_ErrorOfTheResidual) {
