@@ -10,6 +10,8 @@
 
 #include "board/board_table.hpp"
 #include "board/host_compensator.hpp"
+#include "core/bytes/crc.hpp"
+#include "core/frames/extension_frame.hpp"
 #include "core/frames/sensor_frame.hpp"
 
 // The code of a flash image, fed with bytes and read by its frames, for whole boards in tests.
@@ -36,9 +38,16 @@ struct LineDamage {
   std::uint32_t where = 0;  ///< any number; of added bytes, what they are
 };
 
-/// The bytes of a sample as they come out of the line.
-inline std::vector<std::uint8_t> bytes_of(const SensorSample& sample, const LineDamage& damage) {
-  const SensorFrame frame = encode_sensor_frame(sample);
+/// An extension record on the line, before its sample.
+struct LineRecord {
+  ExtensionRecord record;
+  LineDamage damage{};
+  std::uint8_t other_kind = 0;  ///< so many numbers beyond that of its input
+};
+
+/// The bytes of a frame as they come out of the line.
+template <class Frame>
+std::vector<std::uint8_t> damaged(const Frame& frame, const LineDamage& damage) {
   std::vector<std::uint8_t> bytes(frame.begin(), frame.end());
   const std::size_t at = damage.where % bytes.size();
   switch (damage.kind) {
@@ -51,12 +60,23 @@ inline std::vector<std::uint8_t> bytes_of(const SensorSample& sample, const Line
       bytes.erase(bytes.begin() + static_cast<std::ptrdiff_t>(at));
       break;
     case LineDamage::Kind::bytes_added:
-      // Half of a sample like this one, so that it begins as one does, or anything.
+      // Half of a frame like this one, so that it begins as one does, or anything.
       bytes.insert(bytes.begin(), frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(at));
       if (damage.where / 16U % 2U == 0) bytes[0] = static_cast<std::uint8_t>(damage.where >> 8U);
       break;
   }
   return bytes;
+}
+
+inline std::vector<std::uint8_t> bytes_of(const LineRecord& record) {
+  constexpr std::size_t kKind = 2;  // SPEC.md, "Sensor stream"
+  constexpr std::size_t kCrc = 8;
+  ExtensionFrame frame = encode_extension_frame(record.record);
+  frame[kKind] = static_cast<std::uint8_t>(frame[kKind] + record.other_kind);
+  const std::uint16_t crc = crc16(frame.data() + 1, kCrc - 1);
+  frame[kCrc] = static_cast<std::uint8_t>(crc);
+  frame[kCrc + 1] = static_cast<std::uint8_t>(crc >> 8U);
+  return damaged(frame, record.damage);
 }
 
 /// The pipeline of an image.
@@ -70,17 +90,26 @@ class BoardImage {
   virtual void resume_after(std::uint32_t* words, SampleTime newest) = 0;
   virtual bool ended_block() const = 0;
 
-  /// What the board makes of the sample; nothing if its bytes make none. One of kFramesEvery comes
-  /// as bytes and is answered in frames, and so do all from a damage on until the next answer.
-  /// Frames are made of nothing but what the board has found, and take two thirds of the time.
+  /// What the board makes of the sample and the record before it; nothing if its bytes make none.
+  /// One of kFramesEvery comes as bytes and is answered in frames, and so do all from a damage on
+  /// until the next answer. Frames are made of nothing but what the board has found, and take two
+  /// thirds of the time.
   std::optional<OutputSample> process(const SensorSample& sample, SampleTime now,
-                                      const LineDamage& damage = {}) {
-    const bool whole = damage.kind == LineDamage::Kind::none && !in_pieces_;
-    if (whole && ++samples_ % kFramesEvery != 0) return judge(sample, now);
-    std::size_t size = 0;
-    for (const std::uint8_t byte : bytes_of(sample, damage)) {
-      size = feed(byte, frames_.data(), now);
+                                      const LineDamage& damage = {},
+                                      const std::optional<LineRecord>& record = {}) {
+    const bool record_whole =
+        !record || (record->damage.kind == LineDamage::Kind::none && record->other_kind == 0);
+    const bool whole = damage.kind == LineDamage::Kind::none && record_whole && !in_pieces_;
+    if (whole && ++samples_ % kFramesEvery != 0) {
+      if (record) take(record->record);
+      return judge(sample, now);
     }
+    std::size_t size = 0;
+    std::vector<std::uint8_t> bytes = record ? bytes_of(*record) : std::vector<std::uint8_t>();
+    for (const std::uint8_t byte : damaged(encode_sensor_frame(sample), damage)) {
+      bytes.push_back(byte);
+    }
+    for (const std::uint8_t byte : bytes) size = feed(byte, frames_.data(), now);
     in_pieces_ = size == 0;
     if (in_pieces_ && !whole) return std::nullopt;
     if (!frames_say(last(), size)) ++false_frames_;
@@ -93,6 +122,7 @@ class BoardImage {
  protected:
   explicit BoardImage(const ModelParameters& parameters) : parameters_(parameters) {}
   virtual std::size_t feed(std::uint8_t byte, std::uint8_t* out, SampleTime now) = 0;
+  virtual void take(const ExtensionRecord& record) = 0;
   virtual OutputSample judge(const SensorSample& sample, SampleTime now) = 0;
   virtual const OutputSample& last() const = 0;
 
@@ -146,6 +176,7 @@ class BoardImageOf final : public BoardImage {
     const auto as_it_is = [](const SensorSample& sample) -> const SensorSample& { return sample; };
     return pipeline_.feed(byte, out, as_it_is, [now] { return now; });
   }
+  void take(const ExtensionRecord& record) override { pipeline_.take(record); }
   OutputSample judge(const SensorSample& sample, SampleTime now) override {
     return pipeline_.process(sample, now);
   }
@@ -155,7 +186,8 @@ class BoardImageOf final : public BoardImage {
 };
 
 /// The images that are built with a header of paper_like_model() without a denoiser and these
-/// frames: of the model as it is, and of one that remembers temperatures (with_memory()).
+/// frames: of the model as it is, and of one that remembers temperatures or has inputs beside them
+/// (with_memory(), with_input()).
 constexpr EffectMask kPaperEffects = bit_of(effects::Bias<BoardNumbers>::description) |
                                      bit_of(effects::BiasTemperature<BoardNumbers>::description) |
                                      bit_of(effects::TemperatureRate<BoardNumbers>::description);
@@ -164,7 +196,10 @@ constexpr NetworkInputMask kPaperInputs =
 constexpr EffectMask kMemoryEffects =
     kPaperEffects | bit_of(effects::ThermalLag<BoardNumbers>::description) |
     bit_of(effects::ThermalHysteresis<BoardNumbers>::description) |
-    bit_of(effects::WarmUp<BoardNumbers>::description);
+    bit_of(effects::WarmUp<BoardNumbers>::description) |
+    bit_of(effects::AxialGradient<BoardNumbers>::description) |
+    bit_of(effects::Magnetic<BoardNumbers>::description) |
+    bit_of(effects::LightPower<BoardNumbers>::description);
 template <std::size_t kFrames, bool kMemory>
 using PaperImage =
     Compensator<kMemory ? kMemoryEffects : kPaperEffects, kMemory ? kAllExpressions : 0,

@@ -44,12 +44,13 @@ struct TestedBoard {
   std::optional<fogcomp::model::Range> trained{};
   /// KVH frames have no flags: a rate that they call valid is trusted.
   bool judged_by_validity = false;
+  /// The input beside the temperature that the model needs.
+  std::optional<InputCourse> input{};
 };
 
 /// A board with the faults, and the drift model twice: without faults or losses; and without
-/// losses, but with the wrong temperatures that the board accepted. The difference between the
-/// third and the second is the effect of the temperature error. For models without effects of the
-/// input rate.
+/// losses, but with the wrong readings that the board accepted. The difference between the third
+/// and the second is the effect of their errors. For models without effects of the input rate.
 class DriftUnderFaults {
  public:
   explicit DriftUnderFaults(const fogcomp::model::Model& model, double max_degc_per_min = 3,
@@ -66,8 +67,9 @@ class DriftUnderFaults {
         period_us_(parameters_.acquisition.sample_period_us) {}
 
   DriftVerdict run(const std::vector<Fault>& faults, double duration_s, std::uint64_t seed) const {
-    FaultyLine line(faults, seed, max_degc_per_min_, {period_us_, setting_.turns_dps});
-    Witnesses witnesses(true_parameters_, seed, max_degc_per_min_);
+    FaultyLine line(faults, seed, max_degc_per_min_,
+                    {period_us_, setting_.turns_dps, setting_.input});
+    Witnesses witnesses(true_parameters_, seed, max_degc_per_min_, setting_.input);
     FaultsInTime resets(faults);
     Board board([this] { return make_image(table_, parameters_, setting_.image); },
                 setting_.has_reset_clock);
@@ -80,14 +82,12 @@ class DriftUnderFaults {
       const std::vector<FaultyLine::Arrival>& arrivals = line.next();
       if (arrivals.empty()) board.wait();
       for (const FaultyLine::Arrival& arrival : arrivals) {
-        const std::optional<OutputSample> answer = board.process(
-            arrival.sample, clock.at(arrival.time_us, setting_.has_clock), arrival.damage);
+        const std::optional<OutputSample> answer =
+            board.process(arrival, clock.at(arrival.time_us, setting_.has_clock));
         if (!answer) continue;
         const OutputSample& out = *answer;
-        const bool believed = !has_any(out.status, Status::temperature_invalid);
-        std::optional<std::int32_t> error_q16;
-        if (believed) error_q16 = arrival.sample.temperature_q16 - raw(arrival.true_degc);
-        witnesses.advance_to(arrival.time_us, error_q16);
+        witnesses.advance_to(arrival.time_us, temperature_error(arrival, out),
+                             input_error(arrival));
         judge.take(out, static_cast<double>(arrival.time_us) * 1e-6, witnesses.error_dph(out),
                    witnesses.explained_dph());
         judge.take_gyro(out, arrival,
@@ -109,6 +109,7 @@ class DriftUnderFaults {
     settings.sample_rate_hz = setting.sample_rate_hz;
     settings.output = setting.frames.output;
     settings.output_options = setting.frames.options;
+    settings.extension = setting.input.has_value();
     if (setting.judged_by_validity) {
       settings.invalidating |= Status::temperature_clamped | Status::history_unknown;
       // A late sample may be one of a demodulator that has been away, and counts anew.
@@ -152,9 +153,9 @@ class DriftUnderFaults {
       return false;
     }
     /// Nothing if the bytes of the sample were damaged.
-    std::optional<OutputSample> process(const SensorSample& sample, SampleTime time,
-                                        const LineDamage& damage) {
-      const std::optional<OutputSample> out = pipeline_->process(sample, time, damage);
+    std::optional<OutputSample> process(const FaultyLine::Arrival& arrival, SampleTime time) {
+      const std::optional<OutputSample> out =
+          pipeline_->process(arrival.sample, time, arrival.damage, arrival.record);
       if (!out) {
         wait();
         return out;
@@ -219,6 +220,20 @@ class DriftUnderFaults {
       model.max_degc = range->max;
     }
     return model;
+  }
+  // Errors of the readings that the board has believed.
+  static std::optional<std::int32_t> temperature_error(const FaultyLine::Arrival& arrival,
+                                                       const OutputSample& out) {
+    if (has_any(out.status, Status::temperature_invalid)) return std::nullopt;
+    return arrival.sample.temperature_q16 - raw(arrival.true_degc);
+  }
+  // It may have believed whatever the table calls possible.
+  std::optional<std::int32_t> input_error(const FaultyLine::Arrival& arrival) const {
+    if (!arrival.record || arrival.record->other_kind != 0) return std::nullopt;
+    const std::int32_t value = arrival.record->record.value.raw();
+    const Span<const std::int32_t> limits = parameters_.acquisition.input_limits;
+    if (value < limits[0] || value > limits[1]) return std::nullopt;
+    return value - raw(arrival.true_input);
   }
   static double dph(Rate rate) { return rate.raw() * kDphPerLsb; }
   static std::int32_t raw(double degc) { return static_cast<std::int32_t>(degc * 65536); }
@@ -348,10 +363,18 @@ class DriftUnderFaults {
           collector_(needs_of(parameters)) {}
 
     /// A temperature that is not believed counts where a block has no other.
-    void take(Temperature temperature, bool believed, Elapsed elapsed, bool ends_block) {
+    void take(Temperature temperature, bool believed, const std::optional<ExtensionRecord>& input,
+              Elapsed elapsed, bool ends_block) {
       if (std::exchange(stepped_, false)) before_ = drift_;
       drift_ = model_.drift();
-      if (!model_.started()) model_.start({temperature, Rate{}, elapsed});
+      BlockMeans<BoardNumbers> now{temperature, Rate{}, elapsed};
+      if (input) {
+        Collector::Extension values(bit_of(input->input));
+        values.add(input->input, input->value);
+        collector_.add_extension(values);
+        now[input->input] = input->value;
+      }
+      if (!model_.started()) model_.start(now);
       if (believed || (ends_block && !collector_.has_temperature())) {
         collector_.add_temperature(temperature);
       }
@@ -366,9 +389,10 @@ class DriftUnderFaults {
 
    private:
     using Model = DriftModel<kAllEffects, kAnyModel.expressions, kAnyModel.network_inputs>;
+    using Collector = BlockCollector<Model::inputs>;
 
     Model model_;
-    BlockCollector<Model::inputs> collector_;
+    Collector collector_;
     Rate drift_{};
     Rate before_{};
     bool stepped_ = false;
@@ -392,8 +416,10 @@ class DriftUnderFaults {
   // may be all of one, or half of two. So there are pairs for several beginnings.
   class Witnesses {
    public:
-    Witnesses(const ModelParameters& parameters, std::uint64_t seed, double max_degc_per_min)
+    Witnesses(const ModelParameters& parameters, std::uint64_t seed, double max_degc_per_min,
+              const std::optional<InputCourse>& input)
         : coil_(seed, max_degc_per_min),
+          input_(input),
           period_us_(parameters.acquisition.sample_period_us),
           longest_bridge_us_(period_us_ * parameters.samples_per_block *
                              parameters.policy.hold_blocks),
@@ -403,20 +429,24 @@ class DriftUnderFaults {
       }
     }
 
-    /// Runs up to a time. Block temperatures completed in this call may be wrong by this much,
-    /// because they are means of few, late samples. Nothing: the board has not believed it.
-    void advance_to(std::int64_t time_us, std::optional<std::int32_t> error_q16) {
+    /// Runs up to a time. Block means completed in this call may be wrong by this much, because
+    /// they are means of few, late readings. Nothing: the board has not believed it.
+    void advance_to(std::int64_t time_us, std::optional<std::int32_t> temperature_error,
+                    std::optional<std::int32_t> input_error) {
       for (; sample_ * period_us_ <= time_us; ++sample_) {
         const std::int64_t now_us = sample_ * period_us_;
         const bool last = now_us > time_us - kSecondUs;
-        const std::int32_t error = last && error_q16 ? *error_q16 : held_error(now_us);
-        take(raw(coil_.at(static_cast<double>(now_us) * 1e-6)), error,
-             !last || error_q16.has_value());
+        const double time_s = static_cast<double>(now_us) * 1e-6;
+        const double degc = coil_.at(time_s);
+        const auto error_of = [&](const Believed& before, std::optional<std::int32_t> now) {
+          return last && now ? *now : held_error(before, now_us);
+        };
+        take({raw(degc), error_of(temperature_, temperature_error)},
+             !last || temperature_error.has_value(),
+             {input_ ? raw(input_->at(time_s, degc)) : 0, error_of(other_, input_error)});
       }
-      if (error_q16) {
-        believed_q16_ = *error_q16;
-        believed_at_us_ = time_us;
-      }
+      if (temperature_error) temperature_ = {time_us, *temperature_error};
+      if (input_error) other_ = {time_us, *input_error};
       for (const WitnessPair& pair : pairs_) {
         explained_dph_ = std::max(explained_dph_, pair.explained_dph());
       }
@@ -435,30 +465,47 @@ class DriftUnderFaults {
    private:
     static constexpr std::uint32_t kBeginnings = 4;
 
-    void take(std::int32_t right, std::int32_t error, bool believed) {
+    struct Reading {
+      std::int32_t right;
+      std::int32_t error;
+    };
+    // The error of a reading that was believed then.
+    struct Believed {
+      std::int64_t at_us = 0;
+      std::int32_t error = 0;
+    };
+
+    void take(Reading temperature, bool believed, Reading input) {
+      const auto record = [&](std::int32_t error) -> std::optional<ExtensionRecord> {
+        if (!input_) return std::nullopt;
+        return ExtensionRecord{input_->input, ExtensionValue::from_raw(input.right + error)};
+      };
       for (WitnessPair& pair : pairs_) {
         const bool ends_block = pair.blocks.advance(1) > 0;
         const Elapsed elapsed = pair.blocks.elapsed();
-        pair.truth.take(Temperature::from_raw(right), true, elapsed, ends_block);
-        pair.told.take(Temperature::from_raw(right + error), believed, elapsed, ends_block);
+        pair.truth.take(Temperature::from_raw(temperature.right), true, record(0), elapsed,
+                        ends_block);
+        pair.told.take(Temperature::from_raw(temperature.right + temperature.error), believed,
+                       record(input.error), elapsed, ends_block);
         if (&pair == &pairs_.front() && ends_block && elapsed.raw() % settle_blocks_ == 0) {
           explained_before_dph_ = std::exchange(explained_dph_, 0);
         }
       }
     }
-    // A board bridges what it has not believed, or has missed, from the last temperature that it
+    // A board bridges what it has not believed, or has missed, from the last reading that it
     // believed, error included; beyond the longest bridge it starts anew.
-    std::int32_t held_error(std::int64_t now_us) const {
-      return now_us - believed_at_us_ <= longest_bridge_us_ ? believed_q16_ : 0;
+    std::int32_t held_error(const Believed& before, std::int64_t now_us) const {
+      return now_us - before.at_us <= longest_bridge_us_ ? before.error : 0;
     }
 
     std::deque<WitnessPair> pairs_;
     CoilTemperature coil_;
+    std::optional<InputCourse> input_;
     std::int64_t period_us_;
     std::int64_t sample_ = 0;
     std::int64_t longest_bridge_us_;
-    std::int64_t believed_at_us_ = 0;
-    std::int32_t believed_q16_ = 0;  // error of the temperature that was believed then
+    Believed temperature_;
+    Believed other_;
     int settle_blocks_;
     double explained_dph_ = 0;         // most, since the model has settled last
     double explained_before_dph_ = 0;  // ... in the time that it took before

@@ -62,6 +62,18 @@ inline constexpr FaultDraw kFaultDraws[] = {
     {Fault::Kind::gyro_level, "gyro at, deg/s:", kShortestS, kLongestS, -580, 580},
     {Fault::Kind::gyro_spikes, "spikes, deg/s:", kShortestS, kLongestS, 1, 580},
     {Fault::Kind::gyro_sign, "gyro's sign flips", kShortestS, kLongestS},
+    {Fault::Kind::input_missing, "input missing", kShortestS, kLongestS},
+    {Fault::Kind::input_sparse, "one record of", kShortestS, kLongestS, 2, 1000},
+    {Fault::Kind::input_frozen, "input frozen", kShortestS, kLongestS},
+    {Fault::Kind::input_late, "input late, s:", kShortestS, kLongestS, 0.1, 100},
+    // From within its trained range to far beyond what the table lets pass.
+    {Fault::Kind::input_wrong, "input at, amplitudes:", kShortestS, kLongestS, -10, 10},
+    {Fault::Kind::input_offset, "input off by, amplitudes:", kShortestS, kLongestS, -2, 2},
+    // Of more, only those pass that lie within a step of the last one: with_input().
+    {Fault::Kind::input_noise, "input noisy, amplitudes:", kShortestS, kLongestS, 0.0001, 0.01},
+    {Fault::Kind::input_damaged, "one record damaged of", kShortestS, kLongestS, 1, 1000},
+    {Fault::Kind::input_other_kind, "records of an input so much on:", kShortestS, kLongestS, 1,
+     255},
     {Fault::Kind::power_cycle, "power lost", 0.1, kLongestS},
     // The watchdog expires after 0.1 s; a start takes another 0.1 s.
     {Fault::Kind::board_restart, "board restarts", 0.05, 1},
@@ -77,6 +89,10 @@ constexpr bool has_every_kind() {
   return kinds == (std::uint64_t{1} << kFaultKinds) - 1;
 }
 static_assert(has_every_kind());
+
+constexpr bool is_of_input(Fault::Kind kind) {
+  return kind >= Fault::Kind::input_missing && kind <= Fault::Kind::input_other_kind;
+}
 
 inline const char* name_of(Fault::Kind kind) {
   for (const FaultDraw& draw : kFaultDraws) {
@@ -114,6 +130,37 @@ inline fogcomp::model::Model with_memory(const ThermalMemory& memory) {
   return model;
 }
 
+/// The model with a term of an input beside the temperature, of 0.5 to 1 deg/h over its swing.
+inline fogcomp::model::Model with_input(fogcomp::model::Model model, const InputCourse& course) {
+  constexpr double kWrittenWeight = 25;
+  const auto add_written = [&](const char* text) {
+    model.terms.push_back(written_term(text));
+    model.terms.back().coefficients_dph[0].value *= kWrittenWeight;
+  };
+  fogcomp::model::Range range{course.middle() - course.amplitude(),
+                              course.middle() + course.amplitude()};
+  switch (course.input) {
+    case Input::temperature2:
+      model.terms.push_back(natural_term("axial_gradient", {30}, {0.9, 0.1}));
+      range = {model.min_degc + range.min, model.max_degc + range.max};
+      break;
+    case Input::magnetic:
+      model.terms.push_back(natural_term("magnetic", {}, {0.005, 5e-6}));
+      break;
+    case Input::light_power:
+      model.terms.push_back(natural_term("light_power", {}, {0.3}));
+      break;
+    case Input::supply:
+      add_written("volts = lag(V,20)+V-10");
+      break;
+    default:
+      add_written("shaken = lag(g,60)");
+      break;
+  }
+  model.input_ranges[extension_number(course.input)] = {range, course.amplitude() / 50};
+  return model;
+}
+
 /// A board, what happens to it, and for how long: kSamples, or the shortest run if that is longer,
 /// which is a few times what the model takes to settle.
 struct FaultSchedule {
@@ -138,6 +185,7 @@ class FaultScheduler {
     FaultSchedule schedule;
     schedule.board = board_;
     if (chance(0.3)) schedule.memory = memory();
+    if (chance(0.4)) board_.input = schedule.board.input = input();
     schedule.duration_s = std::max(
         FaultSchedule::kSamples / board_.sample_rate_hz,
         schedule.memory.any() ? FaultSchedule::kShortestMemoryRunS : FaultSchedule::kShortestRunS);
@@ -170,6 +218,17 @@ class FaultScheduler {
     return setting;
   }
 
+  InputCourse input() {
+    constexpr double kLongestPeriodS = 3000;
+    InputCourse course{extension_input(random_() % kExtensionInputs), 50};
+    // A second temperature changes no faster than the coil's.
+    if (course.input == Input::temperature2) {
+      course.period_s = 2 * M_PI * course.amplitude() / (kMaxDegcPerMin / 60);
+    }
+    course.period_s = logarithmic(course.period_s, kLongestPeriodS);
+    return course;
+  }
+
   ThermalMemory memory() {
     return {chance(0.6) ? logarithmic(10, 120) : 0, chance(0.6) ? logarithmic(2, 8) : 0,
             chance(0.4) ? logarithmic(10, 200) : 0};
@@ -179,10 +238,12 @@ class FaultScheduler {
     const FaultDraw& draw = kFaultDraws[random_() % kDraws];
     // Without a clock nobody can find it: not promised (firmware/DESIGN.md).
     if (draw.kind == Fault::Kind::sample_period && !board_.has_clock) return fault(from_s);
+    if (is_of_input(draw.kind) && !board_.input) return fault(from_s);
     const double lasts_s = logarithmic(draw.shortest_s, draw.longest_s);
     double value = draw.lowest > 0 ? logarithmic(draw.lowest, draw.highest)
                                    : uniform(draw.lowest, draw.highest);
-    if (draw.kind == Fault::Kind::sparse) value = std::floor(value);
+    if (draw.kind == Fault::Kind::sparse || draw.kind == Fault::Kind::input_sparse)
+      value = std::floor(value);
     if (draw.kind == Fault::Kind::sample_period) value *= 1e6 / board_.sample_rate_hz;
     return {draw.kind, from_s, from_s + lasts_s, value};
   }
@@ -193,7 +254,9 @@ class FaultScheduler {
 
 /// As DriftUnderFaults::run(), for the board of the schedule.
 inline DriftVerdict run(const FaultSchedule& schedule, std::uint64_t seed) {
-  return DriftUnderFaults(with_memory(schedule.memory), kMaxDegcPerMin, schedule.board)
+  fogcomp::model::Model model = with_memory(schedule.memory);
+  if (schedule.board.input) model = with_input(model, *schedule.board.input);
+  return DriftUnderFaults(model, kMaxDegcPerMin, schedule.board)
       .run(schedule.faults, schedule.duration_s, seed);
 }
 
@@ -226,6 +289,10 @@ inline void print(const FaultSchedule& schedule) {
   if (schedule.memory.any()) {
     std::printf("  lag of %.1f s, loop of %.2f degC, warm-up of %.1f s\n", schedule.memory.lag_s,
                 schedule.memory.loop_degc, schedule.memory.warm_up_s);
+  }
+  if (board.input) {
+    std::printf("  %s in a period of %.1f s\n", description_of(board.input->input).name,
+                board.input->period_s);
   }
   for (const Fault& fault : schedule.faults) {
     std::printf("  %.3f to %.3f s: %s %g\n", fault.from_s, fault.to_s, name_of(fault.kind),

@@ -46,9 +46,18 @@ struct Fault {
     gyro_level,   ///< a converter that stands: `value` deg/s
     gyro_spikes,  ///< one sample of 50 is `value` deg/s, of either sign
     gyro_sign,    ///< the sign has flipped
-    power_cycle,  ///< the board loses its memory at the end
-    board_restart,  ///< the board restarts by itself and keeps its memory
-    pin_reset,      ///< the same by the reset pin, held for any time
+    input_missing,     ///< no extension record comes
+    input_sparse,      ///< only every `value`th does
+    input_frozen,      ///< the value at the start of the fault, repeated
+    input_late,        ///< the value of `value` seconds ago
+    input_wrong,       ///< `value` amplitudes from the middle of its swing
+    input_offset,      ///< `value` amplitudes too high
+    input_noise,       ///< uniform, up to `value` amplitudes of either sign
+    input_damaged,     ///< a bit flipped, a byte lost or added in one record of `value`
+    input_other_kind,  ///< the record says another input, `value` numbers on
+    power_cycle,       ///< the board loses its memory at the end
+    board_restart,     ///< the board restarts by itself and keeps its memory
+    pin_reset,         ///< the same by the reset pin, held for any time
   };
   Kind kind;
   double from_s;
@@ -135,10 +144,28 @@ class CoilTemperature {
   double unsettled_degc_ = 0;
 };
 
-/// How often a demodulator samples, and how the gyro turns: as a sine of 100 s.
+/// An input beside the coil's temperature: the swing of its description, in another period.
+struct InputCourse {
+  Input input;
+  double period_s;
+
+  double middle() const { return swing().middle_milli / 1000.0; }
+  double amplitude() const { return swing().amplitude_milli / 1000.0; }
+  double at(double time_s, double coil_degc) const {
+    const double value = middle() + amplitude() * std::sin(2 * M_PI * time_s / period_s);
+    return input == Input::temperature2 ? coil_degc + value : value;
+  }
+
+ private:
+  const InputSwing& swing() const { return description_of(input).swing; }
+};
+
+/// How often a demodulator samples, how the gyro turns: as a sine of 100 s, and the input whose
+/// record comes before each sample.
 struct LineSetting {
   std::int64_t period_us = kPeriodUs;
   double turns_dps = 0;  ///< amplitude
+  std::optional<InputCourse> input{};
 };
 
 /// Time-stamped samples of a demodulator with these faults.
@@ -149,7 +176,9 @@ class FaultyLine {
     SensorSample sample;
     double true_degc;
     LineDamage damage;
-    bool gyro_stands;  ///< whatever it whispers
+    bool gyro_stands;                    ///< whatever it whispers
+    std::optional<LineRecord> record{};  ///< before the sample
+    double true_input = 0;
   };
 
   FaultyLine(std::vector<Fault> faults, std::uint64_t seed, double max_degc_per_min,
@@ -173,6 +202,7 @@ class FaultyLine {
     }
     now.sample.temperature_q16 = raw(now.true_degc);
     now.sample.gyro_valid = now.sample.temperature_valid = true;
+    if (setting_.input) add_record(now, time_s);
     const bool arrives = spoil(now, time_s);
     time_us_ += period_us_;
     ++sequence_;
@@ -199,6 +229,55 @@ class FaultyLine {
 
   static std::int32_t raw(double degc) { return static_cast<std::int32_t>(degc * 65536); }
   std::int32_t counts(double dps) const { return static_cast<std::int32_t>(dps * counts_per_dps_); }
+
+  void add_record(Arrival& now, double time_s) {
+    using Kind = Fault::Kind;
+    const InputCourse& course = *setting_.input;
+    double value = now.true_input = course.at(time_s, now.true_degc);
+    now.record = {{course.input, {}}};
+    bool comes = true;
+    const std::vector<Fault*>& present = faults_.at(time_s);
+    if (!has(present, Kind::input_frozen)) frozen_input_.reset();
+    for (const Fault* const fault : present) {
+      const double drawn = fault->value;
+      switch (fault->kind) {
+        case Kind::input_missing:
+          comes = false;
+          break;
+        case Kind::input_sparse:
+          comes = comes && sequence_ % static_cast<unsigned>(drawn) == 0;
+          break;
+        case Kind::input_frozen:
+          if (!frozen_input_) frozen_input_ = value;
+          value = *frozen_input_;
+          break;
+        case Kind::input_late:
+          value = course.at(time_s - drawn, now.true_degc);
+          break;
+        case Kind::input_wrong:
+          value = course.middle() + drawn * course.amplitude();
+          break;
+        case Kind::input_offset:
+          value += drawn * course.amplitude();
+          break;
+        case Kind::input_noise:
+          value += std::ldexp(either_way(raw(drawn * course.amplitude())), -16);
+          break;
+        case Kind::input_damaged:
+          if (random_() % static_cast<unsigned>(drawn) != 0) break;
+          now.record->damage = {static_cast<LineDamage::Kind>(1 + random_() % 3U),
+                                static_cast<std::uint32_t>(random_())};
+          break;
+        case Kind::input_other_kind:
+          now.record->other_kind = static_cast<std::uint8_t>(drawn);
+          break;
+        default:
+          break;
+      }
+    }
+    now.record->record.value = ExtensionValue::from_raw(raw(value));
+    if (!comes) now.record.reset();
+  }
 
   bool spoil(Arrival& now, double time_s) {
     using Kind = Fault::Kind;
@@ -299,6 +378,8 @@ class FaultyLine {
         case Kind::pin_reset:
           arrives = false;
           break;
+        default:  // add_record()
+          break;
       }
     }
     restarted_ = has(present, Kind::restart_ahead);
@@ -337,6 +418,7 @@ class FaultyLine {
   bool restarted_ = false;
   std::optional<SensorSample> standing_;
   std::optional<std::int32_t> stood_;
+  std::optional<double> frozen_input_;
   std::optional<Arrival> kept_;
   std::vector<Arrival> arrivals_;
 };

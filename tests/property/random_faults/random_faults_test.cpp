@@ -42,4 +42,26 @@ TEST(RandomFaults, DriftingSensor_JumpIsBridged_ErrorExplained) {
   EXPECT_GT(verdict.trusted, verdict.samples / 2) << "or the test says little";
 }
 
+// From schedules 122, 135 and 147: a held drift was called accurate for as long as the temperature
+// allowed, while a field went on. KVH frames were valid, 0.14 to 0.31 deg/h off.
+TEST(RandomFaults, InputMovesWhileDriftIsHeld_NotValid) {
+  FaultSchedule schedule;
+  schedule.board.frames = {fog::OutputSelection::kvh, 0};
+  schedule.board.judged_by_validity = true;
+  schedule.board.sample_rate_hz = 41;
+  schedule.duration_s = 1200;
+  for (const fog::Input input : {fog::Input::magnetic, fog::Input::light_power}) {
+    schedule.board.input = {input, 60};
+    for (const Fault& fault : {Fault{Fault::Kind::wrong_temperature, 700, 740, -54.6},
+                               Fault{Fault::Kind::no_temperature, 700, 704},
+                               Fault{Fault::Kind::input_other_kind, 700, 704, 2},
+                               Fault{Fault::Kind::input_missing, 700, 704}}) {
+      schedule.faults = {fault};
+      const DriftVerdict verdict = run(schedule, 1);
+      EXPECT_EQ(complaint(verdict), "") << name_of(fault.kind);
+      EXPECT_GT(verdict.trusted, verdict.samples / 2) << "or the test says little";
+    }
+  }
+}
+
 }  // namespace
