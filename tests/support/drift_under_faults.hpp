@@ -433,20 +433,19 @@ class DriftUnderFaults {
     /// they are means of few, late readings. Nothing: the board has not believed it.
     void advance_to(std::int64_t time_us, std::optional<std::int32_t> temperature_error,
                     std::optional<std::int32_t> input_error) {
+      const Believed input_before = std::exchange(input_read_, largest(time_us, input_error));
       for (; sample_ * period_us_ <= time_us; ++sample_) {
         const std::int64_t now_us = sample_ * period_us_;
         const bool last = now_us > time_us - kSecondUs;
         const double time_s = static_cast<double>(now_us) * 1e-6;
         const double degc = coil_.at(time_s);
-        const auto error_of = [&](const Believed& before, std::optional<std::int32_t> now) {
-          return last && now ? *now : held_error(before, now_us);
-        };
-        take({raw(degc), error_of(temperature_, temperature_error)},
+        take({raw(degc),
+              last && temperature_error ? *temperature_error : held_error(temperature_, now_us)},
              !last || temperature_error.has_value(),
-             {input_ ? raw(input_->at(time_s, degc)) : 0, error_of(other_, input_error)});
+             {input_ ? raw(input_->at(time_s, degc)) : 0,
+              held_error(last ? input_read_ : input_before, now_us)});
       }
       if (temperature_error) temperature_ = {time_us, *temperature_error};
-      if (input_error) other_ = {time_us, *input_error};
       for (const WitnessPair& pair : pairs_) {
         explained_dph_ = std::max(explained_dph_, pair.explained_dph());
       }
@@ -492,6 +491,15 @@ class DriftUnderFaults {
         }
       }
     }
+    // Of the errors of an input in two blocks: a board refuses what comes before and after a leap
+    // until it is confirmed, so that a block may have none but the wrong values.
+    Believed largest(std::int64_t time_us, std::optional<std::int32_t> error) const {
+      constexpr std::int64_t kBlocksUs = 2 * kSecondUs;
+      if (!error) return input_read_;
+      const bool larger = std::abs(*error) >= std::abs(input_read_.error);
+      return larger || time_us - input_read_.at_us > kBlocksUs ? Believed{time_us, *error}
+                                                               : input_read_;
+    }
     // A board bridges what it has not believed, or has missed, from the last reading that it
     // believed, error included; beyond the longest bridge it starts anew.
     std::int32_t held_error(const Believed& before, std::int64_t now_us) const {
@@ -505,7 +513,7 @@ class DriftUnderFaults {
     std::int64_t sample_ = 0;
     std::int64_t longest_bridge_us_;
     Believed temperature_;
-    Believed other_;
+    Believed input_read_;
     int settle_blocks_;
     double explained_dph_ = 0;         // most, since the model has settled last
     double explained_before_dph_ = 0;  // ... in the time that it took before
