@@ -62,21 +62,29 @@ bool are_balanced(const std::vector<double>& values, std::size_t window) {
 struct Clock {
   Clock(const std::vector<double>& time_s, double period_s) {
     std::vector<double> samples;  // from each row to the next
+    double all = 0;
+    double off_square = 0;
     for (std::size_t i = 1; i < time_s.size(); ++i) {
       const double spacing_s = time_s[i] - time_s[i - 1];
-      if (spacing_s <= rules::kMaxDropoutS) samples.push_back(std::round(spacing_s / period_s));
+      if (spacing_s > rules::kMaxDropoutS) continue;
+      samples.push_back(std::round(spacing_s / period_s));
+      all += samples.back();
+      off_square += std::pow(spacing_s / period_s - samples.back(), 2);
     }
     const auto rows = static_cast<double>(samples.size());
     const auto early = static_cast<double>(std::count(samples.begin(), samples.end(), 0.0));
     const auto even = static_cast<double>(std::count(samples.begin(), samples.end(), 1.0));
     is_early = early > rules::kShareWithoutLoss * rows;
     const double window = std::ceil(rules::kWindowPauses * rows / (rows - even));
-    is_by_chance = even == rows || !(are_regular(samples) ||
-                                     are_balanced(samples, static_cast<std::size_t>(window)));
+    // Packets are farther apart than samples within them, which fill less than half of the time.
+    const bool has_grid =
+        even > kMost * all && std::sqrt(off_square / rows) < rules::kMaxAnchorScatter;
+    is_even = has_grid || even == rows ||
+              !(are_regular(samples) || are_balanced(samples, static_cast<std::size_t>(window)));
   }
-  bool is_early = false;     // rows come before the next sample can have been taken
-  bool is_by_chance = true;  // pauses are of samples that are lost: they neither are all alike nor
-                             // make up for each other
+  bool is_early = false;  // rows come before the next sample can have been taken
+  bool is_even = true;    // pauses are of samples that are lost: whole periods, few beside samples
+                          // that came in time; or neither all alike nor making up for each other
 };
 
 /// Rows sampled each `period_s`, in ranges between which samples are lost.
@@ -405,7 +413,7 @@ std::optional<EvenTimes> even_times(const std::vector<double>& time_s,
   if (may_be_clock) {
     const Clock clock(time_s, spacing_s);
     may_be_clock = !clock.is_early;
-    if (may_be_clock && clock.is_by_chance) return std::nullopt;
+    if (may_be_clock && clock.is_even) return std::nullopt;
   }
   EvenTimes even;
   EvenRows rows(time_s);

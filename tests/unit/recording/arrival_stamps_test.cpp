@@ -231,6 +231,19 @@ TEST(ArrivalStamps, OtherTimes_LeftAsTheyAre) {
   EXPECT_FALSE(even_times(bursts));
 }
 
+// A logger that pauses in a rhythm: what it wrote came in time.
+TEST(ArrivalStamps, RegularPauses_RateOfTheSamples) {
+  for (const auto& [samples, pause] : {std::pair(7, 3), {70, 30}, {20, 1}, {3, 1}}) {
+    Recording recording;
+    for (int i = 0; i < 20000; ++i) {
+      if (i % (samples + pause) < samples) recording.time_s.push_back(i * kPeriod);
+    }
+    EXPECT_FALSE(even_times(recording.time_s)) << samples;
+    find_stretches(recording);
+    EXPECT_NEAR(recording.period_s, kPeriod, 1e-6) << samples;
+  }
+}
+
 std::string file_of(const std::vector<double>& time_s) {
   std::string text = "time_s,temperature_degc,rate_dph\n";
   for (std::size_t i = 0; i < time_s.size(); ++i) {
