@@ -158,26 +158,33 @@ std::vector<RowRange> held_ranges(const std::vector<double>& values) {
   return held;
 }
 
-// Of the rows at which a column changes.
+// Of the rows at which a column changes; of at most 65537 spread over it if these are enough.
 double usual_step(const std::vector<double>& values) {
+  constexpr std::size_t kMaxSteps = 65536;
   std::vector<double> steps;
-  for (std::size_t row = 1; row < values.size(); ++row) {
-    if (values[row] != values[row - 1]) steps.push_back(step_at(values, row));
+  for (const std::size_t every : {values.size() / kMaxSteps + 1, std::size_t{1}}) {
+    if (steps.size() >= kEnoughValues) break;
+    steps.clear();
+    for (std::size_t row = 1; row < values.size(); row += every) {
+      if (values[row] != values[row - 1]) steps.push_back(step_at(values, row));
+    }
   }
   return steps.empty() ? 0 : median(std::move(steps));
 }
 
-/// Short ranges of one value that is far from the ones around.
+/// Short ranges of one value that is far from the ones around in what was `seen`.
 struct Outliers {
-  Outliers(const std::vector<double>& values, double far) {
-    if (far == 0) return;
-    const auto is_far_at = [&](std::size_t row) {
-      return row == 0 || row == values.size() || step_at(values, row) >= far;
+  Outliers(const std::vector<double>& values, const std::vector<double>& seen, double far) {
+    const auto is_far = [&](std::size_t row, std::size_t other) {
+      return other >= values.size() || std::fabs(seen[row] - seen[other]) >= far;
     };
     for (std::size_t row = 1, first = 0; row <= values.size(); ++row) {
       if (row < values.size() && values[row] == values[row - 1]) continue;
-      const bool is_short = row - first <= kFewValues;
-      if (is_short && is_far_at(first) && is_far_at(row)) each.push_back(values[first]);
+      bool is_outlier = row - first <= kFewValues;
+      for (std::size_t i = first; i < row && is_outlier; ++i) {
+        is_outlier = is_far(i, first - 1) && is_far(i, row);
+      }
+      if (is_outlier) each.push_back(values[first]);
       first = row;
     }
     std::sort(each.begin(), each.end());
@@ -198,25 +205,53 @@ struct Outliers {
   std::vector<double> each{};  // of each range, sorted
 };
 
-/// The value of most outliers, if it hardly stands anywhere else, and unlike the tail of a noise is
-/// more frequent than the next value by far; nothing if there is none.
-std::optional<double> sentinel_of(const std::vector<double>& values) {
-  const double far = rules::kMinSentinelSteps * usual_step(values);
-  const auto [value, count] = Outliers(values, far).most_frequent();
-  if (count < kFewValues) return std::nullopt;
-  std::size_t ranges = 0;
+// Of values beside `value` the nearest one.
+double nearest_to(double value, const std::vector<double>& values) {
   double next = std::numeric_limits<double>::infinity();
+  for (const double each : values) {
+    if (each != value && std::fabs(each - value) < std::fabs(next - value)) next = each;
+  }
+  return next;
+}
+
+std::size_t ranges_of(double value, const std::vector<double>& values) {
+  std::size_t ranges = 0;
   for (std::size_t row = 0; row < values.size(); ++row) {
     if (values[row] == value && (row == 0 || values[row - 1] != value)) ++ranges;
-    const bool is_nearer = std::fabs(values[row] - value) < std::fabs(next - value);
-    if (values[row] != value && is_nearer) next = values[row];
   }
+  return ranges;
+}
+
+bool is_noticeable(std::size_t part, std::size_t all) {
+  return static_cast<double>(part) > kNoticeable * static_cast<double>(all);
+}
+
+/// The value of most outliers, if it hardly stands anywhere else, and unlike the tail of a noise is
+/// more frequent than the next value by far; nothing if there is none.
+std::optional<double> far_sentinel(const std::vector<double>& values,
+                                   const std::vector<double>& seen) {
+  const double far = rules::kMinSentinelSteps * usual_step(seen);
+  if (far == 0) return std::nullopt;
+  const auto [value, count] = Outliers(values, seen, far).most_frequent();
+  if (count < kFewValues) return std::nullopt;
+  const std::size_t ranges = ranges_of(value, values);
+  const double next = nearest_to(value, values);
   const bool has_next = std::fabs(next - value) < far;
-  const auto others = has_next ? std::count(values.begin(), values.end(), next) : 0;
-  const bool is_sentinel =
-      static_cast<double>(count) >= (1 - kNoticeable) * static_cast<double>(ranges) &&
-      static_cast<double>(others) <= kNoticeable * static_cast<double>(count);
+  const auto others =
+      has_next ? static_cast<std::size_t>(std::count(values.begin(), values.end(), next)) : 0;
+  const bool is_sentinel = !is_noticeable(ranges - count, ranges) && !is_noticeable(others, count);
   return is_sentinel ? std::optional(value) : std::nullopt;
+}
+
+/// Whether a rate is 0, among its other values, far more often than it has the next value: of a
+/// noise both are as frequent. Not if it is 0 for long, or mostly.
+bool has_filled_zeros(const std::vector<double>& values) {
+  const std::size_t ranges = ranges_of(0, values);
+  if (ranges < kFewValues) return false;
+  const auto zeros = static_cast<std::size_t>(std::count(values.begin(), values.end(), 0));
+  const double next = nearest_to(0, values);
+  return zeros <= kFewValues * ranges && 2 * zeros < values.size() &&
+         !is_noticeable(ranges_of(next, values) + ranges_of(-next, values), ranges);
 }
 
 /// Those after a jump and before one: no reading, but what stands for none.
@@ -308,21 +343,31 @@ void name_refused_rows(const Recording& recording, const Words& words,
 }  // namespace
 
 void leave_out_sentinels(Recording& recording, LineNumbers& lines, const ReadWatch& watch) {
-  for (auto value = sentinel_of(recording.rate_dph); value;
-       value = sentinel_of(recording.rate_dph)) {
+  const auto leave_out = [&](Column column, double value, const char* why) {
+    const std::vector<double>& values = recording[column];
     std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < recording.rows(); ++row) {
-      if (recording.rate_dph[row] == *value) rows.push_back(row);
+      if (values[row] == value) rows.push_back(row);
     }
     const std::string place = lines.empty() ? format("at %.6g s", recording.time_s[rows.front()])
                                             : format("at line %zu", lines.line_of(rows.front()));
-    watch.say(recording.file,
-              counted(rows.size(), "sample") +
-                  format(" left out: the rate is exactly %.6g deg/h, the first ", *value) + place +
-                  ", each far from those around: no readings");
+    watch.say(recording.file, counted(rows.size(), "sample") + " left out: the " +
+                                  (column == Column::rate_dph ? "" : "input ") +
+                                  format("rate is exactly %.6g deg/h, the first ", value) + place +
+                                  why + ": no readings");
     recording.empty_rows += rows.size();
     if (!lines.empty()) lines = lines.without(rows, recording.rows());
     remove_rows(recording, rows);
+  };
+  const auto each_far = [&](Column column, auto seen) {
+    while (const auto value = far_sentinel(recording[column], seen(recording))) {
+      leave_out(column, *value, ", each far from those around");
+    }
+  };
+  each_far(Column::rate_dph, [](const Recording& run) { return run.rate_dph; });
+  if (!recording.input_rate_dph.empty()) each_far(Column::input_rate_dph, bias_dph);
+  if (has_filled_zeros(recording.rate_dph)) {
+    leave_out(Column::rate_dph, 0, ", far more often than any value beside it");
   }
 }
 

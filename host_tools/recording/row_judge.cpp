@@ -124,13 +124,34 @@ class RowJudge {
         rate_period_us_(elapsed_us(std::clamp(recording.period_s, 1e-6, kAnyRateS))),
         rate_(board_limits(limits, rate_period_us_ * 1e-6), rate_period_us_) {}
 
-  std::vector<RefusedRow> judge() {
-    const std::size_t first = first_confirmed();
-    const std::vector<Status> before_first = judge_backwards_from(first);
+  // `first`: whose temperature is believed; `is_start_wrong`: none before it.
+  std::vector<RefusedRow> judge(std::size_t first, bool is_start_wrong) {
+    const std::vector<Status> before_first =
+        is_start_wrong ? wrong_until(first) : judge_backwards_from(first);
     for (std::size_t row = 0; row < time_s_.size(); ++row) {
       note(row, (row < first ? before_first[row] : judge_temperature(row)) | rate_status(row));
     }
-    return std::move(refused_);
+    return refused_;
+  }
+
+  // The row from which on temperatures are right if those before it are of a sensor that did not
+  // measure yet: they jumped once and for all, and are fewer than those that the jump cost; or 0.
+  std::size_t end_of_wrong_start() const { return level_; }
+
+  // First row whose temperature the next row confirms; without one, the first that the board would
+  // accept; rows() if every reading is impossible or 85 degC.
+  std::size_t first_confirmed() const {
+    const std::size_t rows = time_s_.size();
+    std::size_t first = rows;
+    for (std::size_t row = 0; row < rows; ++row) {
+      if (!is_possible(row) || is_power_on_reading(temperature_degc_[row])) continue;
+      first = std::min(first, row);
+      std::size_t next = row + 1;
+      while (next < rows && !is_possible(next)) ++next;
+      if (next == rows) break;
+      if (are_compatible(row, next)) return row;
+    }
+    return first;
   }
 
  private:
@@ -147,20 +168,14 @@ class RowJudge {
     return judge_in(walk, row) == Status::none && judge_in(walk, later) == Status::none;
   }
 
-  // First row whose temperature the next row confirms; without one, the first that the board would
-  // accept; rows() if every reading is impossible or 85 degC.
-  std::size_t first_confirmed() const {
-    const std::size_t rows = time_s_.size();
-    std::size_t first = rows;
-    for (std::size_t row = 0; row < rows; ++row) {
-      if (!is_possible(row) || is_power_on_reading(temperature_degc_[row])) continue;
-      first = std::min(first, row);
-      std::size_t next = row + 1;
-      while (next < rows && !is_possible(next)) ++next;
-      if (next == rows) break;
-      if (are_compatible(row, next)) return row;
-    }
-    return first;
+  Status jump_at(std::size_t row) const {
+    return is_possible(row) ? Status::temperature_jump : Status::temperature_invalid;
+  }
+
+  std::vector<Status> wrong_until(std::size_t end) const {
+    std::vector<Status> status;
+    for (std::size_t row = 0; row < end; ++row) status.push_back(jump_at(row));
+    return status;
   }
 
   std::vector<Status> judge_backwards_from(std::size_t first) const {
@@ -189,7 +204,10 @@ class RowJudge {
       left_ = good_;
       jump_ = row;
     } else if (status == Status::none) {
-      if (jumping_) excursion_ = are_compatible(row - 1, row);
+      if (jumping_) {
+        excursion_ = are_compatible(row - 1, row);
+        if (excursion_ && jump_ < row - jump_) level_ = jump_;
+      }
       jumping_ = false;
       good_ = row;
     }
@@ -207,9 +225,8 @@ class RowJudge {
 
   void refuse_excursion(std::size_t end) {
     while (!refused_.empty() && refused_.back().row >= jump_) refused_.pop_back();
-    for (std::size_t row = jump_; row < end; ++row) {
-      note(row, is_possible(row) ? Status::temperature_jump : Status::temperature_invalid);
-    }
+    for (std::size_t row = jump_; row < end; ++row) note(row, jump_at(row));
+    if (level_ == jump_) level_ = 0;
     walk_ = TemperatureTracker();
     judge_in(walk_, left_);
     judge_in(walk_, end);
@@ -245,7 +262,8 @@ class RowJudge {
   bool jumping_ = false;    // the rows since jump_ are refused
   bool excursion_ = false;  // ... although the board would have accepted them in the end
   std::size_t jump_ = 0;
-  std::size_t left_ = 0;  // good row before jump_
+  std::size_t left_ = 0;   // good row before jump_
+  std::size_t level_ = 0;  // first row of the first excursion that has not ended
   std::uint32_t rate_period_us_;
   fog::RateMonitor rate_;
   std::vector<RefusedRow> refused_;
@@ -254,7 +272,10 @@ class RowJudge {
 }  // namespace
 
 std::vector<RefusedRow> refused_rows(const Recording& recording, const GyroLimits& limits) {
-  return RowJudge(recording, limits).judge();
+  RowJudge judge(recording, limits);
+  std::vector<RefusedRow> refused = judge.judge(judge.first_confirmed(), false);
+  const std::size_t start = judge.end_of_wrong_start();
+  return start == 0 ? refused : RowJudge(recording, limits).judge(start, true);
 }
 
 bool judges_frozen_temperatures(const Recording& recording) {

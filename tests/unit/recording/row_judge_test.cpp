@@ -148,6 +148,16 @@ TEST(RowJudge, AnExcursionIsRefusedFromItsBeginningAndNotWhatFollows) {
   }
 }
 
+// It says 0 degC before it measures: the fewer rows are wrong.
+TEST(RowJudge, SensorThatBeginsLate_RefusedUntilThen) {
+  for (const int wrong : {1, 5, 20}) {
+    const Rows rows = refused(
+        with_temperature(1, 3000, [&](double time_s) { return time_s < wrong ? 0.0 : 30.0; }));
+    ASSERT_EQ(rows.size(), static_cast<std::size_t>(wrong));
+    EXPECT_EQ(rows.back(), static_cast<std::size_t>(wrong - 1));
+  }
+}
+
 // Soaks that were joined without a gap.
 TEST(RowJudge, ANewLevelIsBelievedAsTheBoardBelievesIt) {
   const auto steps = [](double time_s) { return time_s < 300 ? 20.0 : time_s < 700 ? 60.0 : 0.0; };
@@ -398,6 +408,39 @@ TEST(Sentinels, ScatteredInTheRate_LeftOut) {
               std::string::npos)
         << said;
   }
+}
+
+// Where the noise has values as well.
+TEST(Sentinels, AmongTheOthersTooOften_LeftOut) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0.02, 0.3);
+  std::string text = "time_s,temperature_degc,rate_dph\n";
+  for (int row = 0; row < 3000; ++row) {
+    text += format("%d,20,%.4f\n", row, row * row % 53 == 0 ? 0 : noise(random));
+  }
+  std::string said;
+  const Recording recording = read_recording(temporary_file("zeros.csv", text), heard_in(said));
+  EXPECT_LT(recording.rows(), 2960U);
+  EXPECT_NE(said.find("the rate is exactly 0 deg/h, the first at line 2, far more often than "
+                      "any value beside it: no readings"),
+            std::string::npos)
+      << said;
+}
+
+TEST(Sentinels, InTheInputRate_LeftOut) {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0.7, 0.3);
+  std::string text = "time_s,temperature_degc,rate_dph,input_rate_dph\n";
+  for (int row = 0; row < 3000; ++row) {
+    const double turn = row / 500 % 2 == 0 ? 100 : -100;
+    text += format("%d,20,%.4f,%g\n", row, turn + noise(random), row % 97 == 5 ? -999 : turn);
+  }
+  std::string said;
+  const Recording recording = read_recording(temporary_file("input.csv", text), heard_in(said));
+  EXPECT_EQ(recording.rows(), 2969U);
+  EXPECT_NE(said.find("31 samples left out: the input rate is exactly -999 deg/h"),
+            std::string::npos)
+      << said;
 }
 
 // A rate in coarse steps, and one that swings between two values.
