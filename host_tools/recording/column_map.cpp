@@ -125,13 +125,14 @@ std::vector<ColumnChoice> parse_column_map(const std::string& text) {
 std::optional<ChosenField> find_field(const ColumnChoice& choice,
                                       const std::vector<ColumnName>& names) {
   if (const auto one = find_one(choice.name, names)) return one;
-  const std::size_t plus = choice.name.find('+');
-  if (choice.slot != kTimeSlot || plus == std::string::npos) return std::nullopt;
-  auto sum = find_one(choice.name.substr(0, plus), names);
-  const auto part = find_one(choice.name.substr(plus + 1), names);
-  if (!sum || !part) return std::nullopt;
-  sum->part = part->field;
-  sum->part_unit = part->unit;
+  if (choice.slot != kTimeSlot) return std::nullopt;
+  std::optional<ChosenField> sum;
+  for (const std::string& name : split(choice.name, '+')) {
+    const auto part = find_one(name, names);
+    if (!part || (sum && sum->parts.size() == kMaxTimeParts)) return std::nullopt;
+    if (sum) sum->parts.push_back(*part);
+    if (!sum) sum = part;
+  }
   return sum;
 }
 

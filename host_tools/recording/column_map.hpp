@@ -22,13 +22,12 @@ std::vector<ColumnChoice> parse_column_map(const std::string& text);
 struct ChosenField {
   std::size_t field = 0;
   std::optional<Unit> unit{};  ///< given in the choice itself
-  /// Of a time in two columns ("sec+nanosec"): the other one.
-  std::optional<std::size_t> part{};
-  std::optional<Unit> part_unit{};
+  /// Of a time in several columns ("sec+nanosec"): the others.
+  std::vector<ChosenField> parts{};
 };
 
 /// The column among `names` that `choice` names: by its whole name, or without its unit, ignoring
-/// case and blanks; else by its number; or the two whose sum is the time. Nothing if there is none;
+/// case and blanks; else by its number; or those whose sum is the time. Nothing if there is none;
 /// throws InputError if there are several.
 std::optional<ChosenField> find_field(const ColumnChoice& choice,
                                       const std::vector<ColumnName>& names);

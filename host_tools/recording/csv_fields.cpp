@@ -197,7 +197,7 @@ bool scan_time_of_day(DateScanner& scan, TimeReading& reading) {
   if ((!is_compact && !scan.one_of(":")) || two_digits(59, minute) == 0) return false;
   if (is_compact ? scan.begins_with_digit() : scan.one_of(":")) {
     if (two_digits(60, second) == 0) return false;
-    if (scan.one_of(".,")) reading.fraction = scan.fraction();
+    if (scan.one_of(".,:")) reading.fraction = scan.fraction();
   }
   if (const char half = scan.half_of_day(); half != 0) {
     if (hour < 1 || hour > 12) return false;
@@ -221,6 +221,16 @@ bool scan_zone(DateScanner& scan, std::int64_t& east_s) {
   if (!scan.at_end() && !scan.digits(2, 2, 59, minutes)) return false;
   east_s = (west ? -1 : 1) * (hours * 3600 + minutes * 60);
   return scan.at_end();
+}
+
+// Behind a date.
+bool scan_rest(DateScanner& scan, TimeReading& reading) {
+  std::int64_t east_s = 0;
+  const bool is_compact = scan.begins_with_digit();
+  if (!is_compact && !scan.one_of("Tt") && !scan.some_of(" ,:_")) return false;
+  if (!scan_time_of_day(scan, reading) || !scan_zone(scan, east_s)) return false;
+  reading.whole -= east_s;
+  return true;
 }
 
 // Without the marks of its thousands; "" if they part other digits.
@@ -317,35 +327,24 @@ std::optional<TimeReading> read_long_number(std::string_view field, const CsvDia
 std::optional<TimeReading> read_calendar_time(std::string_view field, DayOrder order) {
   DateScanner scan(field);
   std::int64_t days = 0;
-  std::int64_t east_s = 0;
   TimeReading reading;
-  if (!scan_date(scan, order, days)) return std::nullopt;
-  const bool is_compact = scan.begins_with_digit();
-  if (!is_compact && !scan.one_of("Tt") && !scan.some_of(" ,:_")) return std::nullopt;
-  if (!scan_time_of_day(scan, reading) || !scan_zone(scan, east_s)) return std::nullopt;
-  reading.whole += days * 86400 - east_s;
+  if (!scan_date(scan, order, days) || !scan_rest(scan, reading)) return std::nullopt;
+  reading.whole += days * 86400;
   return reading;
 }
 
-bool is_calendar_time(std::string_view field) {
-  return read_calendar_time(field, DayOrder::day_first) ||
-         read_calendar_time(field, DayOrder::month_first);
-}
-
-bool is_date_alone(std::string_view field) {
+CalendarPart calendar_part(std::string_view field) {
+  TimeReading reading;
+  std::int64_t number = 0;  // of days, or of seconds
   for (const DayOrder order : {DayOrder::day_first, DayOrder::month_first}) {
     DateScanner scan(field);
-    std::int64_t days = 0;
-    if (scan_date(scan, order, days) && scan.at_end()) return true;
+    if (!scan_date(scan, order, number)) continue;
+    if (scan.at_end()) return CalendarPart::date;
+    if (scan_rest(scan, reading)) return CalendarPart::both;
   }
-  return false;
-}
-
-bool is_time_of_day(std::string_view field) {
   DateScanner scan(field);
-  TimeReading reading;
-  std::int64_t east_s = 0;
-  return scan_time_of_day(scan, reading) && scan_zone(scan, east_s);
+  const bool is_time = scan_time_of_day(scan, reading) && scan_zone(scan, number);
+  return is_time ? CalendarPart::time_of_day : CalendarPart::none;
 }
 
 }  // namespace fogcomp::recording

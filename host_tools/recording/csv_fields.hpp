@@ -59,11 +59,8 @@ enum class DayOrder : std::uint8_t { unknown, day_first, month_first };
 std::optional<TimeReading> read_calendar_time(std::string_view field,
                                               DayOrder order = DayOrder::unknown);
 
-/// Whether read_calendar_time() reads it in either order.
-bool is_calendar_time(std::string_view field);
-
-/// The two parts of such a time in columns of their own.
-bool is_date_alone(std::string_view field);
-bool is_time_of_day(std::string_view field);
+/// What a field has of such a time, in either order of day and month.
+enum class CalendarPart : std::uint8_t { none, date, time_of_day, both };
+CalendarPart calendar_part(std::string_view field);
 
 }  // namespace fogcomp::recording

@@ -44,6 +44,14 @@ std::size_t slot_named(std::string_view name) {
   return CsvHeader::kIgnored;
 }
 
+// Further columns are recognised only by a recording's own names: comparing all would take seconds.
+std::vector<std::string> close_names(std::vector<std::string> names) {
+  for (std::size_t i = rules::kMaxColumnsUnderstood; i < names.size(); ++i) {
+    if (slot_named(without_quotes(names[i])) == CsvHeader::kIgnored) names[i].clear();
+  }
+  return names;
+}
+
 std::string quoted(const ColumnName& column) {
   return "'" + printable(column.text) + "'";
 }
@@ -53,14 +61,12 @@ class HeaderReader {
  public:
   HeaderReader(const HeaderLines& lines, const ReadOptions& options)
       : lines_(lines), options_(options) {
+    std::vector<std::string> units;
     for (std::size_t i = 0; i < lines.names.size(); ++i) {
-      // Further columns are recognised only by a recording's own names: comparing all would take
-      // seconds.
-      const bool close = i < rules::kMaxColumnsUnderstood ||
-                         slot_named(without_quotes(lines.names[i])) != CsvHeader::kIgnored;
-      columns_.emplace_back(close ? lines.names[i] : "", close ? unit_beside(lines, i) : "");
+      units.push_back(unit_beside(lines, i));
       header_.names.push_back(without_quotes(lines.names[i]));
     }
+    columns_ = column_names(close_names(lines.names), units);
     header_.slots.assign(header_.names.size(), CsvHeader::kIgnored);
   }
 
@@ -134,12 +140,13 @@ class HeaderReader {
            joined(header_.names));
     }
     if (!chosen) return take_constant(choice.slot, *constant, choice.name);
-    if (constant && !may_be(columns_[chosen->field], choice.slot)) {
+    const std::string name = column_choice(header_.names, chosen->field);
+    const bool has_name = name != std::to_string(chosen->field + 1);
+    if (constant && has_name && !may_be(columns_[chosen->field], choice.slot)) {
       const std::string key = map_key(choice.slot);
       fail(key + "=" + printable(choice.name) + " can be " + place(chosen->field) +
-           " or that value; give " + key + "=" + column_choice(header_.names, chosen->field) +
-           "[UNIT], or the value with a point: " + key + "=" + std::to_string(chosen->field + 1) +
-           ".0[UNIT]");
+           " or that value; give " + key + "=" + name + "[UNIT], or the value with a point: " +
+           key + "=" + std::to_string(chosen->field + 1) + ".0[UNIT]");
     }
     take(*chosen, choice.slot);
   }
@@ -220,8 +227,10 @@ class HeaderReader {
   void take_likely(std::size_t slot) {
     if (slot == kTimeSlot && take_date_and_clock()) return;
     Fields fields = likely(slot);
-    if (slot == kTimeSlot && take_time_in_parts(fields)) return;
-    if (slot == kTimeSlot) fields = exactly_named_or_all(fields);
+    if (slot == kTimeSlot) {
+      if (const auto sum = time_in_parts(columns_, fields, lines_.first_row)) return take_sum(*sum);
+      fields = exactly_named_or_all(fields);
+    }
     if (fields.empty()) return;
     const bool required = slot == kTimeSlot || slot == kTemperatureSlot || slot == kRateSlot;
     if (fields.size() == 1) return take(fields.front(), slot, std::nullopt);
@@ -235,34 +244,24 @@ class HeaderReader {
     return {*std::find_if(fields.begin(), fields.end(), is_exact)};
   }
 
-  /// Takes the only two columns of time if they are called alike and are in seconds and in a finer
-  /// unit: "stamp.sec", "stamp.nanosec". Their values have to agree (understand_times()).
-  bool take_time_in_parts(const Fields& fields) {
-    if (fields.size() != 2) return false;
-    for (const auto& [whole, part] : {std::pair(fields[0], fields[1]), {fields[1], fields[0]}}) {
-      const ColumnName& seconds = columns_[whole];
-      const ColumnName& finer = columns_[part];
-      if (!seconds.unit || !finer.unit || !seconds.unit->is_ours() || finer.unit->divisor == 1)
-        continue;
-      if (seconds.unit_alone != finer.unit_alone) continue;
-      if (!seconds.unit_alone && seconds.stem_key != finer.stem_key) continue;
-      take(whole, kTimeSlot, std::nullopt);
-      take_time_part(part, std::nullopt);
-      return true;
+  void take_sum(const ChosenField& chosen) {
+    header_.date_is_alone = !chosen.parts.empty() && is_date(chosen.field);
+    take(chosen.field, kTimeSlot, chosen.unit);
+    for (std::size_t i = 0; i < chosen.parts.size(); ++i) {
+      take_time_part(chosen.parts[i], CsvHeader::kTimePart + i);
     }
-    return false;
   }
 
-  /// The second of two columns whose sum is the time.
-  void take_time_part(std::size_t field, const std::optional<Unit>& given) {
-    const std::optional<Unit> unit = given ? given : columns_[field].unit;
+  void take_time_part(const ChosenField& part, std::size_t slot) {
+    const std::optional<Unit> unit = part.unit ? part.unit : columns_[part.field].unit;
     if (!unit || unit->quantity != Quantity::time) {
-      fail(place(field) + " has no unit of time; give it: --columns 'time=NAME[s]+" +
-           column_choice(header_.names, field) + "[ns]'");
+      fail(place(part.field) + " has no unit of time; give it: --columns 'time=NAME[s]+" +
+           column_choice(header_.names, part.field) + "[ns]'");
     }
-    header_.slots[field] = CsvHeader::kTimePart;
-    convert(CsvHeader::kTimePart, *unit);
-    header_.understood.push_back("to which is added " + place(field) + unit->conversion_words());
+    header_.slots[part.field] = slot;
+    convert(slot, *unit);
+    header_.understood.push_back("to which is added " + place(part.field) +
+                                 unit->conversion_words());
   }
 
   Fields likely(std::size_t slot) const {
@@ -308,18 +307,24 @@ class HeaderReader {
 
   void take(const ChosenField& chosen, std::size_t slot) {
     if (slot == kTimeSlot) header_.time_is_chosen = true;
-    if (chosen.part && is_date(chosen.field) && is_clock(*chosen.part)) {
-      return take_date_and_clock(chosen.field, *chosen.part, chosen.unit);
+    if (slot == kInputRateSlot) header_.input_rate_is_chosen = true;
+    const std::vector<ChosenField>& parts = chosen.parts;
+    if (parts.size() == 1 && is_date(chosen.field) && is_clock(parts[0].field)) {
+      return take_date_and_clock(chosen.field, parts[0].field, chosen.unit);
     }
+    if (!parts.empty()) return take_sum(chosen);
     take(chosen.field, slot, chosen.unit);
-    if (chosen.part) take_time_part(*chosen.part, chosen.part_unit);
   }
 
   std::string_view first_value(std::size_t field) const {
     return field < lines_.first_row.size() ? std::string_view(lines_.first_row[field]) : "";
   }
-  bool is_date(std::size_t field) const { return is_date_alone(first_value(field)); }
-  bool is_clock(std::size_t field) const { return is_time_of_day(first_value(field)); }
+  bool is_date(std::size_t field) const {
+    return calendar_part(first_value(field)) == CalendarPart::date;
+  }
+  bool is_clock(std::size_t field) const {
+    return calendar_part(first_value(field)) == CalendarPart::time_of_day;
+  }
 
   void take_date_and_clock(std::size_t date, std::size_t clock, const std::optional<Unit>& order) {
     header_.slots[date] = CsvHeader::kDate;
@@ -334,25 +339,14 @@ class HeaderReader {
     header_.day_order = unit->words[0] == 'D' ? DayOrder::day_first : DayOrder::month_first;
   }
 
-  // Digits alone are a date, or hhmmss, only if the name says so, too.
-  bool may_be_of_date(std::size_t field) const {
-    const std::string_view value = first_value(field);
-    if (!parse_number(value)) return true;
-    constexpr std::size_t kShortest = 6;
-    const auto meaning = columns_[field].meaning();
-    return meaning && meaning->slot == kTimeSlot &&
-           std::min(value.find('.'), value.size()) >= kShortest;
-  }
-
   /// Takes the only column of dates and the only one of times of day.
   bool take_date_and_clock() {
-    Fields dates;
-    Fields clocks;
+    Fields free;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-      if (header_.slots[i] != CsvHeader::kIgnored || !may_be_of_date(i)) continue;
-      if (is_date(i)) dates.push_back(i);
-      if (is_clock(i)) clocks.push_back(i);
+      if (header_.slots[i] == CsvHeader::kIgnored) free.push_back(i);
     }
+    const Fields dates = columns_with(CalendarPart::date, columns_, free, lines_.first_row);
+    const Fields clocks = columns_with(CalendarPart::time_of_day, columns_, free, lines_.first_row);
     if (dates.empty() || clocks.empty()) return false;
     if (dates.size() == 1 && clocks.size() == 1) {
       take_date_and_clock(dates[0], clocks[0], std::nullopt);
@@ -400,7 +394,8 @@ class HeaderReader {
 
   void use_unit(std::size_t field, std::size_t slot, std::optional<Unit> unit) {
     const ColumnName& column = columns_[field];
-    if (slot == kTimeSlot && unit && unit->quantity == Quantity::date) {
+    if (slot == kTimeSlot &&
+        (header_.date_is_alone || (unit && unit->quantity == Quantity::date))) {
       take_order(unit);
       unit.reset();
     }
@@ -551,12 +546,7 @@ std::string printable(std::string_view field) {
 
 std::size_t required_columns_among(const std::vector<std::string>& names,
                                    const ReadOptions& options) {
-  std::vector<ColumnName> columns;
-  for (const std::string& name : names) {
-    const bool close = columns.size() < rules::kMaxColumnsUnderstood ||
-                       slot_named(without_quotes(name)) != CsvHeader::kIgnored;
-    columns.emplace_back(close ? name : "");
-  }
+  const std::vector<ColumnName> columns = column_names(close_names(names), {});
   std::set<std::size_t> found;
   for (const ColumnName& column : columns) {
     if (column.key.empty()) continue;

@@ -9,6 +9,7 @@
 #include "recording/columns.hpp"
 #include "recording/csv_fields.hpp"
 #include "recording/recording.hpp"
+#include "recording/time_columns.hpp"
 
 namespace fogcomp::recording {
 
@@ -17,9 +18,10 @@ struct CsvHeader {
   /// Special values of `slots`; all others index kColumns.
   static constexpr std::size_t kIgnored = 100;
   static constexpr std::size_t kSegmentLabel = 101;
-  /// Behind the last column of a recording: of a time in two columns ("sec", "nanosec"), that which
-  /// is added to the other one.
+  /// Behind the last column of a recording, kMaxTimeParts of them: of a time in several columns
+  /// ("sec", "nanosec"), those that are added to the first one.
   static constexpr std::size_t kTimePart = kColumns.size();
+  static constexpr std::size_t kReadSlots = kTimePart + kMaxTimeParts;
   /// The date of a time that has only the time of day in its own column.
   static constexpr std::size_t kDate = 102;
 
@@ -39,6 +41,7 @@ struct CsvHeader {
   std::vector<Constant> constants;
   bool time_has_unit = true;
   bool time_is_chosen = false;  ///< by --columns or the model
+  bool input_rate_is_chosen = false;
   DayOrder day_order = DayOrder::unknown;
   /// Interpretation of names that are not a recording's own: "rate: column 4 'Gyro_X [deg/s]' x
   /// 3600; ...". Empty for the plain format.
@@ -48,8 +51,10 @@ struct CsvHeader {
   bool has(std::size_t slot) const;
   bool is_constant(std::size_t slot) const;
   std::size_t field_of(std::size_t slot) const;
-  /// Of a slot of time; s if it is not converted.
+  /// Of a slot of time or rate; s or deg/h if it is not converted.
   Unit unit_of(std::size_t slot) const;
+  /// The time is a date alone, to which parts are added.
+  bool date_is_alone = false;
   /// A row's time as written; of two columns the date before the time of day, put into `both`.
   std::string_view time_of(const std::vector<std::string_view>& fields, std::string& both) const;
   /// Empty fields behind the names in each row, whose lines end in separators: they are nothing.

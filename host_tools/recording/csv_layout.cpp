@@ -39,7 +39,7 @@ class LayoutFinder {
   CsvLayout find() {
     refuse_other_texts();
     for (const bool in_comments : {false, true}) {
-      for (const char separator : {',', ';', '\t', ' '}) {
+      for (const char separator : {',', ';', '\t', '|', ' '}) {
         look_for_header(separator, in_comments);
         if (is_plain()) return finish(readings_.front());
       }
@@ -157,7 +157,10 @@ class LayoutFinder {
 
   // Of a header line that ends in a separator, unlike its rows.
   static HeaderLines without_empty_names(HeaderLines header, std::size_t fields) {
-    while (fields < header.names.size() && header.names.back().empty()) header.names.pop_back();
+    while (fields < header.names.size() &&
+           (header.names.back().empty() || header.names.back() == "Comment")) {  // of LabVIEW
+      header.names.pop_back();
+    }
     if (header.units.size() > header.names.size()) header.units.resize(header.names.size());
     return header;
   }
@@ -222,8 +225,8 @@ class LayoutFinder {
       if (header.slots[i] >= kColumns.size()) continue;
       double value = 0;
       const FieldKind kind = read_number(fields[i], reading.layout.dialect, value);
-      const bool calendar =
-          header.slots[i] == kTimeSlot && is_calendar_time(header.time_of(fields, both));
+      const bool calendar = header.slots[i] == kTimeSlot &&
+                            calendar_part(header.time_of(fields, both)) == CalendarPart::both;
       if (kind == FieldKind::text && !calendar) return false;
       if (kind == FieldKind::number) reading.values.push_back(value);
     }
@@ -273,7 +276,7 @@ class LayoutFinder {
     const std::size_t first = next_line(0);
     if (options_.columns.empty() || first == lines_.size()) return;
     std::vector<Reading> with_header = std::exchange(readings_, {});
-    for (const char separator : {',', ';', '\t', ' '}) {
+    for (const char separator : {',', ';', '\t', '|', ' '}) {
       const std::vector<std::string> fields = names_in(lines_[first], separator);
       if (fields.size() < 2) continue;
       const std::vector<std::string> nameless(fields.size());

@@ -27,7 +27,8 @@ std::vector<std::string_view> first_lines(const FileHead& head) {
       break;  // the rest of the line has not been read
     std::string_view line = rest.substr(0, end);
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    // A terminal adds more of them.
+    while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     lines.push_back(line);
   }
   return lines;
@@ -72,8 +73,8 @@ bool is_units_row(const std::vector<std::string>& fields) {
 bool is_value(std::string_view field) {
   double value = 0;
   return read_number(field, {}, value) == FieldKind::number ||
-         read_number(field, {',', true}, value) == FieldKind::number || is_calendar_time(field) ||
-         is_date_alone(field) || is_time_of_day(field);
+         read_number(field, {',', true}, value) == FieldKind::number ||
+         calendar_part(field) != CalendarPart::none;
 }
 
 bool is_all_numbers(const std::vector<std::string>& names) {

@@ -77,7 +77,7 @@ class CounterWrap {
 class CutLine {
  public:
   CutLine(const CsvLayout& layout, const FileHead& head)
-      : dialect_(layout.dialect), is_read_(layout.header.slots.back() <= CsvHeader::kTimePart) {
+      : dialect_(layout.dialect), is_read_(layout.header.slots.back() < CsvHeader::kReadSlots) {
     for_each_row(first_lines(head), layout, [&](std::size_t, const auto& fields) {
       longest_ = std::max(longest_, fields.back().size());
       longest_fraction_ = std::max(longest_fraction_, fraction_of(fields.back()));
@@ -107,6 +107,75 @@ class CutLine {
   bool is_read_;
   std::size_t longest_ = 0;
   std::size_t longest_fraction_ = 0;
+};
+
+/// The rows that cannot be read, of which a file may have few.
+class BadRows {
+ public:
+  std::size_t count() const { return count_; }
+  std::string first_at_line() const { return "line " + std::to_string(line_) + ", " + fault_; }
+  /// The row just read, one of `rows`; `cure`: of the first one, other than to leave it out.
+  void add(const InputFile& file, std::size_t rows, const std::string& fault,
+           const std::string& cure = "") {
+    if (count_++ == 0) {
+      where_ = file.where();
+      line_ = file.line_number();
+      fault_ = fault;
+      cure_ = cure;
+    }
+    run_ = rows - last_ == 1 ? run_ + 1 : 1;
+    last_ = rows;
+    longest_run_ = std::max(longest_run_, run_);
+  }
+
+  /// Before add(): a time that lies back. Rows that go on from there are of a clock that was set.
+  void add_time(double time_s, std::size_t rows) {
+    if (count_ > 0 && time_s < back_s_ && 2 * ++falls_ > rows) {
+      cure_ = "the newest row stands first: sort the rows by time";
+    }
+    goes_on_ = time_s > back_s_ ? goes_on_ + 1 : 0;
+    back_s_ = time_s;
+    if (goes_on_ > kFewValues) was_set_back_ = true;
+  }
+
+  static bool are_few(std::size_t bad, std::size_t rows) {
+    return bad <= kFewValues || static_cast<double>(bad) <= kNoticeable * static_cast<double>(rows);
+  }
+
+  /// They are left out where they are few, so that the others are read as they are meant.
+  void judge(const InputFile& file, std::size_t rows, bool skipped, bool none_is_good) const {
+    if (count_ == 0) return;
+    const std::string share = std::to_string(count_) + " of " + counted(rows, "row");
+    const bool are_most = 2 * count_ > rows;
+    if (skipped && none_is_good) {
+      throw InputError(file.path(), "has no good row; the first bad one: " + first_at_line());
+    }
+    const bool has_cure = !cure_.empty() && !are_few(count_, rows);
+    if (skipped && (are_most || was_set_back_ || has_cure)) {
+      throw InputError(where_, fault_ + "; " + share + " would be left out: correct the file" +
+                                   (cure_.empty() ? "" : "; " + cure_));
+    }
+    if (skipped) return;
+    const bool is_small = !are_most && longest_run_ <= kFewValues && are_few(count_, rows);
+    const std::string remedy = !cure_.empty() ? cure_
+                               : is_small     ? "correct the line or give --skip-bad-rows"
+                                              : share + " are bad: correct the file";
+    throw InputError(where_, fault_ + "; " + remedy);
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::string where_;  // of the first
+  std::string fault_;
+  std::size_t line_ = 0;
+  std::string cure_;
+  std::size_t last_ = 0;
+  std::size_t run_ = 0;
+  std::size_t longest_run_ = 0;
+  double back_s_ = -std::numeric_limits<double>::infinity();  // time of the last row that lies back
+  std::size_t falls_ = 0;    // rows before the one that lies back before them
+  std::size_t goes_on_ = 0;  // rows after it that rise
+  bool was_set_back_ = false;
 };
 
 /// Collects the good rows of a Recording and counts the bad ones.
@@ -196,7 +265,8 @@ class RowCollector {
 
   Recording finish() {
     const bool none = recording_.rows() == 0 && long_recording_.rows_taken() == 0;
-    if (recording_.bad_rows > 0) judge_bad_rows(none);
+    bad_.judge(file_, rows_read_, options_.skip_bad_rows, none);
+    recording_.bad_rows = bad_.count();
     if (none) {
       throw InputError(file_.path(), recording_.empty_rows > 0
                                          ? "has no sample with a time and a rate"
@@ -214,16 +284,14 @@ class RowCollector {
     }
     if (recording_.bad_rows > 0) {
       options_.watch.say(file_.path(), counted(recording_.bad_rows, "bad row") +
-                                           " left out, the first: " + first_bad_.at_line());
+                                           " left out, the first: " + bad_.first_at_line());
     }
     if (wraps_ > 0) {
       options_.watch.say(
           file_.path(), "its time counter began again " + counted(wraps_, "time") + ": counted on");
     }
     complete();
-    if (!unit_question_.empty()) refuse_doubted_time();
-    const std::string signs = fault_of_signs(recording_.rate_dph, rate_unit_);
-    if (!signs.empty()) throw InputError(file_.path(), signs);
+    refuse_doubted_units();
     recording_.first_date_s = reader_.first_date_s();
     if (!long_recording_.begun()) return std::move(recording_);
     if (!options_.join.empty()) {
@@ -243,9 +311,17 @@ class RowCollector {
     std::vector<double>* values;
   };
 
+  void refuse_doubted_units() {
+    if (!unit_question_.empty() && !long_recording_.begun()) refuse_doubted_time();
+    const std::string signs = fault_of_signs(recording_.rate_dph, rate_unit_);
+    if (!signs.empty()) throw InputError(file_.path(), signs);
+    if (layout_.header.input_rate_is_chosen) return;
+    const std::string input = fault_of_input_rate(recording_, layout_.header);
+    if (!input.empty()) throw InputError(file_.path(), input);
+  }
+
   // A unit that no name gives is asked for if figures speak against seconds.
   void refuse_doubted_time() {
-    if (long_recording_.begun()) return;
     find_stretches(recording_);
     const std::string doubt = doubt_of_time(recording_);
     if (doubt.empty()) return;
@@ -306,7 +382,7 @@ class RowCollector {
   }
 
   [[noreturn]] void refuse_repeats() const {
-    const bool are_few = are_few_of(repeats_, recording_.rows());
+    const bool are_few = BadRows::are_few(repeats_, recording_.rows());
     throw InputError(
         first_repeat_.where,
         first_repeat_.fault + (are_few ? "; correct the line or give --skip-bad-rows"
@@ -339,12 +415,17 @@ class RowCollector {
   }
 
   void complete_sparse() {
-    std::vector<double>& input_rate = recording_.input_rate_dph;
-    const bool is_held = blank_held_readings(recording_.time_s, recording_.rate_dph, input_rate);
-    if (is_held) {
-      options_.watch.say(file_.path(), "input_rate_dph repeats each reading until the next one");
+    Recording& run = recording_;
+    const bool is_held = blank_held_readings(run.time_s, run.rate_dph, run.input_rate_dph);
+    const bool is_slow = blank_held_temperatures(run.time_s, run.temperature_degc);
+    for (const auto& [is_so, column] :
+         {std::pair(is_held, "input_rate_dph"), {is_slow, "temperature_degc"}}) {
+      if (is_so) {
+        options_.watch.say(file_.path(),
+                           std::string(column) + " repeats each reading until the next one");
+      }
     }
-    if (sparse_ || is_held) complete_sparse_columns(recording_, lines_, options_.watch);
+    if (sparse_ || is_held || is_slow) complete_sparse_columns(recording_, lines_, options_.watch);
     sparse_ = false;
   }
 
@@ -408,56 +489,22 @@ class RowCollector {
                            !is_units_row(names) && names != layout_.header.names &&
                            required_columns_among(names, options_) > 1;
     if (is_header) {
-      throw InputError(file_.where(), "another header; split the file at this line");
+      throw InputError(file_.where(), rows_read_ == 1
+                                          ? "names or units below the header; delete this line"
+                                          : "another header; split the file at this line");
     }
-    if (recording_.bad_rows == 0) cure_ = reader_.cure_of(line);
-    refuse(reader_.fault_of(line));
+    refuse(reader_.fault_of(line), bad_.count() == 0 ? reader_.cure_of(line) : "");
   }
 
-  // Rows that go on from a time that lies back are those of a clock that was set.
   void refuse_time(std::string_view line, double time_s) {
-    const std::string run = marks_.run_before(line, file_.line_number());
-    if (recording_.bad_rows == 0 && !run.empty()) cure_ = run + " takes the rows before it";
-    if (recording_.bad_rows > 0 && time_s < back_s_ && 2 * ++falls_ > rows_read_) {
-      cure_ = "the newest row stands first: sort the rows by time";
-    }
-    goes_on_ = time_s > back_s_ ? goes_on_ + 1 : 0;
-    back_s_ = time_s;
-    if (goes_on_ > kFewValues) was_set_back_ = true;
-    refuse(fault_of_time(first_s_, previous_s_, time_s, recording_.power_on_unknown));
+    const std::string run = bad_.count() == 0 ? marks_.run_before(line, file_.line_number()) : "";
+    bad_.add_time(time_s, rows_read_);
+    refuse(fault_of_time(first_s_, previous_s_, time_s, recording_.power_on_unknown),
+           run.empty() ? "" : run + " takes the rows before it");
   }
 
-  void refuse(const std::string& fault) {
-    if (recording_.bad_rows++ == 0) first_bad_ = {file_.where(), fault, file_.line_number()};
-    bad_run_ = rows_read_ - last_bad_ == 1 ? bad_run_ + 1 : 1;
-    last_bad_ = rows_read_;
-    longest_bad_run_ = std::max(longest_bad_run_, bad_run_);
-  }
-
-  static bool are_few_of(std::size_t bad, std::size_t rows) {
-    return bad <= kFewValues || static_cast<double>(bad) <= kNoticeable * static_cast<double>(rows);
-  }
-
-  // Bad rows are left out where they are few, so that the others are read as they are meant.
-  void judge_bad_rows(bool none) {
-    const std::size_t bad = recording_.bad_rows;
-    const std::string share = std::to_string(bad) + " of " + counted(rows_read_, "row");
-    const bool are_most = 2 * bad > rows_read_;
-    if (options_.skip_bad_rows && none) {
-      throw InputError(file_.path(), "has no good row; the first bad one: " + first_bad_.at_line());
-    }
-    const bool has_cure = !cure_.empty() && !are_few_of(bad, rows_read_);
-    if (options_.skip_bad_rows && (are_most || was_set_back_ || has_cure)) {
-      throw InputError(first_bad_.where, first_bad_.fault + "; " + share +
-                                             " would be left out: correct the file" +
-                                             (cure_.empty() ? "" : "; " + cure_));
-    }
-    if (options_.skip_bad_rows) return;
-    const bool are_few = !are_most && longest_bad_run_ <= kFewValues && are_few_of(bad, rows_read_);
-    const std::string remedy = !cure_.empty() ? cure_
-                               : are_few      ? "correct the line or give --skip-bad-rows"
-                                              : share + " are bad: correct the file";
-    throw InputError(first_bad_.where, first_bad_.fault + "; " + remedy);
+  void refuse(const std::string& fault, const std::string& cure = "") {
+    bad_.add(file_, rows_read_, fault, cure);
   }
 
   void add_label(std::string_view label) {
@@ -493,20 +540,7 @@ class RowCollector {
   } first_repeat_;
   std::size_t repeats_ = 0;           // rows with the time of the one before
   std::vector<std::size_t> doubled_;  // those that have its values, too
-  struct BadRow {
-    std::string where;
-    std::string fault;
-    std::size_t line = 0;
-    std::string at_line() const { return "line " + std::to_string(line) + ", " + fault; }
-  } first_bad_;
-  std::string cure_;  // of the first bad row, other than to leave it out
-  std::size_t last_bad_ = 0;
-  std::size_t bad_run_ = 0;
-  std::size_t longest_bad_run_ = 0;
-  double back_s_ = -std::numeric_limits<double>::infinity();  // time of the last row that lies back
-  std::size_t falls_ = 0;    // rows before the one that lies back before them
-  std::size_t goes_on_ = 0;  // rows after it that rise
-  bool was_set_back_ = false;
+  BadRows bad_;
   CsvRow waiting_{};  // values of rows without a rate
   bool has_waiting_ = false;
   std::size_t moved_ = 0;

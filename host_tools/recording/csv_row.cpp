@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "recording/decimal.hpp"
 #include "support/text.hpp"
@@ -85,9 +86,10 @@ FieldKind CsvRowReader::read_time(double& value) {
   return FieldKind::number;
 }
 
-// Times of a calendar are relative to the first row, in both columns.
+// Times of a calendar are relative to the first row, in all columns.
 void CsvRowReader::add_time_part(CsvRow& row) {
-  const double part_s = row.values[CsvHeader::kTimePart];
+  const auto first = row.values.begin() + CsvHeader::kTimePart;
+  const double part_s = std::accumulate(first, row.values.end(), 0.0);
   if (!first_part_s_) first_part_s_ = layout_.time == TimeFormat::number ? 0 : part_s;
   row.values[kTimeSlot] += part_s - *first_part_s_;
 }
@@ -110,7 +112,7 @@ std::string CsvRowReader::cure_of(std::string_view line) {
   bool any = false;
   for (std::size_t i = 0; i < header.slots.size(); ++i) {
     double value = 0;
-    if (header.slots[i] > CsvHeader::kTimePart ||
+    if (header.slots[i] >= CsvHeader::kReadSlots ||
         (header.slots[i] == kTimeSlot && layout_.time == TimeFormat::calendar) ||
         read_number(fields_[i], layout_.dialect, value) != FieldKind::text) {
       continue;
@@ -133,7 +135,7 @@ std::string CsvRowReader::fault_of(std::string_view line) {
            (two_uses ? " (a ',' within numbers? separate columns by ';')" : "");
   }
   for (std::size_t i = 0; i < header.slots.size(); ++i) {
-    if (header.slots[i] > CsvHeader::kTimePart) continue;
+    if (header.slots[i] >= CsvHeader::kReadSlots) continue;
     double value = 0;
     const bool calendar = header.slots[i] == kTimeSlot && layout_.time == TimeFormat::calendar;
     const std::string_view time = calendar ? header.time_of(fields_, both_) : fields_[i];

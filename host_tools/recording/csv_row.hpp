@@ -13,8 +13,8 @@ namespace fogcomp::recording {
 
 /// The fields of one line by columns, in a recording's units.
 struct CsvRow {
-  /// NaN where missing; the last is the part of a time (CsvHeader::kTimePart).
-  std::array<double, kColumns.size() + 1> values{};
+  /// NaN where missing; the last are parts of a time (CsvHeader::kTimePart).
+  std::array<double, CsvHeader::kReadSlots> values{};
   std::string_view label{};
   bool lacks_values = false;  ///< some are NaN
 };
@@ -52,7 +52,7 @@ class CsvRowReader {
   const CsvLayout& layout_;
   const std::vector<CsvHeader::Conversion>& conversions_;
   bool plain_;          ///< the fast path may be used
-  bool has_time_part_;  ///< the time is in two columns
+  bool has_time_part_;  ///< the time is in several columns
   std::string both_;    ///< a date and a time of day
   std::vector<std::string_view> fields_;
   std::optional<TimeReading> first_time_;

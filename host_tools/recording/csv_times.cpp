@@ -29,7 +29,7 @@ class TimeColumn {
     choose_day_order();
     const std::vector<TimeReading> numbers = read_numbers();
     if (numbers.empty()) return;
-    if (!part_fits_) refuse_part();
+    if (!parts_fit_) refuse_parts();
     refuse_clock(numbers);
     const TimesSeen times = seen(numbers);
     if (!layout_.header.time_has_unit) choose_unit(times);
@@ -48,7 +48,7 @@ class TimeColumn {
     for_each_row(lines_, layout_, [&](std::size_t, const auto& fields) {
       if (fields.size() < header.slots.size()) return;
       const std::string_view text = header.time_of(fields, both_);
-      if (read_calendar_time(text) || !is_calendar_time(text)) return;
+      if (read_calendar_time(text) || calendar_part(text) != CalendarPart::both) return;
       if (example.empty()) example = text;
       day_first = day_first && read_calendar_time(text, DayOrder::day_first);
       month_first = month_first && read_calendar_time(text, DayOrder::month_first);
@@ -93,7 +93,7 @@ class TimeColumn {
       if (const auto number = read_long_number(text, layout_.dialect)) {
         numbers.push_back(*number);
         if (is_date) ++dates;
-        check_part(*number, fields);
+        check_parts(*number, fields);
       } else if (numbers.empty() && is_date) {
         layout_.time = TimeFormat::calendar;
         return {};
@@ -109,31 +109,35 @@ class TimeColumn {
     return {};
   }
 
-  // A part is added to whole numbers, and is less than one of them.
-  void check_part(const TimeReading& whole, const std::vector<std::string_view>& fields) {
+  // Parts are added to whole numbers, and each is less than one of those before it.
+  void check_parts(const TimeReading& time, const std::vector<std::string_view>& fields) {
     const CsvHeader& header = layout_.header;
-    const std::size_t field = header.field_of(CsvHeader::kTimePart);
-    double part = 0;
-    if (!header.has(CsvHeader::kTimePart) || field >= fields.size() ||
-        read_number(fields[field], layout_.dialect, part) != FieldKind::number) {
-      return;
+    bool is_whole = time.fraction == 0;
+    double unit_s = header.unit_of(kTimeSlot).convert(1);
+    for (std::size_t slot = CsvHeader::kTimePart; header.has(slot); ++slot) {
+      const std::size_t field = header.field_of(slot);
+      double part = 0;
+      if (field >= fields.size() ||
+          read_number(fields[field], layout_.dialect, part) != FieldKind::number) {
+        return;
+      }
+      const double part_s = header.unit_of(slot).convert(part);
+      if (!is_whole || part_s < 0 || part_s >= unit_s) parts_fit_ = false;
+      is_whole = part == std::floor(part);
+      unit_s = header.unit_of(slot).convert(1);
     }
-    const double part_s = header.unit_of(CsvHeader::kTimePart).convert(part);
-    const double whole_s = header.unit_of(kTimeSlot).convert(1);
-    if (whole.fraction != 0 || part_s < 0 || part_s >= whole_s) part_fits_ = false;
   }
 
-  [[noreturn]] void refuse_part() const {
+  [[noreturn]] void refuse_parts() const {
     const CsvHeader& header = layout_.header;
-    const auto name = [&](std::size_t slot) {
-      return column_choice(header.names, header.field_of(slot));
-    };
-    const std::string whole = name(kTimeSlot);
-    const std::string part = name(CsvHeader::kTimePart);
-    throw InputError(path_, "'" + whole + "' and '" + part +
-                                "' are no time in two parts (whole numbers, and less than one of "
+    std::vector<std::string> names{column_choice(header.names, header.field_of(kTimeSlot))};
+    for (std::size_t slot = CsvHeader::kTimePart; header.has(slot); ++slot) {
+      names.push_back(column_choice(header.names, header.field_of(slot)));
+    }
+    throw InputError(path_, "'" + join(names, "' and '") +
+                                "' are no time in parts (whole numbers, and less than one of "
                                 "them): say which is the time: --columns 'time=" +
-                                whole + "' or 'time=" + part + "'");
+                                join(names, "' or 'time=") + "'");
   }
 
   [[noreturn]] void refuse_text(std::string_view text, std::size_t line) const {
@@ -216,7 +220,7 @@ class TimeColumn {
   const std::vector<std::string_view>& lines_;
   const std::string& path_;
   CsvLayout& layout_;
-  bool part_fits_ = true;  // of a time in two columns
+  bool parts_fit_ = true;  // of a time in several columns
   std::string both_;       // a date and a time of day
 };
 

@@ -23,7 +23,7 @@ class Marks {
   std::optional<std::size_t> ambiguous_column() const {
     if (is_decimal_) return std::nullopt;
     for (std::size_t field = 0; field < columns_.size(); ++field) {
-      if (layout_.header.slots[field] > CsvHeader::kTimePart || !may_be_grouped(field)) continue;
+      if (layout_.header.slots[field] >= CsvHeader::kReadSlots || !may_be_grouped(field)) continue;
       if (!columns_[field].grouped.empty() && !columns_[field].has_long) return field;
     }
     return std::nullopt;

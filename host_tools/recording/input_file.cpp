@@ -204,7 +204,7 @@ bool InputFile::next_line(std::string_view& line) {
     begin_ = static_cast<std::size_t>(static_cast<const char*>(found) - buffer_.get()) + 1;
   }
   auto length = static_cast<std::size_t>(static_cast<const char*>(found) - start);
-  if (length > 0 && start[length - 1] == '\r') --length;
+  while (length > 0 && start[length - 1] == '\r') --length;
   line = {start, length};
   return true;
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "recording/board_limits.hpp"
+#include "recording/column_map.hpp"
 #include "recording/decision_rules.hpp"
 #include "recording/row_range.hpp"
 #include "recording/segments.hpp"
@@ -93,6 +95,25 @@ std::string slow_doubt(const Recording& recording) {
       span_degc, fastest.degc_per_min() * 60);
 }
 
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+// The unit by which values of a rate are nearly `ratio` times as large; "" if none does that.
+std::string choice_of_unit(const CsvHeader& header, std::size_t slot, double ratio) {
+  const double now = header.unit_of(slot).convert(1);
+  std::string choice;
+  double nearest = kNoticeable;
+  for (const std::string& words : units_of(Quantity::rate)) {
+    const double is = find_unit(words)->convert(1) / now / ratio;
+    if (std::fabs(std::fabs(is) - 1) >= nearest) continue;
+    nearest = std::fabs(std::fabs(is) - 1);
+    choice = " or '" + map_key(slot) + "=" + column_choice(header.names, header.field_of(slot)) +
+             (is < 0 ? "[-" : "[") + words + "]'";
+  }
+  return choice;
+}
+
 }  // namespace
 
 std::string fault_of_signs(const std::vector<double>& rate_dph, const Unit& unit) {
@@ -107,7 +128,15 @@ std::string fault_of_signs(const std::vector<double>& rate_dph, const Unit& unit
   for (const int bits : {16, 24, 32}) {
     const double span = std::ldexp(1.0, bits);
     const auto upper = std::lower_bound(counts.begin(), counts.end(), span / 2);
-    if (upper == counts.begin() || upper == counts.end() || counts.back() >= span) continue;
+    if (upper == counts.end() || counts.back() >= span) continue;
+    // No converter has as many bits; fewer positive counts may be disturbances.
+    if (bits == 32 && counts.end() - upper > upper - counts.begin()) {
+      return format(
+          "most of its rates are counts such as %.0f, as is %.0f where its sign is not written; "
+          "subtract %.0f from all counts from %.0f on",
+          *upper, *upper - span, span, span / 2);
+    }
+    if (upper == counts.begin()) continue;
     const double width = (*(upper - 1) - counts.front()) + (counts.back() - *upper);
     const double joined = counts.front() + span - counts.back();
     const bool are_many = upper - counts.begin() >= static_cast<std::ptrdiff_t>(kFewValues) &&
@@ -119,6 +148,31 @@ std::string fault_of_signs(const std::vector<double>& rate_dph, const Unit& unit
         counts.front(), *(upper - 1), *upper, counts.back(), span);
   }
   return "";
+}
+
+std::string fault_of_input_rate(const Recording& recording, const CsvHeader& header) {
+  const std::vector<double>& rate = recording.rate_dph;
+  const std::vector<double>& input = recording.input_rate_dph;
+  if (!header.has(kInputRateSlot) || input.size() < kFewValues) return "";
+  const double rate_mean = mean(rate);
+  const double input_mean = mean(input);
+  double product = 0;
+  double square = 0;
+  double rate_square = 0;
+  for (std::size_t row = 0; row < rate.size(); ++row) {
+    product += (rate[row] - rate_mean) * (input[row] - input_mean);
+    square += std::pow(input[row] - input_mean, 2);
+    rate_square += std::pow(rate[row] - rate_mean, 2);
+  }
+  if (product * product <= kMost * square * rate_square) return "";
+  const double slope = product / square;
+  if (std::fabs(slope - 1) <= kMost) return "";
+  return format("its rate changes by %.4g where its input rate changes by 1: ", slope) +
+         "one of them has another unit or sign; say which: --columns 'input_rate=" +
+         column_choice(header.names, header.field_of(kInputRateSlot)) + "[" +
+         header.unit_of(kInputRateSlot).words + "]' if it is right" +
+         choice_of_unit(header, kInputRateSlot, slope) +
+         choice_of_unit(header, kRateSlot, 1 / slope);
 }
 
 std::string doubt_of_time(const Recording& recording) {

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "recording/csv_header.hpp"
 #include "recording/recording.hpp"
 #include "recording/unit_spelling.hpp"
 
@@ -17,7 +18,12 @@ std::vector<std::string> doubts(const Recording& recording, double white_noise_d
 std::string doubt_of_time(const Recording& recording);
 
 /// What is wrong with rates in whole numbers of `unit` that are two ranges, which are one if 2^16,
-/// 2^24 or 2^32 is subtracted from the second: two's complement without its sign. "" if nothing is.
+/// 2^24 or 2^32 is subtracted from the second, or that lie in the upper half of 2^32: two's
+/// complement without its sign. "" if nothing is.
 std::string fault_of_signs(const std::vector<double>& rate_dph, const Unit& unit);
+
+/// What is wrong with an input rate that the gyro sees, yet with another sign or half as large
+/// again or more: another unit of either, with the options that give it. "" if nothing is.
+std::string fault_of_input_rate(const Recording& recording, const CsvHeader& header);
 
 }  // namespace fogcomp::recording

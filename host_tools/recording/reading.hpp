@@ -95,6 +95,10 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
 bool blank_held_readings(const std::vector<double>& time_s, const std::vector<double>& rate_dph,
                          std::vector<double>& input_rate);
 
+/// The same for a temperature that repeats each reading, in a steady rhythm, for longer than
+/// kHoldSeconds, as a sensor that is read each few minutes does.
+bool blank_held_temperatures(const std::vector<double>& time_s, std::vector<double>& degc);
+
 /// Completes an input rate with readings in some rows only (NaN elsewhere) between readings at most
 /// kHoldSeconds apart: by the cubic through the four readings around, or, beside a sudden
 /// change, before or behind. (A straight line cuts the peaks: with 20 readings in a period a sine

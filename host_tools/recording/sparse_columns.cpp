@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "recording/board_limits.hpp"
 #include "recording/columns.hpp"
 #include "recording/decision_rules.hpp"
+#include "support/evidence.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"
 #include "support/text.hpp"
@@ -98,18 +100,24 @@ double step_between_changes(const ColumnInfo& info, const std::vector<double>& c
   return is_step ? usual * (1 + kRounding) : 0;
 }
 
-// Between two readings of a temperature that is read each few minutes nothing is missing.
+// Between two readings of a temperature that is read each few minutes, as most of the time says,
+// nothing is missing.
 double longest_interval_s(const ColumnInfo& info, const std::vector<double>& time_s,
                           const std::vector<double>& column) {
   std::vector<double> intervals_s;
   for_each_interval(column, [&](std::size_t before, std::size_t after) {
     intervals_s.push_back(time_s[after] - time_s[before]);
   });
-  if (info.column != Column::temperature_degc || intervals_s.size() < rules::kMinCases) {
-    return kHoldSeconds;
-  }
-  const double usual_s = rules::kMaxSpacing * median(std::move(intervals_s));
-  return std::max(kHoldSeconds, std::min(usual_s, rules::kMaxUsualPeriodS));
+  if (info.column != Column::temperature_degc || intervals_s.size() < 2) return kHoldSeconds;
+  std::sort(intervals_s.begin(), intervals_s.end());
+  double rest_s = kMost * std::accumulate(intervals_s.begin(), intervals_s.end(), 0.0);
+  auto usual = intervals_s.end();
+  while (rest_s > 0) rest_s -= *--usual;
+  const double longest_s = rules::kMaxSpacing * *usual;
+  const bool is_told = intervals_s.back() <= rules::kMaxSpacing * intervals_s.front() ||
+                       intervals_s.end() - usual >= std::ptrdiff_t{rules::kMinCases};
+  return is_told ? std::max(kHoldSeconds, std::min(longest_s, rules::kMaxUsualPeriodS))
+                 : kHoldSeconds;
 }
 
 std::vector<std::size_t> incomplete_rows(const Recording& recording) {

@@ -199,6 +199,12 @@ bool gyro_moves_between(const std::vector<std::size_t>& readings, const std::vec
   return from_lines < from_steps;
 }
 
+void blank_between(const std::vector<std::size_t>& readings, std::vector<double>& column) {
+  std::vector<double> values(column.size(), std::numeric_limits<double>::quiet_NaN());
+  for (const std::size_t row : readings) values[row] = column[row];
+  column = std::move(values);
+}
+
 void extend(std::vector<Mask>& masks, double from_s, double to_s) {
   if (!masks.empty() && masks.back().to_s == from_s) {
     masks.back().to_s = to_s;
@@ -215,9 +221,19 @@ bool blank_held_readings(const std::vector<double>& time_s, const std::vector<do
   if (readings.size() < 2 || !gyro_moves_between(readings, time_s, rate_dph, input_rate)) {
     return false;
   }
-  std::vector<double> values(input_rate.size(), std::numeric_limits<double>::quiet_NaN());
-  for (const std::size_t row : readings) values[row] = input_rate[row];
-  input_rate = std::move(values);
+  blank_between(readings, input_rate);
+  return true;
+}
+
+bool blank_held_temperatures(const std::vector<double>& time_s, std::vector<double>& degc) {
+  const std::vector<std::size_t> readings = rows_of_held_readings(degc);
+  if (readings.size() < 3) return false;
+  const std::size_t held = readings[2] - readings[1];
+  if (time_s[readings[2]] - time_s[readings[1]] <= kHoldSeconds) return false;
+  for (std::size_t i = 3; i < readings.size(); ++i) {
+    if (readings[i] - readings[i - 1] != held) return false;
+  }
+  blank_between(readings, degc);
   return true;
 }
 

@@ -27,17 +27,18 @@ std::size_t CsvHeader::field_of(std::size_t slot) const {
 std::string_view CsvHeader::time_of(const std::vector<std::string_view>& fields,
                                     std::string& both) const {
   const std::string_view time = fields[field_of(kTimeSlot)];
-  if (!has(kDate)) return time;
-  const std::string_view date = fields[field_of(kDate)];
+  if (!has(kDate) && !date_is_alone) return time;
+  const std::string_view date = date_is_alone ? time : fields[field_of(kDate)];
   if (date.empty() || time.empty()) return {};
-  both = std::string(date) + " " + std::string(time);
+  both = std::string(date) + " " + (date_is_alone ? "0:00" : std::string(time));
   return both;
 }
 
 Unit CsvHeader::unit_of(std::size_t slot) const {
   const auto found = std::find_if(conversions.begin(), conversions.end(),
                                   [&](const auto& each) { return each.slot == slot; });
-  return found == conversions.end() ? *find_unit("s") : found->unit;
+  if (found != conversions.end()) return found->unit;
+  return *find_unit(quantity_of(slot) == Quantity::rate ? "deg/h" : "s");
 }
 
 }  // namespace fogcomp::recording

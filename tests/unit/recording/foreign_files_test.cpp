@@ -872,6 +872,43 @@ TEST(ForeignFiles, HaveAnInputRateBetweenItsReadings) {
       << said;
 }
 
+// As a sensor is read every 300 s: often before a start, too, and written once or in each row.
+TEST(ForeignFiles, TemperatureEachFewMinutes_NoSampleLost) {
+  for (const bool is_repeated : {false, true}) {
+    std::string content = "time_s,temperature_degc,rate_dph\n";
+    for (int row = 0; row < 9001; ++row) {
+      const bool is_read = row % 300 == 0 || (row < 150 && !is_repeated);
+      const double read_s = is_repeated ? row - row % 300 : row;
+      content +=
+          format("%d,%s,%d\n", row,
+                 is_read || is_repeated ? digits(20 + 15 * std::sin(read_s / 2000)).c_str() : "",
+                 row * row % 101);
+    }
+    std::string said;
+    const Recording recording = read_recording(temporary_file("slow.csv", content), heard_in(said));
+    EXPECT_EQ(recording.rows(), 9001U) << said;
+    EXPECT_NEAR(recording.temperature_degc[4050], 20 + 15 * std::sin(2.025), 0.1);
+    EXPECT_NE(said.find("temperature_degc: a reading in "), std::string::npos) << said;
+    EXPECT_EQ(said.find("temperature_degc repeats each reading") != std::string::npos, is_repeated);
+  }
+}
+
+// Lines of terminals and of spreadsheets for a page; LabVIEW's last name has no field.
+TEST(ForeignFiles, FurtherLayouts_Read) {
+  const char* const files[] = {
+      "time_s,temperature_degc,rate_dph\r\r\n0,20,1\r\r\n1,20.5,2\r\r\n",
+      "time_s|temp_degC|rate_dph\n0|20|1\n1|20.5|2\n",
+      "time_s\ttemp_degC\trate_dph\tComment\n0\t20\t1\n1\t20.5\t2\n",
+      "time;temp_degC;rate_dph\n2024-03-05 12:30:15:250;20;1\n2024-03-05 12:30:16:250;20.5;2\n"};
+  for (const char* const content : files) {
+    std::string said;
+    const Recording recording =
+        read_recording(temporary_file("layout.csv", content), heard_in(said));
+    EXPECT_EQ(recording.time_s, (std::vector<double>{0, 1})) << content;
+    EXPECT_EQ(recording.rate_dph, (std::vector<double>{1, 2})) << content;
+  }
+}
+
 TEST(ForeignFiles, LeaveOutRowsWhoseValuesNobodyKnows) {
   std::string said;
   const Recording recording =

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "support/input_error.hpp"
 #include "support/text.hpp"
 #include "temporary_file.hpp"
 
@@ -57,6 +58,58 @@ TEST(Plausibility, OfATimeInAnotherUnitIsDoubted) {
   EXPECT_NE(doubts_of(chamber_run(1.0 / 3600)).find("as no chamber can move a coil"),
             std::string::npos);
   EXPECT_NE(doubts_of(chamber_run(5000)).find("a run of 9986 h"), std::string::npos);
+}
+
+std::string read_refusal(const std::string& content, ReadOptions options = {}) {
+  try {
+    read_recording(temporary_file("doubt.csv", content), options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A rate table whose record is so many times what the gyro sees.
+std::string turned(double times) {
+  std::string text = "time_s,temperature_degc,rate_dph,input_rate_dph\n";
+  for (int row = 0; row < 600; ++row) {
+    const double turn = 36000 * (row / 100 % 3 - 1);
+    text += format("%d,20,%.3f,%.9g\n", row, turn + row * row % 17, turn * times);
+  }
+  return text;
+}
+
+TEST(Plausibility, InputRateInAnotherUnit_Asked) {
+  EXPECT_EQ(read_refusal(turned(1)), "");
+  EXPECT_EQ(read_refusal(turned(1.1)), "");
+  const std::string of_degrees = read_refusal(turned(1 / 3600.0));
+  EXPECT_NE(of_degrees.find("its rate changes by 3600 where its input rate changes by 1: one of "
+                            "them has another unit or sign; say which: --columns "
+                            "'input_rate=input_rate_dph[deg/h]' if it is right or "
+                            "'input_rate=input_rate_dph[deg/s]'"),
+            std::string::npos)
+      << of_degrees;
+  const std::string of_sign = read_refusal(turned(-1));
+  EXPECT_NE(of_sign.find("'input_rate=input_rate_dph[-deg/h]' or 'rate=rate_dph[-deg/h]'"),
+            std::string::npos)
+      << of_sign;
+  for (const char* columns : {"input_rate=input_rate_dph[deg/h]", "input_rate=4[-deg/h]"}) {
+    ReadOptions options;
+    options.columns = columns;
+    EXPECT_EQ(read_refusal(turned(-1), options), "") << columns;
+  }
+}
+
+TEST(Plausibility, NegativeCountsOf32BitsWithoutSign_Named) {
+  std::string text = "time_s,temperature_degc,counts\n";
+  for (int row = 0; row < 100; ++row) text += format("%d,20,%.0f\n", row, 4294967200.0 - row % 7);
+  ReadOptions options;
+  options.scale_factor = 1e5;
+  const std::string refusal = read_refusal(text, options);
+  EXPECT_NE(refusal.find("counts such as 4294967194, as is -102 where its sign is not written; "
+                         "subtract 4294967296 from all counts from 2147483648 on"),
+            std::string::npos)
+      << refusal;
 }
 
 }  // namespace

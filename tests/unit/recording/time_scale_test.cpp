@@ -185,10 +185,37 @@ TEST(TimeOfTwoColumns, SameTimeTwice_Refused) {
   const Read result = read(
       "elapsed_s,elapsed_ms,temperature_degc,rate_dph\n0.5,500,20,1\n1.0,1000,20,2\n1.5,1500,20,"
       "1\n");
-  EXPECT_NE(result.said.find("'elapsed_s' and 'elapsed_ms' are no time in two parts (whole "
+  EXPECT_NE(result.said.find("'elapsed_s' and 'elapsed_ms' are no time in parts (whole "
                              "numbers, and less than one of them): say which is the time: "
                              "--columns 'time=elapsed_s' or 'time=elapsed_ms'"),
             std::string::npos)
+      << result.said;
+}
+
+TEST(TimeOfSeveralColumns, HoursMinutesSeconds_Added) {
+  const std::string rest = ",temperature_degc,rate_dph\n";
+  const std::string rows = "0,59,59.5,20,1\n1,0,0.0,20,2\n1,0,0.5,20,1\n";
+  const std::vector<double> expected{3599.5, 3600, 3600.5};
+  for (const char* names : {"h,m,s", "HH,MM,SS", "hour,min,sec", "Hours,Minutes,Seconds"}) {
+    EXPECT_EQ(times_of(names + rest + rows), expected) << names;
+  }
+  EXPECT_EQ(times_of("a,b,c" + rest + rows, "time=a[h]+b[min]+c[s]"), expected);
+  EXPECT_EQ(times_of("s,m,h" + rest + "59.5,59,0,20,1\n0,0,1,20,2\n"),
+            (std::vector<double>{3599.5, 3600}));
+}
+
+TEST(TimeOfSeveralColumns, DateBesideThem_CountsFromTheFirstSample) {
+  const std::string rows =
+      ",hour,min,sec,temperature_degc,rate_dph\n2024-02-29,23,59,59,20,1\n2024-03-01,0,0,0,20,2\n";
+  EXPECT_EQ(times_of("date" + rows), (std::vector<double>{0, 1}));
+  EXPECT_EQ(times_of("day" + rows, "time=day+hour[h]+min[min]+sec[s]"),
+            (std::vector<double>{0, 1}));
+}
+
+TEST(TimeOfSeveralColumns, PartThatIsNone_Refused) {
+  const Read result =
+      read("hour,min,sec,temperature_degc,rate_dph\n0,75,4500,20,1\n0,75,4501,20,2\n");
+  EXPECT_NE(result.said.find("'hour' and 'min' and 'sec' are no time in parts"), std::string::npos)
       << result.said;
 }
 
