@@ -10,7 +10,6 @@
 #include "support/text.hpp"
 
 namespace fogcomp::cli {
-namespace {
 
 // By its first bytes; a pipe, which can be read only once, is not examined.
 bool is_model_or_header(const std::string& path) {
@@ -21,6 +20,8 @@ bool is_model_or_header(const std::string& path) {
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   return head.rfind(kModelTitle, 0) == 0 || head == kHeaderTitle;
 }
+
+namespace {
 
 // Standard input.
 bool is_standard_input(const std::string& word) {

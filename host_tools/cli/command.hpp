@@ -81,6 +81,9 @@ CommandPointer workbench_command();
 /// Whether its positionals (except words) are files or folders to be read, judging by their names.
 bool reads_positionals(const Command& command);
 
+/// Whether a file is a model or a header that `export` wrote.
+bool is_model_or_header(const std::string& path);
+
 /// All commands, in the order of typical use.
 std::vector<CommandPointer> all_commands();
 

@@ -62,6 +62,9 @@ workflow::PlanRequest PlanCommand::request() const {
 int PlanCommand::run_comparison() const {
   if (arguments.empty()) fail("--compare needs programmes: files, or names of simulate --list");
   if (output.given()) fail("--compare writes no programme; leave out -o");
+  for (const std::string& each : arguments) {
+    if (is_model_or_header(each)) fail(each + " is a model; with --compare: --model " + each);
+  }
   ReportFile page(report);
   const workflow::PlanComparison found = workflow::compare_programmes(request(), arguments);
   const findings::Document document = findings::comparison_findings(found);

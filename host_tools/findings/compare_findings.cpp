@@ -21,9 +21,7 @@ Text found(const std::vector<const compare::ModelOnRuns*>& models) {
 }
 
 Next next_after_comparison(const compare::ModelOnRuns& best) {
-  if (leaves_drift(best)) {
-    return {"ask which effect is missing", diagnose_command(best.file, run_files(best))};
-  }
+  if (leaves_drift(best)) return next_diagnosis(best);
   const char* const why =
       floor_is_unknown(best)
           ? "how much of the rest is noise, so few rows do not show; if it is small enough, make "

@@ -110,9 +110,7 @@ Parts ladder_section(const FitOutcome& fit) {
 }
 
 Next next_after_fit(const compare::ModelOnRuns& model) {
-  if (leaves_drift(model)) {
-    return {"ask which effect is missing", diagnose_command(model.file, run_files(model))};
-  }
+  if (leaves_drift(model)) return next_diagnosis(model);
   if (floor_is_unknown(model)) {
     return {
         "how much of the rest is noise, so few rows do not show: fogcomp add says whether a "

@@ -164,7 +164,8 @@ Text programme_words(const compare::RunSummary& summary) {
   const auto& degc = summary.blocks.temperature_degc;
   const auto [min, max] = std::minmax_element(degc.begin(), degc.end());
   std::string text =
-      format("temperature %.1f to %.1f degC, at most %.3g degC/min, ", *min, *max, fastest);
+      format("temperature %.1f to %.1f degC, ramps of up to %.3g degC/min in the mean, ", *min,
+             *max, fastest);
   text += rises && falls ? "both ways" : rises ? "up only" : "down only";
   if (rises != falls) {
     text +=

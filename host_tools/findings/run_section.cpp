@@ -1,4 +1,5 @@
 #include "findings/run_section.hpp"
+#include "diagnosis/decision_rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -236,6 +237,18 @@ std::vector<std::string> diagnose_command(const std::string& model,
   std::vector<std::string> command{"fogcomp", "diagnose", model};
   command.insert(command.end(), runs.begin(), runs.end());
   return command;
+}
+
+Next next_diagnosis(const compare::ModelOnRuns& model) {
+  std::ptrdiff_t rows = 0;
+  for (const compare::ModelOnRun& run : model.runs) rows += run.comparison.rows.size();
+  if (rows < diagnosis::rules::kMinRows) {
+    return {
+        words(format("%td rows are too few for a diagnosis; record for longer, or try an "
+                     "effect with fogcomp add",
+                     rows))};
+  }
+  return {"ask which effect is missing", diagnose_command(model.file, run_files(model))};
 }
 
 bool leaves_drift(const compare::ModelOnRuns& model) {

@@ -42,6 +42,9 @@ std::vector<std::string> run_files(const compare::ModelOnRuns& model);
 std::vector<std::string> diagnose_command(const std::string& model,
                                           const std::vector<std::string>& runs);
 
+/// That command, for a model that leaves drift; another way where it would refuse so few rows.
+Next next_diagnosis(const compare::ModelOnRuns& model);
+
 /// Whether a model's residual is significantly above the noise floor on one of its runs.
 bool leaves_drift(const compare::ModelOnRuns& model);
 /// Whether nobody can say of one of them, as of a table of few means.

@@ -1,10 +1,24 @@
 #include "recording/data_hash.hpp"
 
+#include <algorithm>
 #include <cstring>
 
 #include "core/bytes/crc.hpp"
 
 namespace fogcomp::recording {
+namespace {
+
+// One multiplication and rotation per number, because a recording may have millions.
+std::uint64_t mixed(std::uint64_t hash, double value) {
+  const double without_sign_of_zero = value + 0.0;
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &without_sign_of_zero, sizeof bits);
+  constexpr std::uint64_t kOddMultiplier = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio
+  hash = (hash ^ bits) * kOddMultiplier;
+  return hash ^ (hash >> 29U);
+}
+
+}  // namespace
 
 std::uint32_t data_hash(const Recording& recording, std::uint32_t crc) {
   const auto add = [&crc](const std::vector<double>& column) {
@@ -29,20 +43,26 @@ std::uint32_t data_hash(const Recording& recording, std::uint32_t crc) {
 
 std::uint64_t rows_hash(const Recording& recording) {
   std::uint64_t hash = recording.rows();
-  // One multiplication and rotation per number, because a recording may have millions.
-  const auto mix = [&hash](double value) {
-    const double without_sign_of_zero = value + 0.0;
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &without_sign_of_zero, sizeof bits);
-    constexpr std::uint64_t kOddMultiplier = 0x9E3779B97F4A7C15;  // 2^64 over the golden ratio
-    hash = (hash ^ bits) * kOddMultiplier;
-    hash ^= hash >> 29U;
-  };
   for (std::size_t row = 0; row < recording.rows(); ++row) {
-    mix(recording.time_s[row]);
-    mix(recording.rate_dph[row]);
+    hash = mixed(mixed(hash, recording.time_s[row]), recording.rate_dph[row]);
   }
   return hash;
+}
+
+// The smallest hashes: those of a part are among its own smallest ones, too.
+std::vector<std::uint64_t> sample_marks(const Recording& recording) {
+  constexpr std::size_t kMarks = 64;
+  std::vector<std::uint64_t> marks;  // a heap
+  for (std::size_t row = 0; row < recording.rows(); ++row) {
+    const std::uint64_t mark = mixed(mixed(0, recording.time_s[row]), recording.rate_dph[row]);
+    if (marks.size() == kMarks && mark >= marks.front()) continue;
+    marks.push_back(mark);
+    std::push_heap(marks.begin(), marks.end());
+    if (marks.size() <= kMarks) continue;
+    std::pop_heap(marks.begin(), marks.end());
+    marks.pop_back();
+  }
+  return marks;
 }
 
 std::string same_rows_words(const std::string& file, const std::string& other) {

@@ -102,6 +102,7 @@ Run joined(Run run, Run next) {
   run.segments = joined(std::move(run.segments), std::move(next.segments));
   run.file += " + " + next.file;
   run.files.insert(run.files.end(), next.files.begin(), next.files.end());
+  run.marks.insert(run.marks.end(), next.marks.begin(), next.marks.end());
   run.refused_rows += next.refused_rows;
   return run;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "noise/noise_floor.hpp"
+#include "recording/data_hash.hpp"
 #include "recording/rate_resolution.hpp"
 #include "runs/decision_rules.hpp"
 #include "series/measured_temperature.hpp"
@@ -39,6 +40,7 @@ Run run_of(const recording::Recording& recording, const std::vector<double>& row
   Run run;
   run.file = recording.file;
   run.files = {recording.file};
+  run.marks = recording::sample_marks(recording);
   run.refused_rows = recording.refused_rows;
   run.blocks = series::make_blocks(recording);
   run.blocks.temperature = series::temperature_of(run.blocks);
@@ -58,7 +60,12 @@ Run run_of(const recording::Recording& recording, const std::vector<double>& row
 std::vector<std::string> notes_on_rows(const Run& run, double row_s) {
   const double period_s = run.blocks.period_s;
   const double whole_s = series::row_length_s(row_s, run.blocks.block_s);
-  if (whole_s <= period_s || run.segments.size() < 2) return {};
+  std::vector<std::string> notes;
+  if (row_s > run.blocks.block_s && std::abs(whole_s - row_s) > kNoticeable * row_s) {
+    notes.push_back(format("%s: rows of %.4g s instead of %.4g: whole multiples of %.4g s",
+                           run.file.c_str(), whole_s, row_s, run.blocks.block_s));
+  }
+  if (whole_s <= period_s || run.segments.size() < 2) return notes;
   std::size_t parts = 0;
   double in_parts_s = 0;
   double all_s = 0;
@@ -74,14 +81,15 @@ std::vector<std::string> notes_on_rows(const Run& run, double row_s) {
     shortest_s = length_s;
     shortest = segment.name;
   }
-  if (in_parts_s <= kNoticeable * all_s) return {};
-  return {
+  if (in_parts_s <= kNoticeable * all_s) return notes;
+  notes.push_back(
       format("%s: rows of %.4g s average ramps and soaks together: %zu of its %s shorter than "
              "two rows (%s: %.4g s); use an --average of %.4g or less",
              run.file.c_str(), whole_s, parts,
              (counted(run.segments.size(), "part") + (parts == 1 ? " is" : " are")).c_str(),
              shortest.c_str(), shortest_s,
-             std::max(period_s, rounded_down(shortest_s / rules::kShortSegmentRows)))};
+             std::max(period_s, rounded_down(shortest_s / rules::kShortSegmentRows))));
+  return notes;
 }
 
 bool have_several_power_ons(const std::vector<Run>& runs) {
@@ -93,11 +101,13 @@ bool have_several_biases(const std::vector<Run>& runs) {
          any_block(runs, [](const auto& block) { return block.cut; });
 }
 
+bool names_run(const std::string& name, const Run& run) {
+  return std::any_of(run.files.begin(), run.files.end(),
+                     [&](const std::string& file) { return recording::names_file(name, file); });
+}
+
 bool set_cut(Run& run, const recording::Cut& cut, bool made) {
-  const bool is_own = std::any_of(run.files.begin(), run.files.end(), [&](const std::string& file) {
-    return recording::names_file(cut.run, file);
-  });
-  return is_own && series::set_cut(run.blocks, cut.at_s, made);
+  return names_run(cut.run, run) && series::set_cut(run.blocks, cut.at_s, made);
 }
 
 Run without_cuts(Run run, const std::vector<recording::Cut>& cuts) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,9 +18,10 @@ namespace fogcomp::runs {
 /// What fit, add, compare and diagnose use of a recording: its blocks of 1 s, its segments and its
 /// noise floors. A two-hundredth of a 200 Hz recording's memory, so that many runs fit.
 struct Run {
-  std::string file;                ///< `a.csv + b.csv` if joined from several (joined_runs.hpp)
-  std::vector<std::string> files;  ///< these; one else
-  std::size_t refused_rows = 0;    ///< left out because the board would refuse them
+  std::string file;                  ///< `a.csv + b.csv` if joined from several (joined_runs.hpp)
+  std::vector<std::string> files;    ///< these; one else
+  std::vector<std::uint64_t> marks;  ///< recording::sample_marks
+  std::size_t refused_rows = 0;      ///< left out because the board would refuse them
   series::BlockSeries blocks;
   std::vector<recording::Segment> segments;  ///< of the whole recording, in order of time
   /// Noise of a row, deg/h, by its length, s, from the recording alone: of the lengths asked for
@@ -35,13 +37,16 @@ struct Run {
 /// a constant rate (recording/rate_resolution.hpp).
 Run run_of(const recording::Recording& recording, const std::vector<double>& row_lengths_s);
 
-/// A note if rows of this length average ramps and soaks together; else none.
+/// Notes if rows of this length average ramps and soaks together, and if they have another one.
 std::vector<std::string> notes_on_rows(const Run& run, double row_s);
 
 /// Whether there are several runs, or the power was off within one.
 bool have_several_power_ons(const std::vector<Run>& runs);
 /// Whether there are several biases: of power-ons, or parts of a cut run.
 bool have_several_biases(const std::vector<Run>& runs);
+
+/// Whether the run of a mask or a cut, "" for all, is this one.
+bool names_run(const std::string& name, const Run& run);
 
 /// Makes a cut, or removes it. Returns false if the run has no such time, or it is another's.
 bool set_cut(Run& run, const recording::Cut& cut, bool made);

@@ -1,5 +1,6 @@
 #include "runs/runs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -26,7 +27,9 @@ std::vector<std::string> joined(std::vector<std::string> notes,
 
 std::vector<std::string> notes_on(const recording::Recording& recording, const Run& run,
                                   double row_s) {
-  std::vector<std::string> notes = notes_on_rows(run, row_s);
+  std::vector<std::string> notes =
+      joined(notes_on_rows(run, row_s),
+             recording::doubts(recording, noise::white_noise_dph_rthz(recording)));
   if (recording.power_on_unknown && recording.uptime_s.empty()) {
     notes.push_back(recording.file +
                     ": power-on is not known: effects of the time since then (warm_up, aging) "
@@ -35,10 +38,28 @@ std::vector<std::string> notes_on(const recording::Recording& recording, const R
   return notes;
 }
 
-recording::KnownRows rows_of(const std::vector<Run>& runs) {
-  recording::KnownRows known;
-  for (const Run& run : runs) known.add(run.blocks.recordings, run.files);
-  return known;
+void refuse_samples_of(const Run& run, const std::vector<Run>& fitted) {
+  for (const Run& other : fitted) {
+    if (std::find_first_of(run.marks.begin(), run.marks.end(), other.marks.begin(),
+                           other.marks.end()) == run.marks.end()) {
+      continue;
+    }
+    throw InputError(run.file, "has samples of " + other.file +
+                                   ", which is fitted to; a holdout must be another run");
+  }
+}
+
+void require_masked_rows(const Runs& runs, const std::vector<recording::Mask>& masks) {
+  const std::vector<Run> all = runs.all();
+  for (const recording::Mask& mask : masks) {
+    const bool masks_any = std::any_of(all.begin(), all.end(), [&](const Run& run) {
+      return names_run(mask.run, run) && mask.from_s <= run.blocks.blocks.back().time_s &&
+             mask.to_s >= run.blocks.blocks.front().time_s;
+    });
+    if (masks_any) continue;
+    throw InputError("--mask " + format("%.10g..%.10g", mask.from_s, mask.to_s),
+                     "lies in none of the runs");
+  }
 }
 
 // A cut of all runs need not lie in each, but in one.
@@ -47,7 +68,8 @@ Runs with_cuts(Runs runs, const std::vector<recording::Cut>& cuts) {
     bool is_made = false;
     for (Run& run : runs.training) is_made |= set_cut(run, cut, true);
     for (Run& run : runs.holdouts) is_made |= set_cut(run, cut, true);
-    if (!is_made) throw InputError("--cut " + cut_text(cut), "lies in none of the runs");
+    if (!is_made)
+      throw InputError("--cut " + cut_text(cut), "no run has samples both before and after it");
   }
   return runs;
 }
@@ -72,7 +94,7 @@ std::vector<std::string> notes_of_other_gyros(double row_s, const Runs& runs) {
 
 // `see` is called with each recording that counts.
 NotedRuns read_each(const std::vector<std::string>& files, const recording::ReadOptions& options,
-                    const std::vector<double>& row_lengths_s, const recording::KnownRows& fitted,
+                    const std::vector<double>& row_lengths_s, const std::vector<Run>& fitted,
                     const std::function<void(const recording::Recording&)>& see) {
   NotedRuns read;
   recording::KnownRows known;
@@ -80,11 +102,7 @@ NotedRuns read_each(const std::vector<std::string>& files, const recording::Read
     const recording::Recording recording = recording::read_recording(file, options);
     Run run = run_of(recording, row_lengths_s);
     const std::uint64_t hash = run.blocks.recordings[0];
-    const std::string same = fitted.file_with(hash);
-    if (!same.empty()) {
-      throw InputError(file, "has the same samples as " + same +
-                                 ", which is fitted to; a holdout must be another run");
-    }
+    refuse_samples_of(run, fitted);
     const std::string twice = known.file_with(hash);
     if (!twice.empty()) {
       read.notes.push_back(recording::same_rows_words(file, twice));
@@ -145,22 +163,22 @@ Runs read_runs(const std::vector<std::string>& training, const std::vector<std::
   NotedRuns read = read_each(training, options, row_lengths_s, {}, [&](const auto& recording) {
     runs.data_hash = recording::data_hash(recording, runs.data_hash);
     const double noise_dph_rthz = noise::white_noise_dph_rthz(recording);
-    runs.doubts = joined(std::move(runs.doubts), recording::doubts(recording, noise_dph_rthz));
     noise_square += std::pow(noise_dph_rthz, 2);
     ++count;
   });
   runs.noise_dph_rthz = std::sqrt(noise_square / static_cast<double>(count));
   runs.training = std::move(read.runs);
-  NotedRuns judging = read_each(holdouts, options, row_lengths_s, rows_of(runs.training), nullptr);
+  NotedRuns judging = read_each(holdouts, options, row_lengths_s, runs.training, nullptr);
   runs.holdouts = std::move(judging.runs);
   runs.notes = joined(joined(std::move(read.notes), judging.notes),
                       notes_of_other_gyros(row_lengths_s.front(), runs));
+  require_masked_rows(runs, options.masks);
   return with_cuts(std::move(runs), options.cuts);
 }
 
 Runs read_holdouts(const std::vector<std::string>& files, const recording::ReadOptions& options,
                    const std::vector<double>& row_lengths_s, const std::vector<Run>& training) {
-  NotedRuns read = read_each(files, options, row_lengths_s, rows_of(training), nullptr);
+  NotedRuns read = read_each(files, options, row_lengths_s, training, nullptr);
   Runs runs;
   runs.holdouts = std::move(read.runs);
   runs.notes = joined(std::move(read.notes), notes_of_other_gyros(row_lengths_s.front(), runs));

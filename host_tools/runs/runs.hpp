@@ -15,10 +15,11 @@ namespace fogcomp::runs {
 struct Runs {
   std::vector<Run> training;
   std::vector<Run> holdouts;
-  std::uint32_t data_hash = 0;      ///< CRC-32 of the training data, in this order
-  double noise_dph_rthz = 0;        ///< white noise density, rms over the training runs
-  std::vector<std::string> doubts;  ///< values that no gyro has (recording/plausibility.hpp)
-  std::vector<std::string> notes;  ///< one line per excluded or joined file, and faults of its rows
+  std::uint32_t data_hash = 0;  ///< CRC-32 of the training data, in this order
+  double noise_dph_rthz = 0;    ///< white noise density, rms over the training runs
+  /// One line per excluded or joined file, faults of its rows, and values that no gyro has
+  /// (recording/plausibility.hpp).
+  std::vector<std::string> notes;
 
   /// Of a row of the training runs, rms over them weighted by length; nothing if no run shows one.
   std::optional<double> noise_floor_dph(double row_s) const;
@@ -35,8 +36,8 @@ struct Runs {
 /// Reads files one after another; only the blocks stay in memory. A file with the rows of an
 /// earlier one is left out; one that continues another is joined to its run (joined_runs.hpp).
 /// `row_lengths_s`: as run_of() takes them; notes are about the first. Throws InputError like
-/// read_recording() and run_of(), for a cut that lies in no run, and for a holdout with the rows of
-/// a training run, which cannot judge.
+/// read_recording() and run_of(), for a mask or cut that lies in no run, and for a holdout with
+/// rows of a training run, which cannot judge.
 Runs read_runs(const std::vector<std::string>& training, const std::vector<std::string>& holdouts,
                const recording::ReadOptions& options, const std::vector<double>& row_lengths_s);
 

@@ -244,14 +244,12 @@ BlockSeries without_blocks(const recording::Recording& recording) {
 }  // namespace
 
 bool set_cut(BlockSeries& series, double at_s, bool cut) {
-  if (series.blocks.empty() || at_s < series.blocks.front().time_s - series.block_s / 2) {
-    return false;
-  }
   const auto holds = [&](const BlockSeries::Block& block) {
     return block.time_s + series.block_s / 2 > at_s;
   };
   const auto block = std::find_if(series.blocks.begin(), series.blocks.end(), holds);
-  if (block == series.blocks.end()) return false;
+  // Nothing lies before the first one.
+  if (block == series.blocks.end() || block == series.blocks.begin()) return false;
   block->cut = cut;
   return true;
 }

@@ -48,7 +48,7 @@ struct BlockSeries {
 };
 
 /// Sets Block::cut of the block that holds this time, in a gap of the next one. Returns false if
-/// the time lies outside.
+/// the time lies outside, or in the first block.
 bool set_cut(BlockSeries& series, double at_s, bool cut);
 
 /// Number of a sample in a stream without gaps, from its time.

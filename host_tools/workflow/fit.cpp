@@ -166,7 +166,6 @@ FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& obser
   model::Model& model = outcome.model;
   model = std::move(wanted_terms);
   observer.say(runs.notes);
-  observer.say(runs.doubts);
   model.noise_dph_rthz = runs.noise_dph_rthz;
   const std::vector<runs::Run>& training = runs.training;
   std::optional<compare::TurnOn> turn_on;

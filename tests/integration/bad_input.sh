@@ -151,7 +151,7 @@ for cut in x 1..2 other.csv:; do
   refuses "^--cut '$cut': is not a time in seconds since power-on, as 3600, nor RUN:3600" \
     add good.model good.csv --cut "$cut" -o kept
 done
-refuses '^--cut 1000000000: lies in none of the runs' add good.model good.csv --cut 1e9 -o kept
+refuses '^--cut 1000000000: no run has samples both before and after it' add good.model good.csv --cut 1e9 -o kept
 refuses '^--cut: names other\.csv, which is none of the runs' add good.model good.csv --cut other.csv:60 -o kept
 refuses '^-o kept: is the model at the loop.s end; give --max-effects' diagnose good.model good.csv -o kept
 refuses '^good\.model: -o would overwrite the input good\.model; ' diagnose good.model good.csv --max-effects 2 \
@@ -267,10 +267,22 @@ for command in 'fit still.csv -o kept --effects bias' 'add good.model warm_up st
   # shellcheck disable=SC2086
   refuses '^still\.csv: the rate does not move: 0\.5 deg/h in all .* is the gyro on' $command
 done
-refuses '^copy\.csv: has the same samples as good\.csv, which is fitted to' \
+refuses '^copy\.csv: has samples of good\.csv, which is fitted to' \
   add good.model warm_up good.csv -o kept --holdout copy.csv
-refuses '^good\.csv: has the same samples as good\.csv, which is fitted to' \
+refuses '^good\.csv: has samples of good\.csv, which is fitted to' \
   add good.model warm_up good.csv -o kept --holdout good.csv
+head -1000 good.csv >head.csv
+{ head -1 good.csv; tail -1000 good.csv; } >tail.csv
+for part in head tail; do
+  refuses "^$part\.csv: has samples of good\.csv, which is fitted to" \
+    add good.model warm_up good.csv -o kept --holdout $part.csv
+done
+rm head.csv tail.csv
+for cut in -5 0 1e9; do
+  refuses '^--cut .*: no run has samples both before and after it' "${fit[@]}" good.csv --cut $cut
+done
+refuses '^--mask 1000000000\.\.2000000000: lies in none of the runs' "${fit[@]}" good.csv --mask 1e9..2e9
+refuses '^fogcomp plan: good\.model is a model; with --compare: --model good\.model' plan good.model --compare paper
 refuses '^copy\.csv: has the same samples as good\.csv, .*--static must be another' \
   diagnose good.model good.csv --static copy.csv
 refuses '^glass_transition: these recordings do not determine tg' fit rest.csv -o kept --effects bias,glass_transition

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "core/bytes/crc.hpp"
@@ -46,6 +47,30 @@ TEST(RowsHash, IsOfTheNumbersAndNotOfTheFile) {
   EXPECT_EQ(known.file_with(rows_hash(copy)), "");
   std::swap(copy.rate_dph, copy.time_s);
   EXPECT_NE(rows_hash(run), rows_hash(copy));
+}
+
+TEST(SampleMarks, PartOfARecording_SharesSome) {
+  Recording run;
+  for (int row = 0; row < 5000; ++row) {
+    run.time_s.push_back(row);
+    run.rate_dph.push_back(row * row % 101);
+  }
+  const auto shared = [&](std::size_t first, std::size_t end, double later_s) {
+    Recording part;
+    for (std::size_t row = first; row < end; ++row) {
+      part.time_s.push_back(run.time_s[row] + later_s);
+      part.rate_dph.push_back(run.rate_dph[row]);
+    }
+    const auto all = sample_marks(run);
+    const auto own = sample_marks(part);
+    return std::count_if(own.begin(), own.end(), [&](std::uint64_t mark) {
+      return std::count(all.begin(), all.end(), mark) > 0;
+    });
+  };
+  EXPECT_EQ(shared(0, 5000, 0), 64);
+  EXPECT_GT(shared(0, 500, 0), 0);
+  EXPECT_GT(shared(4400, 5000, 0), 0);
+  EXPECT_EQ(shared(0, 5000, 0.5), 0);
 }
 
 }  // namespace
