@@ -364,7 +364,8 @@ void leave_out_sentinels(Recording& recording, LineNumbers& lines, const ReadWat
       leave_out(column, *value, ", each far from those around");
     }
   };
-  each_far(Column::rate_dph, [](const Recording& run) { return run.rate_dph; });
+  each_far(Column::rate_dph,
+           [](const Recording& run) -> const std::vector<double>& { return run.rate_dph; });
   if (!recording.input_rate_dph.empty()) each_far(Column::input_rate_dph, bias_dph);
   if (has_filled_zeros(recording.rate_dph)) {
     leave_out(Column::rate_dph, 0, ", far more often than any value beside it");
