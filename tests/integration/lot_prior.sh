@@ -38,9 +38,6 @@ gyro unseen.csv 10 0.104 --profile reversed
 below "$(error new.model unseen.csv)" "$(error alone.model unseen.csv)" 'with the lot'
 holds new.json '.prior.file == "out/gyros.lot" and .prior.gyros == 9'
 holds new.json '.prior.unknowns | all(.moved | not)'
-holds new.json '[.prior.unknowns[] | select(.from_before > 0.5).name] | index("shupe.tau")'
-"$fogcomp" history new.model >history.txt
-says history.txt 'prior: out/gyros.lot [(]9 gyros[)]'
 
 # The same as a gyro of a production line; in its own lot a gyro has the others as its prior.
 mkdir -p line/N1
@@ -54,6 +51,10 @@ status=0
 "$fogcomp" batch gyros -o again --lot --prior-lot out/gyros.lot >said.txt 2>few.txt || status=$?
 ((status == 2)) || fail "a lot of a lot: exit code $status"
 says few.txt '^--lot: is of what each gyro tells alone; leave --prior-lot out'
+
+holds new.json '[.prior.unknowns[] | select(.from_before > 0.5).name] | index("shupe.tau")'
+"$fogcomp" history new.model >history.txt
+says history.txt 'prior: out/gyros.lot [(]9 gyros[)]'
 
 # Unlike its lot.
 gyro unlike.csv 11 0.3 "${noise[@]}" --profile short.profile
