@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "diagnosis/shape_grid.hpp"
 #include "model/catalogue.hpp"
 #include "support/least_squares.hpp"
 
