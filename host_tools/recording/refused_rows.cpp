@@ -172,15 +172,20 @@ double usual_step(const std::vector<double>& values) {
   return steps.empty() ? 0 : median(std::move(steps));
 }
 
-/// Short ranges of one value that is far from the ones around in what was `seen`.
+/// Short ranges of one value that is far from the ones around, on no way from one to the other,
+/// also in what was `seen` of most of that step.
 struct Outliers {
   Outliers(const std::vector<double>& values, const std::vector<double>& seen, double far) {
     const auto is_far = [&](std::size_t row, std::size_t other) {
-      return other >= values.size() || std::fabs(seen[row] - seen[other]) >= far;
+      if (other >= values.size()) return true;
+      const double step = std::fabs(seen[row] - seen[other]);
+      return step >= far && step > kMost * std::fabs(values[row] - values[other]);
     };
     for (std::size_t row = 1, first = 0; row <= values.size(); ++row) {
       if (row < values.size() && values[row] == values[row - 1]) continue;
-      bool is_outlier = row - first <= kFewValues;
+      const bool is_flank = first > 0 && row < values.size() &&
+                            (values[first] > values[first - 1]) == (values[row] > values[first]);
+      bool is_outlier = row - first <= kFewValues && !is_flank;
       for (std::size_t i = first; i < row && is_outlier; ++i) {
         is_outlier = is_far(i, first - 1) && is_far(i, row);
       }
@@ -235,6 +240,8 @@ std::optional<double> far_sentinel(const std::vector<double>& values,
   const auto [value, count] = Outliers(values, seen, far).most_frequent();
   if (count < kFewValues) return std::nullopt;
   const std::size_t ranges = ranges_of(value, values);
+  const auto rows = static_cast<std::size_t>(std::count(values.begin(), values.end(), value));
+  if (rows > kFewValues * ranges) return std::nullopt;
   const double next = nearest_to(value, values);
   const bool has_next = std::fabs(next - value) < far;
   const auto others =
@@ -244,13 +251,13 @@ std::optional<double> far_sentinel(const std::vector<double>& values,
 }
 
 /// Whether a rate is 0, among its other values, far more often than it has the next value: of a
-/// noise both are as frequent. Not if it is 0 for long, or mostly.
+/// noise both are as frequent. Not if it is 0 for long, or in many rows: that is a dead band.
 bool has_filled_zeros(const std::vector<double>& values) {
   const std::size_t ranges = ranges_of(0, values);
   if (ranges < kFewValues) return false;
   const auto zeros = static_cast<std::size_t>(std::count(values.begin(), values.end(), 0));
   const double next = nearest_to(0, values);
-  return zeros <= kFewValues * ranges && 2 * zeros < values.size() &&
+  return zeros <= kFewValues * ranges && !is_noticeable(zeros, values.size()) &&
          !is_noticeable(ranges_of(next, values) + ranges_of(-next, values), ranges);
 }
 

@@ -230,9 +230,14 @@ bool blank_held_temperatures(const std::vector<double>& time_s, std::vector<doub
   if (readings.size() < 3) return false;
   const std::size_t held = readings[2] - readings[1];
   if (time_s[readings[2]] - time_s[readings[1]] <= kHoldSeconds) return false;
-  for (std::size_t i = 3; i < readings.size(); ++i) {
-    if (readings[i] - readings[i - 1] != held) return false;
+  const double unit = std::fabs(degc[readings[1]] - degc[readings[0]]);
+  bool is_coarse = true;  // one step at a time, as a sensor of that resolution makes in a ramp
+  for (std::size_t i = 2; i < readings.size(); ++i) {
+    if (i > 2 && readings[i] - readings[i - 1] != held) return false;
+    const double step = std::fabs(degc[readings[i]] - degc[readings[i - 1]]);
+    is_coarse &= step == 0 || std::fabs(step - unit) <= kNoticeable * unit;
   }
+  if (is_coarse) return false;
   blank_between(readings, degc);
   return true;
 }

@@ -893,6 +893,18 @@ TEST(ForeignFiles, TemperatureEachFewMinutes_NoSampleLost) {
   }
 }
 
+// A step a time, as evenly as the ramp goes, and none in a soak.
+TEST(ForeignFiles, CoarseTemperatureInARamp_IsNoSlowSensor) {
+  std::string content = "time_s,temperature_degc,rate_dph\n";
+  for (int row = 0; row < 9001; ++row) {
+    content += format("%d,%d,%d\n", row, std::min(row / 180, 30), row * row % 101);
+  }
+  std::string said;
+  const Recording recording = read_recording(temporary_file("coarse.csv", content), heard_in(said));
+  EXPECT_EQ(recording.rows(), 9001U) << said;
+  EXPECT_EQ(said.find("repeats each reading"), std::string::npos) << said;
+}
+
 // Lines of terminals and of spreadsheets for a page; LabVIEW's last name has no field.
 TEST(ForeignFiles, FurtherLayouts_Read) {
   const char* const files[] = {

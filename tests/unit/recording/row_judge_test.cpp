@@ -443,6 +443,36 @@ TEST(Sentinels, InTheInputRate_LeftOut) {
       << said;
 }
 
+// A table that stops often, with a gyro whose scale factor is off, and one that rests for long and
+// loses some values.
+TEST(Sentinels, NoneInAnInputRateThatTheGyroFollows) {
+  const auto read = [](double scale, const std::function<double(int)>& table,
+                       const std::function<bool(int)>& is_lost) {
+    std::mt19937_64 random(1);
+    std::normal_distribution<double> noise(0.7, 0.3);
+    std::string text = "time_s,temperature_degc,rate_dph,input_rate_dph\n";
+    for (int row = 0; row < 3600; ++row) {
+      const double turn = table(row);
+      text += format("%d,20,%.4f,%g\n", row, scale * turn + noise(random), is_lost(row) ? 0 : turn);
+    }
+    std::string said;
+    return read_recording(temporary_file("table.csv", text), heard_in(said)).rows();
+  };
+  const auto none = [](int) { return false; };
+  for (const double scale : {1.2, 1.001}) {
+    EXPECT_EQ(read(
+                  scale, [](int row) { return row % 20 == 0 ? 0.0 : 36000.0; }, none),
+              3600U);
+    EXPECT_EQ(read(
+                  scale, [](int row) { return row % 50 == 0 ? 36000.0 : 0.0; }, none),
+              3600U);
+  }
+  EXPECT_EQ(read(
+                1, [](int row) { return row < 1800 ? 0.0 : 36000.0; },
+                [](int row) { return row % 60 == 7; }),
+            3600U);
+}
+
 // A rate in coarse steps, and one that swings between two values.
 TEST(Sentinels, NoneInRatesOfFewValues) {
   for (const auto& rate : std::vector<std::function<double(int)>>{
