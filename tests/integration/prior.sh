@@ -45,8 +45,8 @@ says history.txt 'temperature_rate.K by [+][0-9.]* sigma'
 below "$(error repaired.model unseen_repaired.csv)" \
   "$(awk -v e="$(error alone.model unseen_repaired.csv)" 'BEGIN { print 1.1 * e }')" 'after a repair'
 
-refuses_fit now.csv 'determined by --prior' --prior old.model --effects bias
-refuses_fit now.csv 'determined by --prior' --prior old.model --derivative-tau 60
+refuses_fit now.csv 'determined by old.model' --prior old.model --effects bias
+refuses_fit now.csv 'determined by old.model' --prior old.model --derivative-tau 60
 refuses_fit now.csv 'is of gyro G1, not of G2' --prior old.model --serial G2
 "$fogcomp" fit year_ago.csv -o network.model --effects bias --network 2 --force-network >said.txt
 refuses_fit now.csv 'has a network' --prior network.model
