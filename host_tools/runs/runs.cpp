@@ -25,11 +25,10 @@ std::vector<std::string> joined(std::vector<std::string> notes,
   return notes;
 }
 
-std::vector<std::string> notes_on(const recording::Recording& recording, const Run& run,
-                                  double row_s) {
+std::vector<std::string> notes_on(const recording::Recording& recording, double noise_dph_rthz,
+                                  const Run& run, double row_s) {
   std::vector<std::string> notes =
-      joined(notes_on_rows(run, row_s),
-             recording::doubts(recording, noise::white_noise_dph_rthz(recording)));
+      joined(notes_on_rows(run, row_s), recording::doubts(recording, noise_dph_rthz));
   if (recording.power_on_unknown && recording.uptime_s.empty()) {
     notes.push_back(recording.file +
                     ": power-on is not known: effects of the time since then (warm_up, aging) "
@@ -92,10 +91,10 @@ std::vector<std::string> notes_of_other_gyros(double row_s, const Runs& runs) {
   return notes;
 }
 
-// `see` is called with each recording that counts.
+// `see` is called with each recording that counts, and its white noise in deg/h/sqrt(Hz).
 NotedRuns read_each(const std::vector<std::string>& files, const recording::ReadOptions& options,
                     const std::vector<double>& row_lengths_s, const std::vector<Run>& fitted,
-                    const std::function<void(const recording::Recording&)>& see) {
+                    const std::function<void(const recording::Recording&, double)>& see) {
   NotedRuns read;
   recording::KnownRows known;
   for (const std::string& file : files) {
@@ -109,8 +108,10 @@ NotedRuns read_each(const std::vector<std::string>& files, const recording::Read
       continue;
     }
     known.add(hash, file);
-    read.notes = joined(std::move(read.notes), notes_on(recording, run, row_lengths_s.front()));
-    if (see) see(recording);
+    const double noise_dph_rthz = noise::white_noise_dph_rthz(recording);
+    read.notes = joined(std::move(read.notes),
+                        notes_on(recording, noise_dph_rthz, run, row_lengths_s.front()));
+    if (see) see(recording, noise_dph_rthz);
     read.runs.push_back(std::move(run));
   }
   NotedRuns continued = join_continued(std::move(read.runs));
@@ -160,12 +161,12 @@ Runs read_runs(const std::vector<std::string>& training, const std::vector<std::
   runs.data_hash = fog::kCrc32Initial;
   double noise_square = 0;
   std::size_t count = 0;
-  NotedRuns read = read_each(training, options, row_lengths_s, {}, [&](const auto& recording) {
+  const auto see = [&](const recording::Recording& recording, double noise_dph_rthz) {
     runs.data_hash = recording::data_hash(recording, runs.data_hash);
-    const double noise_dph_rthz = noise::white_noise_dph_rthz(recording);
     noise_square += std::pow(noise_dph_rthz, 2);
     ++count;
-  });
+  };
+  NotedRuns read = read_each(training, options, row_lengths_s, {}, see);
   runs.noise_dph_rthz = std::sqrt(noise_square / static_cast<double>(count));
   runs.training = std::move(read.runs);
   NotedRuns judging = read_each(holdouts, options, row_lengths_s, runs.training, nullptr);
