@@ -133,16 +133,13 @@ std::string effects_markdown(const std::vector<const model::CatalogueEntry*>& en
   std::string text =
       "# Physical effects\n\n"
       "Written by `fogcomp effects --markdown` from the headers in `firmware/core/effects` and "
-      "from\n"
-      "`host_tools/diagnosis/form_meaning.hpp`. `fogcomp effects NAME` prints all of one "
+      "from\n`host_tools/diagnosis/form_meaning.hpp`. `fogcomp effects NAME` prints all of one "
       "effect.\n\n"
       "Drift = Σ coefficient · regressor over the effects of a model, plus the network. T is the "
       "temperature of the coil sensor\n(a block's mean). Its derivative dT/dt is behind two lags "
       "(`fit --derivative-tau`). Time t counts from power-on, as\n`time_s` then has to. On the "
-      "board "
-      "the gyro's own rate stands for `input_rate_dph`. Other columns reach the board "
-      "in\nextension "
-      "records (`export --extension`).\n\n"
+      "board the gyro's own rate stands for `input_rate_dph`. Other columns reach the board in\n"
+      "extension records (`export --extension`).\n\n"
       "| effect | | equation | identified | source |\n|---|---|---|---|---|\n";
   std::string signatures, shapes;
   for (const model::CatalogueEntry* entry : entries) {

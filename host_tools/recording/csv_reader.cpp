@@ -418,13 +418,11 @@ class RowCollector {
     Recording& run = recording_;
     const bool is_held = blank_held_readings(run.time_s, run.rate_dph, run.input_rate_dph);
     const bool is_slow = blank_held_temperatures(run.time_s, run.temperature_degc);
-    for (const auto& [is_so, column] :
-         {std::pair(is_held, "input_rate_dph"), {is_slow, "temperature_degc"}}) {
-      if (is_so) {
-        options_.watch.say(file_.path(),
-                           std::string(column) + " repeats each reading until the next one");
-      }
-    }
+    const auto say_repeated = [&](const std::string& column) {
+      options_.watch.say(file_.path(), column + " repeats each reading until the next one");
+    };
+    if (is_held) say_repeated("input_rate_dph");
+    if (is_slow) say_repeated("temperature_degc");
     if (sparse_ || is_held || is_slow) complete_sparse_columns(recording_, lines_, options_.watch);
     sparse_ = false;
   }

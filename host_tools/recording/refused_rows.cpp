@@ -219,13 +219,20 @@ double nearest_to(double value, const std::vector<double>& values) {
   return next;
 }
 
-std::size_t ranges_of(double value, const std::vector<double>& values) {
-  std::size_t ranges = 0;
-  for (std::size_t row = 0; row < values.size(); ++row) {
-    if (values[row] == value && (row == 0 || values[row - 1] != value)) ++ranges;
+/// How often a value stands in a column.
+struct Occurrence {
+  Occurrence(double value, const std::vector<double>& values) {
+    for (std::size_t row = 0; row < values.size(); ++row) {
+      if (values[row] != value) continue;
+      ++rows;
+      if (row == 0 || values[row - 1] != value) ++ranges;
+    }
   }
-  return ranges;
-}
+  bool is_short() const { return rows <= kFewValues * ranges; }
+
+  std::size_t rows = 0;
+  std::size_t ranges = 0;
+};
 
 bool is_noticeable(std::size_t part, std::size_t all) {
   return static_cast<double>(part) > kNoticeable * static_cast<double>(all);
@@ -239,26 +246,26 @@ std::optional<double> far_sentinel(const std::vector<double>& values,
   if (far == 0) return std::nullopt;
   const auto [value, count] = Outliers(values, seen, far).most_frequent();
   if (count < kFewValues) return std::nullopt;
-  const std::size_t ranges = ranges_of(value, values);
-  const auto rows = static_cast<std::size_t>(std::count(values.begin(), values.end(), value));
-  if (rows > kFewValues * ranges) return std::nullopt;
+  const Occurrence found(value, values);
+  if (!found.is_short()) return std::nullopt;
   const double next = nearest_to(value, values);
   const bool has_next = std::fabs(next - value) < far;
-  const auto others =
-      has_next ? static_cast<std::size_t>(std::count(values.begin(), values.end(), next)) : 0;
-  const bool is_sentinel = !is_noticeable(ranges - count, ranges) && !is_noticeable(others, count);
+  const std::size_t others = has_next ? Occurrence(next, values).rows : 0;
+  const bool is_sentinel =
+      !is_noticeable(found.ranges - count, found.ranges) && !is_noticeable(others, count);
   return is_sentinel ? std::optional(value) : std::nullopt;
 }
 
 /// Whether a rate is 0, among its other values, far more often than it has the next value: of a
 /// noise both are as frequent. Not if it is 0 for long, or in many rows: that is a dead band.
 bool has_filled_zeros(const std::vector<double>& values) {
-  const std::size_t ranges = ranges_of(0, values);
-  if (ranges < kFewValues) return false;
-  const auto zeros = static_cast<std::size_t>(std::count(values.begin(), values.end(), 0));
+  const Occurrence zeros(0, values);
+  if (zeros.ranges < kFewValues || !zeros.is_short() || is_noticeable(zeros.rows, values.size())) {
+    return false;
+  }
   const double next = nearest_to(0, values);
-  return zeros <= kFewValues * ranges && !is_noticeable(zeros, values.size()) &&
-         !is_noticeable(ranges_of(next, values) + ranges_of(-next, values), ranges);
+  const std::size_t others = Occurrence(next, values).ranges + Occurrence(-next, values).ranges;
+  return !is_noticeable(others, zeros.ranges);
 }
 
 /// Those after a jump and before one: no reading, but what stands for none.
