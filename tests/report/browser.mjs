@@ -46,7 +46,8 @@ export const until = async (page, expression, seconds = 300) => {
     await new Promise((done) => setTimeout(done, 25));
   }
   throw new Error(
-    `${page.url()}: ${expression} does not come: ${await page.evaluate("document.body.innerText.slice(0, 600)")}`,
+    `${page.url()}: ${expression} does not come: ` +
+      (await page.evaluate("document.body.innerText.replace(/\\s+/g, ' ').slice(0, 600)")),
   );
 };
 

@@ -58,7 +58,8 @@ in_lines() { node -p 'JSON.stringify(JSON.parse(fs.readFileSync(0)), null, 1)'; 
 mkdir shell
 cp run.csv other.csv shell
 [[ -s commands.txt ]] || fail "the page shows no commands"
-(cd shell && PATH=$(dirname "$fogcomp"):$PATH bash -euo pipefail ../commands.txt >said.txt)
+(cd shell && PATH=$(dirname "$fogcomp"):$PATH bash -euo pipefail ../commands.txt >said.txt 2>&1) ||
+  fail "a command of the page ends in a shell with: $(tail -n 1 shell/said.txt)"
 cd shell
 made=$(sed -n '$ s/.* -o \([^ ]*\).*/\1/p' ../commands.txt)
 "$fogcomp" export "$made" -o made.h >/dev/null
