@@ -274,10 +274,4 @@ std::string form_text(const model::Expression& expression) {
   return text;
 }
 
-std::string with_longer_lags(std::string expression) {
-  const std::size_t at = expression.find(kLagBounds);
-  if (at != std::string::npos) expression.replace(at, kLagBounds.size(), "?tau[20,60000]");
-  return expression;
-}
-
 }  // namespace fogcomp::diagnosis

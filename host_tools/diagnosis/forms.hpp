@@ -27,8 +27,4 @@ std::vector<Formula> formulas_over(const series::SignalSeries& series, fog::Inpu
 /// An expression for the reader: parameters by name, without bounds.
 std::string form_text(const model::Expression& expression);
 
-/// The formula of a form with room for lags of many hours, as moisture and large housings have; the
-/// same if it has no lag.
-std::string with_longer_lags(std::string expression);
-
 }  // namespace fogcomp::diagnosis

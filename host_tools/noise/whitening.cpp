@@ -100,18 +100,6 @@ void Whitening::filter(const Eigen::MatrixXd& matrix, Eigen::Index first,
   }
 }
 
-// Backwards from the last row: effect of a row's value on all later results through the states.
-Eigen::MatrixXd Whitening::apply_transposed(const Eigen::MatrixXd& matrix) const {
-  Eigen::MatrixXd result(matrix.rows(), matrix.cols());
-  Eigen::MatrixXd later = Eigen::MatrixXd::Zero(decay_.rows(), matrix.cols());
-  for (Eigen::Index i = matrix.rows() - 1; i >= 0; --i) {
-    result.row(i) = scale_[i] * matrix.row(i) + gain_.col(i).transpose() * later;
-    later.rowwise() -= result.row(i);
-    later = decay_.col(i).asDiagonal() * later;
-  }
-  return result;
-}
-
 // Backwards from the last row. With z = (state before the row, 1) a row's innovation is h z, and
 // the next row's z is F z. So all later rows contribute z' M z to the sum of squares and L z to the
 // products, with the recursion M = F' M F + scale^2 h h' and L = L F + scale w h. A step that

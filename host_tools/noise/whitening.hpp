@@ -29,9 +29,6 @@ class Whitening {
   /// Whitens every column of `matrix` (rows x any number).
   Eigen::MatrixXd apply(const Eigen::MatrixXd& matrix) const;
 
-  /// Product with the transpose of the linear operation of apply().
-  Eigen::MatrixXd apply_transposed(const Eigen::MatrixXd& matrix) const;
-
   /// `rows`: those of the constructor; `whitened`: rows x any number. O(rows).
   StepProducts steps(const series::Rows& rows, const Eigen::MatrixXd& whitened) const;
 

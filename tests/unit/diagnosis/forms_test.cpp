@@ -103,17 +103,5 @@ TEST(Forms, AreShownWithoutBounds) {
   EXPECT_EQ(form_text(term.expression->expression), "lag(abs(T-c),tau)*c");
 }
 
-TEST(Forms, OfALagHaveRoomForALongerOne) {
-  EXPECT_EQ(with_longer_lags("a = lag(lag(dTdt,?tau[20,6000]),?tau)^2"),
-            "a = lag(lag(dTdt,?tau[20,60000]),?tau)^2");
-  EXPECT_EQ(with_longer_lags("a = dTdt^2"), "a = dTdt^2");
-  for (const Formula& formula : formulas(bit_of(fog::Input::elapsed))) {
-    const std::string text = formula.term.expression->expression.text;
-    const std::string longer = with_longer_lags(text);
-    EXPECT_EQ(longer == text, text.find("lag(") == std::string::npos) << text;
-    EXPECT_NO_THROW(model::expression_term("a = " + longer)) << longer;
-  }
-}
-
 }  // namespace
 }  // namespace fogcomp::diagnosis
