@@ -69,7 +69,15 @@ int AddCommand::run() const {
   if (written) model_file.write(model::model_text(addition.model));
   const std::string name = written ? output.value() : "";
   findings::Document document = findings::add_findings(addition, arguments[0], name);
-  document.read_with(recording.given_words());
+  std::vector<std::string> reading = recording.given_words();
+  for (const recording::Cut& cut : addition.cuts) {
+    const std::vector<std::string> words_of_cut = findings::cut_words({cut});
+    const auto refused = written ? reading.end()
+                                 : std::search(reading.begin(), reading.end(), words_of_cut.begin(),
+                                               words_of_cut.end());
+    if (refused != reading.end()) reading.erase(refused, refused + 2);
+  }
+  document.read_with(reading);
   page.fill(document, [&] { return bench(asked, addition, written); });
   if (written) model_file.commit();
   page.commit();

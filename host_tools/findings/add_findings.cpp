@@ -122,17 +122,19 @@ Document add_findings(const fit::Addition& addition, const std::string& model,
   std::vector<std::string> names;
   for (const model::EffectTerm& one : addition.model.terms) names.push_back(one.name);
   std::vector<std::string> runs;
+  std::vector<std::string> holdouts;
   for (const fit::Addition::RunError& run : addition.runs) {
-    if (!run.holdout) runs.insert(runs.end(), run.before.files.begin(), run.before.files.end());
+    std::vector<std::string>& files = run.holdout ? holdouts : runs;
+    files.insert(files.end(), run.before.files.begin(), run.before.files.end());
   }
   Document document{
       "fogcomp add " + model + " " +
           (addition.cuts.empty() ? join(addition.names(), " ") + " " : "") + join(runs, " "),
       words(std::string(addition.accepted ? "accepted: " : "refused: ") + addition.reason, names)};
-  document.next =
-      written.empty()
-          ? Next("nothing was written; ask what else it could be", diagnose_command(model, runs))
-          : Next("look again at what the new model leaves", diagnose_command(written, runs));
+  document.next = written.empty() ? Next("nothing was written; ask what else it could be",
+                                         diagnose_command(model, runs, holdouts))
+                                  : Next("look again at what the new model leaves",
+                                         diagnose_command(written, runs, holdouts));
   document.parts = remarks_on(addition, names);
   if (!addition.parts.empty()) document.parts += part_table(addition);
   if (!addition.changed.empty()) document.parts += changed_terms(addition);

@@ -13,10 +13,7 @@ namespace {
 std::vector<std::string> go_on_command(const diagnosis::Ladder& ladder,
                                        const diagnosis::DiagnosisData& data,
                                        const DiagnosedFiles& files) {
-  std::vector<std::string> command = diagnose_command(files.output, files.runs);
-  for (const std::string& holdout : files.holdouts) {
-    command.insert(command.end(), {"--holdout", holdout});
-  }
+  std::vector<std::string> command = diagnose_command(files.output, files.runs, files.holdouts);
   command.insert(command.end(), files.options.begin(), files.options.end());
   for (const model::EffectTerm& offered : data.offered()) {
     if (ladder.model.find(offered.name) != nullptr) continue;

@@ -233,9 +233,11 @@ std::vector<std::string> run_files(const compare::ModelOnRuns& model) {
 }
 
 std::vector<std::string> diagnose_command(const std::string& model,
-                                          const std::vector<std::string>& runs) {
+                                          const std::vector<std::string>& runs,
+                                          const std::vector<std::string>& holdouts) {
   std::vector<std::string> command{"fogcomp", "diagnose", model};
   command.insert(command.end(), runs.begin(), runs.end());
+  for (const std::string& holdout : holdouts) command.insert(command.end(), {"--holdout", holdout});
   return command;
 }
 

@@ -40,7 +40,8 @@ std::vector<std::string> run_files(const compare::ModelOnRuns& model);
 
 /// The words of a command that diagnoses the model.
 std::vector<std::string> diagnose_command(const std::string& model,
-                                          const std::vector<std::string>& runs);
+                                          const std::vector<std::string>& runs,
+                                          const std::vector<std::string>& holdouts = {});
 
 /// That command, for a model that leaves drift; another way where it would refuse so few rows.
 Next next_diagnosis(const compare::ModelOnRuns& model);

@@ -99,7 +99,8 @@ Refits refit(model::Model model, const EffectChange& change, const runs::Runs& r
 // Appends the change and what it brought to the model's history.
 void record(const EffectChange& change, const runs::Runs& runs, Refits& refits) {
   Addition& after = refits.after;
-  model::HistoryEntry step{"add " + change.what, runs.data_hash, refits.before.residual_rms_dph,
+  const std::string what = (change.what.empty() ? "" : " ") + change.what + runs.read_with;
+  model::HistoryEntry step{"add" + what, runs.data_hash, refits.before.residual_rms_dph,
                            after.model.residual_rms_dph,
                            runs.noise_floor_dph(after.model.average_s)};
   if (after.whole) step.holdout = {after.whole->rms_before_dph, after.whole->rms_after_dph};

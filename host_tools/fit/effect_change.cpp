@@ -131,9 +131,7 @@ EffectChange change_effects(const std::vector<model::EffectTerm>& terms,
 
 EffectChange change_cuts(const std::vector<model::EffectTerm>& terms,
                          const std::vector<recording::Cut>& cuts) {
-  std::vector<std::string> words;
-  for (const recording::Cut& cut : cuts) words.push_back("--cut " + cut_text(cut));
-  return {terms, {}, join(words, " "), 0, cuts};
+  return {terms, {}, "", 0, cuts};
 }
 
 EffectChange change_expression(const std::vector<model::EffectTerm>& terms,

@@ -12,7 +12,7 @@ namespace fogcomp::fit {
 struct EffectChange {
   std::vector<model::EffectTerm> terms;
   std::vector<std::size_t> changed;    ///< their positions; empty if a network or cuts are added
-  std::string what;                    ///< text of the request, for the model's history
+  std::string what;                    ///< the effects, for the model's history; cuts are the runs'
   int network_hidden = 0;              ///< hidden neurons of a network that is added instead
   std::vector<recording::Cut> cuts{};  ///< of the runs, at which the bias begins anew instead
 };

@@ -61,7 +61,10 @@ std::vector<std::string> notes_on_rows(const Run& run, double row_s) {
   const double period_s = run.blocks.period_s;
   const double whole_s = series::row_length_s(row_s, run.blocks.block_s);
   std::vector<std::string> notes;
-  if (row_s > run.blocks.block_s && std::abs(whole_s - row_s) > kNoticeable * row_s) {
+  const auto& usual = rules::kRowLengths_s;  // nobody has asked for
+  const bool is_usual = std::find(usual.begin(), usual.end(), row_s) != usual.end();
+  if (!(is_usual && row_s <= run.blocks.block_s) &&
+      std::abs(whole_s - row_s) > kNoticeable * row_s) {
     notes.push_back(format("%s: rows of %.4g s instead of %.4g: whole multiples of %.4g s",
                            run.file.c_str(), whole_s, row_s, run.blocks.block_s));
   }

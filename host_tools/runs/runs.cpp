@@ -48,17 +48,19 @@ void refuse_samples_of(const Run& run, const std::vector<Run>& fitted) {
   }
 }
 
-void require_masked_rows(const Runs& runs, const std::vector<recording::Mask>& masks) {
+Runs with_masks(Runs runs, const std::vector<recording::Mask>& masks) {
   const std::vector<Run> all = runs.all();
   for (const recording::Mask& mask : masks) {
+    const std::string times = format("%.10g..%.10g", mask.from_s, mask.to_s);
+    runs.read_with += " --mask " + (mask.run.empty() ? "" : mask.run + ":") + times;
     const bool masks_any = std::any_of(all.begin(), all.end(), [&](const Run& run) {
       return names_run(mask.run, run) && mask.from_s <= run.blocks.blocks.back().time_s &&
              mask.to_s >= run.blocks.blocks.front().time_s;
     });
     if (masks_any) continue;
-    throw InputError("--mask " + format("%.10g..%.10g", mask.from_s, mask.to_s),
-                     "lies in none of the runs");
+    throw InputError("--mask " + times, "lies in none of the runs");
   }
+  return runs;
 }
 
 // A cut of all runs need not lie in each, but in one.
@@ -69,8 +71,33 @@ Runs with_cuts(Runs runs, const std::vector<recording::Cut>& cuts) {
     for (Run& run : runs.holdouts) is_made |= set_cut(run, cut, true);
     if (!is_made)
       throw InputError("--cut " + cut_text(cut), "no run has samples both before and after it");
+    runs.read_with += " --cut " + cut_text(cut);
   }
   return runs;
+}
+
+// A bias that no row determines would be any.
+void require_rows_beside_cuts(const std::vector<Run>& runs, double row_s) {
+  for (const Run& run : runs) {
+    series::Rows rows;
+    series::RowAverager averager(run.blocks, row_s, rows);
+    std::size_t parts = 1;
+    for (const series::BlockSeries::Block& block : run.blocks.blocks) {
+      averager.take(block, {});
+      if (block.cut) ++parts;
+    }
+    if (parts == 1) continue;
+    averager.finish();
+    rows.bias_of = series::BiasOf::recording;
+    const std::vector<recording::RowRange> ranges = rows.bias_ranges();
+    const bool all_count = std::all_of(ranges.begin(), ranges.end(), [&](const auto& range) {
+      return series::of_rows(rows.seconds, range).sum() > 0;
+    });
+    if (all_count && ranges.size() == parts) continue;
+    throw InputError(run.file, format("a --cut leaves no row of %.4g s beside it that counts; give "
+                                      "another time, or RUN:T if it is of another run",
+                                      rows.row_s));
+  }
 }
 
 // A note for each run with much more noise than another, so that they are hardly of one gyro.
@@ -173,8 +200,9 @@ Runs read_runs(const std::vector<std::string>& training, const std::vector<std::
   runs.holdouts = std::move(judging.runs);
   runs.notes = joined(joined(std::move(read.notes), judging.notes),
                       notes_of_other_gyros(row_lengths_s.front(), runs));
-  require_masked_rows(runs, options.masks);
-  return with_cuts(std::move(runs), options.cuts);
+  runs = with_cuts(with_masks(std::move(runs), options.masks), options.cuts);
+  require_rows_beside_cuts(runs.training, row_lengths_s.front());
+  return runs;
 }
 
 Runs read_holdouts(const std::vector<std::string>& files, const recording::ReadOptions& options,

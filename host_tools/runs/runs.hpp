@@ -17,6 +17,7 @@ struct Runs {
   std::vector<Run> holdouts;
   std::uint32_t data_hash = 0;  ///< CRC-32 of the training data, in this order
   double noise_dph_rthz = 0;    ///< white noise density, rms over the training runs
+  std::string read_with{};      ///< masks and cuts, as a model's history has them: " --cut 3600"
   /// One line per excluded or joined file, faults of its rows, and values that no gyro has
   /// (recording/plausibility.hpp).
   std::vector<std::string> notes;

@@ -154,10 +154,10 @@ void RowAverager::begin_row(std::int64_t number, double power_on_s) {
     complete_row();
     // A row in which the power was off belongs to the time before.
     if (power_on_s != power_on_s_) rows_.restart_rows.push_back(row);
-    if (cut_in_ && number > *cut_in_) {
-      rows_.cut_rows.push_back(row);
-      cut_in_.reset();
-    }
+  }
+  if (cut_in_ && number > *cut_in_) {
+    rows_.cut_rows.push_back(row);
+    cut_in_.reset();
   }
   power_on_s_ = power_on_s;
   sum_ = {};

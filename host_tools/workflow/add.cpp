@@ -1,15 +1,34 @@
 #include "workflow/add.hpp"
 
+#include <algorithm>
+
 #include "model/catalogue.hpp"
+#include "support/input_error.hpp"
 
 namespace fogcomp::workflow {
 namespace {
 
-fit::EffectChange change_of(const AddRequest& request,
-                            const std::vector<model::EffectTerm>& terms) {
-  if (request.expression) return fit::change_expression(terms, *request.expression);
-  if (request.only_cuts) return fit::change_cuts(terms, request.reading.cuts);
-  return fit::change_effects(terms, request.effects);
+// Those with which no step of the model was made.
+std::vector<recording::Cut> new_cuts(std::vector<recording::Cut> cuts, const model::Model& model) {
+  const auto is_known = [&](const recording::Cut& cut) {
+    const std::string words = " --cut " + cut_text(cut) + " ";
+    return std::any_of(model.history.begin(), model.history.end(), [&](const auto& step) {
+      return (step.action + " ").find(words) != std::string::npos;
+    });
+  };
+  cuts.erase(std::remove_if(cuts.begin(), cuts.end(), is_known), cuts.end());
+  if (cuts.empty()) {
+    throw InputError("--cut", "the model has been made with it; give another one, or an effect");
+  }
+  return cuts;
+}
+
+fit::EffectChange change_of(const AddRequest& request, const model::Model& model) {
+  if (request.expression) return fit::change_expression(model.terms, *request.expression);
+  if (request.only_cuts) {
+    return fit::change_cuts(model.terms, new_cuts(request.reading.cuts, model));
+  }
+  return fit::change_effects(model.terms, request.effects);
 }
 
 }  // namespace
@@ -21,9 +40,7 @@ fit::Addition add(const AddRequest& request, const Observer& observer) {
 fit::Addition add(const AddRequest& request, const runs::Runs& runs, const Observer& observer) {
   model::Model model = model::load_model(request.model);
   observer.say(model::leave_out_events(model.terms));
-  fit::EffectChange change = change_of(request, model.terms);
-  const std::string read = mask_words(request.reading);
-  change.what = request.only_cuts ? read.substr(1) : change.what + read;
+  const fit::EffectChange change = change_of(request, model);
   remember_reading(request.reading, model);
   observer.say(runs.notes);
   observer.tell(kTraining, 0);

@@ -80,7 +80,7 @@ std::vector<model::HistoryEntry> history_of(const FitOutcome& outcome, const Fit
   const fit::Identification& identified = outcome.result.identified;
   std::string fitted = identified.prior ? prior_words(identified) : wanted.effects;
   for (const std::string& definition : request.expressions) fitted += ", " + definition;
-  fitted += mask_words(request.reading);
+  fitted += runs.read_with;
   const std::optional<double> floor_dph = runs.noise_floor_dph(model.average_s);
   std::vector<model::HistoryEntry> history{
       {"fit " + fitted, runs.data_hash, before_dph, effects_rms_dph, floor_dph}};
@@ -145,8 +145,8 @@ compare::ModelOnRuns FitOutcome::on_its_runs(const std::string& file) const {
   return judged;
 }
 
-void check(const FitRequest& request) {
-  plan_of(request);
+std::vector<model::EffectTerm> check(const FitRequest& request) {
+  return plan_of(request).model.terms;
 }
 
 runs::Runs training_runs(const FitRequest& request, const Observer& observer) {

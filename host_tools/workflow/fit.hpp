@@ -71,8 +71,8 @@ struct FitOutcome {
 };
 
 /// Throws InputError like fit() for everything that can be checked before a recording is read:
-/// contradictory settings, unknown effects.
-void check(const FitRequest& request);
+/// contradictory settings, unknown effects. Returns the effects, of its prior if it has one.
+std::vector<model::EffectTerm> check(const FitRequest& request);
 
 /// Fits effects, then the network on their residual. Throws InputError for contradictory settings
 /// and for recordings without an input of an effect.

@@ -31,17 +31,6 @@ inline void remember_reading(const recording::ReadOptions& options, model::Model
   if (options.decimal_comma) model.decimal_comma = options.decimal_comma;
 }
 
-/// Description of masks and cuts for a model's history; "" for none.
-inline std::string mask_words(const recording::ReadOptions& reading) {
-  std::string words;
-  for (const recording::Mask& mask : reading.masks) {
-    words += " --mask " + (mask.run.empty() ? "" : mask.run + ":") +
-             format("%.10g..%.10g", mask.from_s, mask.to_s);
-  }
-  for (const recording::Cut& cut : reading.cuts) words += " --cut " + cut_text(cut);
-  return words;
-}
-
 /// Runs for fitting a model anew, and runs that judge it.
 struct JudgingRequest {
   std::string model;                   ///< file
@@ -55,10 +44,9 @@ struct JudgingRequest {
 inline runs::Runs judging_runs(const JudgingRequest& request, const std::optional<double>& asked_s,
                                const Observer& observer) {
   const model::Model model = model::load_model(request.model);
-  std::vector<double> row_lengths_s{model.average_s};
+  std::vector<double> row_lengths_s{asked_s.value_or(model.average_s), model.average_s};
   const auto& usual = runs::rules::kRowLengths_s;
   row_lengths_s.insert(row_lengths_s.end(), usual.begin(), usual.end());
-  if (asked_s) row_lengths_s.push_back(*asked_s);
   return runs::read_runs(request.runs, request.hold_outs,
                          reading_for(model, request.reading, observer), row_lengths_s);
 }

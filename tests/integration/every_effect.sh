@@ -74,9 +74,29 @@ for made in NEW.model ladder.model; do
   awk -v d="$(difference "$made" plain.model)" 'BEGIN { exit !(d > 0.28 && d < 0.32) }' ||
     fail "$made has not the bias after the jump: $(difference "$made" plain.model) above that before"
 done
-# What the model lacks in a ramp is no jump.
+# Added by hand or by the loop it is the same model, with masks, too.
+same_bytes ladder.model NEW.model
+masked=(--mask 100..900 --mask step.csv:30000..30500)
+"$fogcomp" diagnose stepless.model step.csv "${masked[@]}" --max-effects 1 -o ladder.model --json >masked.json
+mv ladder.model by_loop.model
+next=$(jq -r .commands[0] masked.json)
+eval "\"$fogcomp\" ${next#fogcomp }" >added.txt
+same_bytes by_loop.model ladder.model
+# The next command has the holdouts whose cuts it repeats, and no cut that was refused.
+next_of() { in_full <"$1" | sed -n 's/^  next: fogcomp //p'; }
+"$fogcomp" add plain.model warm.csv --cut 12000 -o refused.model >added.txt && fail "a jump that is not there is accepted"
+says added.txt '^  next: fogcomp diagnose plain.model warm.csv$'
+"$fogcomp" add NEW.model step.csv --cut "$(sed -n 's/.*add --cut //p' NEW.model)" --cut 12000 -o refused.model >added.txt &&
+  fail "a jump that is not there is accepted beside one that is"
+says added.txt '^  next: fogcomp diagnose NEW.model step.csv --cut (259|260)[0-9]{2}$'
 "$fogcomp" simulate -o ramp.csv >/dev/null
 "$fogcomp" fit ramp.csv -o bias.model --effects bias >/dev/null
+holdout=(--holdout step.csv --cut step.csv:26000)
+"$fogcomp" add bias.model temperature_rate ramp.csv "${holdout[@]}" --force -o kept.model >added.txt
+says added.txt "^  next: fogcomp diagnose kept.model ramp.csv ${holdout[*]}$"
+next=$(next_of added.txt)
+eval "\"$fogcomp\" $next" >/dev/null || fail "refused: $next"
+# What the model lacks in a ramp is no jump.
 "$fogcomp" diagnose bias.model ramp.csv --json >ramp.json
 jq -e '.effect != "bias_step"' ramp.json >/dev/null || fail "a ramp is taken for a jump"
 [[ $refused == " aging" ]] || fail "export refuses$refused"
