@@ -1,11 +1,16 @@
 #include "batch/summary.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
+#include "support/input_error.hpp"
+#include "support/output_file.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::batch {
 namespace {
+
+constexpr const char* kTableTitle = "gyro,outcome,reason,why,stands_out";
 
 // A cell by RFC 4180. A spreadsheet would execute a text that begins with one of "=+-@" as a
 // formula: such a serial number gets an apostrophe before it.
@@ -90,8 +95,15 @@ std::string headline(const Summary& summary) {
                 summary.count(Outcome::fail), summary.count(Outcome::error));
 }
 
+void require_own_table(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error) || read_file(file).rfind(kTableTitle, 0) == 0) return;
+  throw InputError(file,
+                   "is no table of fogcomp batch, which would replace it; name another folder");
+}
+
 std::string csv_text(const Summary& summary) {
-  std::string text = "gyro,outcome,reason,why,stands_out";
+  std::string text = kTableTitle;
   for (const std::string& name : summary.figures) text += "," + name;
   for (const Summary::Gyro& gyro : summary.gyros) {
     text += "\n" + quoted(gyro.result.gyro) + "," + name_of(gyro.outcome);

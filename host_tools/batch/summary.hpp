@@ -58,4 +58,7 @@ std::string headline(const Summary& summary);
 /// empty if the gyro does not have it.
 std::string csv_text(const Summary& summary);
 
+/// Throws InputError if there is a file of that name and it is no such table.
+void require_own_table(const std::string& file);
+
 }  // namespace fogcomp::batch

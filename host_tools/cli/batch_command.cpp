@@ -145,7 +145,7 @@ batch::Summary summary_of(const GyroCalibration& calibration, const std::vector<
     results.push_back(result_of(calibration, gyro, work, deaths.back()));
   }
   batch::Summary summary = batch::summarise(std::move(results), calibration.limits(),
-                                            workflow::compared_figures(calibration.fit()));
+                                            workflow::compared_figures(calibration.terms()));
   for (std::size_t i = 0; i < gyros.size(); ++i) {
     batch::Summary::Gyro& gyro = summary.gyros[i];
     if (gyro.outcome != Outcome::fail) continue;
@@ -173,6 +173,7 @@ int BatchCommand::run() const {
   const std::string& output = common.output.required();
   const GyroCalibration calibration(common, input);
   for (const char* name : kTables) check_output(*this, output + name);
+  batch::require_own_table(output + kTables[0]);
   const std::vector<GyroFolder> gyros = batch::find_gyros(input, common.patterns());
   if (lot.given()) workflow::check_lot(calibration.fit(), gyros.size());  // before hours of work
   make_folder(output);

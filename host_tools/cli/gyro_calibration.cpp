@@ -43,11 +43,12 @@ GyroCalibration::GyroCalibration(const LotOptions& options, const std::string& g
   request_.fit =
       calibration.fit.request({}, calibration.recording.value(), calibration.prior_lot.given());
   request_.fit.lot = calibration.prior_lot.find();
-  check(request_.fit);
+  terms_ = check(request_.fit);
   request_.board = calibration.board.value();
+  request_.allow_error = calibration.allow_error.given();
   if (!options.limits.given()) return;
   const std::string& file = options.limits.value();
-  limits_ = batch::parse_limits(read_file(file), file, workflow::figure_names(request_.fit));
+  limits_ = batch::parse_limits(read_file(file), file, workflow::figure_names(terms_));
 }
 
 std::string GyroCalibration::folder_of(const GyroFolder& gyro) const {
@@ -121,8 +122,10 @@ GyroResult GyroCalibration::calibrate(const GyroFolder& gyro) const {
   GyroResult result{gyro.name, "", "", {}};
   try {
     if (gyro.recordings.empty()) {
-      throw InputError(gyro.parent + "/" + gyro.name,
-                       "has no recording to fit to; --runs and --holdouts say what is one");
+      throw InputError(
+          gyro.parent + "/" + gyro.name,
+          "has no recording to fit to; --runs and --holdouts say what is one, and fogcomp "
+          "batch takes a folder of gyros");
     }
     const std::string fingerprint = fingerprint_of(gyro);
     result = calibrated(gyro);

@@ -20,6 +20,7 @@ struct CalibrationOptions : OptionGroup {
   Text prior_lot{this,
                  {"prior-lot", "FILE", "what sisters teach (batch --lot), without this gyro"}};
   BoardOptions board{this};
+  AllowErrorFlag allow_error{this, "a board's table even if the model is uncertain, or not exact"};
   RecordingOptions recording{this};
 };
 
@@ -46,6 +47,7 @@ class GyroCalibration {
   GyroCalibration(const LotOptions& options, const std::string& gyros);
 
   const workflow::FitRequest& fit() const { return request_.fit; }
+  const std::vector<model::EffectTerm>& terms() const { return terms_; }
   const std::vector<batch::Limit>& limits() const { return limits_; }
   std::string folder_of(const batch::GyroFolder& gyro) const;
 
@@ -76,6 +78,7 @@ class GyroCalibration {
 
   const LotOptions& options_;
   workflow::CalibrationRequest request_;
+  std::vector<model::EffectTerm> terms_;
   std::vector<batch::Limit> limits_;
 };
 

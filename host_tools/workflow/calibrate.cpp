@@ -9,17 +9,10 @@
 #include "support/units.hpp"
 #include "workflow/diagnose.hpp"
 #include "workflow/fit.hpp"
-#include "workflow/prior.hpp"
 #include "workflow/reading.hpp"
 
 namespace fogcomp::workflow {
 namespace {
-
-// Of the fit's prior, if it has one.
-std::vector<model::EffectTerm> terms_of(const FitRequest& fit) {
-  const std::optional<KnownBefore> before = known_before(fit);
-  return before ? before->model.terms : wanted_terms(fit);
-}
 
 using Figures = std::vector<std::pair<std::string, double>>;
 
@@ -136,7 +129,7 @@ CalibrationOutcome calibrate(const CalibrationRequest& request, const Calibratio
   for (const runs::Run& run : runs)
     outcome.hold_outs.runs.push_back(compare::try_model(model, run, model.average_s));
   if (events.judged) events.judged(outcome.hold_outs);
-  outcome.board = board_header(model, request.model_file, request.board, false);
+  outcome.board = board_header(model, request.model_file, request.board, request.allow_error);
   runs.insert(runs.begin(), outcome.fit.runs.begin(), outcome.fit.runs.end());
   outcome.turn_on = fit::turn_on_biases(model, runs);
   for (const Figures& part : {fit_figures(outcome.fit), hold_out_figures(outcome.hold_outs),
@@ -165,7 +158,7 @@ CalibrationDiagnosis diagnose(const CalibrationRequest& request, const Observer&
   return {std::move(on_holdouts), true};
 }
 
-std::vector<std::string> figure_names(const FitRequest& fit) {
+std::vector<std::string> figure_names(const std::vector<model::EffectTerm>& terms) {
   std::vector<std::string> names{"rows",
                                  "noise_dprh",
                                  "fit_raw_std_dph",
@@ -180,7 +173,7 @@ std::vector<std::string> figure_names(const FitRequest& fit) {
                                  "quantization_error_dph",
                                  "network_error_dph"};
   for (const HoldOutFigure& figure : kHoldOutFigures) names.emplace_back(figure.name);
-  for (const model::EffectTerm& term : terms_of(fit)) {
+  for (const model::EffectTerm& term : terms) {
     const model::TermInfo info = model::info_of(term);
     for (const auto& parameter : info.parameters) names.push_back(term.name + "." + parameter.name);
     for (const auto& coefficient : info.coefficients) {
@@ -190,11 +183,11 @@ std::vector<std::string> figure_names(const FitRequest& fit) {
   return names;
 }
 
-std::vector<std::string> compared_figures(const FitRequest& fit) {
+std::vector<std::string> compared_figures(const std::vector<model::EffectTerm>& terms) {
   std::vector<std::string> names{"noise_dprh",       "fit_raw_std_dph", "fit_rms_dph",
                                  "fit_floor_dph",    "fit_misfit",      "holdout_rms_dph",
                                  "holdout_floor_dph"};
-  for (const model::EffectTerm& term : terms_of(fit)) {
+  for (const model::EffectTerm& term : terms) {
     for (const auto& coefficient : model::info_of(term).coefficients) {
       names.push_back(term.name + "." + coefficient.symbol);
     }

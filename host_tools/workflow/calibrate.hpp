@@ -16,7 +16,8 @@ struct CalibrationRequest {
   FitRequest fit;
   std::vector<std::string> hold_outs;  ///< recordings for judging only
   board::BoardSettings board;
-  std::string model_file;  ///< future path of the model, for the header and for errors
+  bool allow_error = false;  ///< of the board's table (verify_board)
+  std::string model_file;    ///< future path of the model, for the header and for errors
 };
 
 /// Intermediate results, available even if a later step fails. Either function may be empty.
@@ -48,11 +49,10 @@ struct CalibrationDiagnosis {
 /// and the hold-outs do, on the hold-outs. Throws InputError like diagnose().
 CalibrationDiagnosis diagnose(const CalibrationRequest& request, const Observer& observer = {});
 
-/// All values that a gyro can have with such a fit, for limits. Throws InputError like check() for
-/// its effects.
-std::vector<std::string> figure_names(const FitRequest& fit);
+/// All values that a gyro can have with these effects, for limits.
+std::vector<std::string> figure_names(const std::vector<model::EffectTerm>& terms);
 
 /// Values by which gyros of a lot are compared: noise, residual and coefficients of the drift.
-std::vector<std::string> compared_figures(const FitRequest& fit);
+std::vector<std::string> compared_figures(const std::vector<model::EffectTerm>& terms);
 
 }  // namespace fogcomp::workflow

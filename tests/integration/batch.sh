@@ -200,6 +200,16 @@ rm -r gyros/C1
 batch 0 gyros -o stopped
 says said.txt '^0 calibrated now, 3 before'
 
+# What a refusal of the board proposes, calibrate takes.
+ageing=(calibrate gyros/A2 -o ageing --effects bias,aging)
+"$fogcomp" "${ageing[@]}" >said.txt && fail "an effect that goes on without power is exported"
+says said.txt 'give --allow-error for a board that is never switched off'
+"$fogcomp" "${ageing[@]}" --allow-error >said.txt || fail "--allow-error: $(cat said.txt)"
+says said.txt '^A2: pass$'
+mkdir -p nested/gyros/A2
+"$fogcomp" calibrate nested/gyros -o ageing --effects bias >said.txt && fail "a folder of gyros is a gyro"
+says said.txt 'fogcomp batch takes a folder of gyros'
+
 # Nobody who lacks GNU parallel gets a table without gyros.
 status=0
 PATH=$PWD/bin "$fogcomp" batch "${options[@]}" gyros -o none >said.txt 2>errors.txt || status=$?

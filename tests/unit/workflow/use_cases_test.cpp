@@ -360,7 +360,7 @@ TEST_F(UseCases, CalibrateAGyroAndNameItsFigures) {
       request, {[&](const model::Model&) { fitted = true; },
                 [&](const compare::ModelOnRuns& runs) { judged = runs.runs.size() == 1; }});
   EXPECT_TRUE(fitted && judged);
-  const std::vector<std::string> known = figure_names(request.fit);
+  const std::vector<std::string> known = figure_names(check(request.fit));
   for (const auto& [name, value] : outcome.figures) {
     EXPECT_NE(std::find(known.begin(), known.end(), name), known.end()) << name;
   }
