@@ -36,7 +36,7 @@ Next next_of(const DiagnosisWords& said, const diagnosis::Ladder& ladder, const 
     if (first.verdict == diagnosis::Verdict::none) {
       return next_export("make the board's header", ladder.model, file);
     }
-    if (first.residual_rms_dph > (1 + kNoticeable) * first.noise_floor_dph) {
+    if (!first.leaves_noise()) {
       return words(
           "record the same programme once more and give both runs: an effect comes back, slow "
           "noise does not");
