@@ -11,14 +11,22 @@
 
 namespace fogcomp::cli {
 
-// By its first bytes; a pipe, which can be read only once, is not examined.
-bool is_model_or_header(const std::string& path) {
+namespace {
+
+// A pipe, which can be read only once, is not examined.
+bool begins_with(const std::string& path, std::string_view title) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return false;
   std::ifstream file(path, std::ios::binary);
-  std::string head(kHeaderTitle.size(), '\0');
+  std::string head(title.size(), '\0');
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  return head.rfind(kModelTitle, 0) == 0 || head == kHeaderTitle;
+  return head == title;
+}
+
+}  // namespace
+
+bool is_model_or_header(const std::string& path) {
+  return begins_with(path, kModelTitle) || begins_with(path, kHeaderTitle);
 }
 
 namespace {
@@ -91,7 +99,8 @@ class Parser {
 
 struct NamedFile {
   std::string path;
-  std::string option;  // with dashes; "" for a positional
+  std::string option{};      // with dashes; "" for a positional
+  std::string value_name{};  // of the option
 };
 
 struct Fault {
@@ -104,7 +113,7 @@ struct Fault {
 std::vector<NamedFile> files(const Command& command, ValueUse use) {
   std::vector<NamedFile> files;
   if (use == ValueUse::input) {
-    for (const std::string& word : command.arguments) files.push_back({word, ""});
+    for (const std::string& word : command.arguments) files.push_back({word});
   }
   std::vector<const Option*> options(command.options().begin(), command.options().end());
   std::sort(options.begin(), options.end(),
@@ -114,7 +123,7 @@ std::vector<NamedFile> files(const Command& command, ValueUse use) {
     for (const std::string& value : option->values) {
       const auto& ready_made = option->words;
       if (std::find(ready_made.begin(), ready_made.end(), value) == ready_made.end()) {
-        files.push_back({value, dashed(option->name)});
+        files.push_back({value, dashed(option->name), option->value_name});
       }
     }
   }
@@ -160,16 +169,25 @@ std::vector<Fault> order_faults(const Command& command) {
 void check_files(const Command& command) {
   const std::vector<NamedFile> inputs = files(command, ValueUse::input);
   const std::vector<NamedFile> outputs = files(command, ValueUse::output);
-  for (const NamedFile& file : inputs) require_printable_name(file.path);
-  for (const NamedFile& file : outputs) require_printable_name(file.path);
+  for (const std::vector<NamedFile>* some : {&inputs, &outputs}) {
+    for (const NamedFile& file : *some) {
+      if (file.path.empty() && !file.option.empty()) {
+        command.fail(file.option + " is empty; name a file, or leave it out");
+      }
+      require_printable_name(file.path);
+    }
+  }
   for (std::size_t i = 0; i < outputs.size(); ++i) {
-    const auto& [path, option] = outputs[i];
+    const auto& [path, option, value_name] = outputs[i];
     for (const NamedFile& input : inputs) {
       const bool grows =
           command.may_replace_first && option == "-o" && input.path == command.arguments.front();
       if (grows || !is_overwritten_by(path, input.path)) continue;
       throw InputError(path,
                        option + " would overwrite the input " + input.path + "; name another file");
+    }
+    if (value_name != "MODEL" && begins_with(path, kModelTitle)) {
+      throw InputError(path, option + " would overwrite a model; name another file");
     }
     for (std::size_t j = 0; j < i; ++j) {
       if (!same_file(path, outputs[j].path)) continue;
@@ -243,6 +261,7 @@ void check_all(const Command& command) {
 void parse(Command& command, const std::vector<std::string>& words) {
   Parser(command, words).parse();
   check_all(command);
+  command.refuse_clashes();
   check_files(command);
 }
 

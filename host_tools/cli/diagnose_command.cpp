@@ -9,7 +9,6 @@
 #include "findings/json.hpp"
 #include "findings/next_step_words.hpp"
 #include "model/model_file.hpp"
-#include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"
 
@@ -44,9 +43,6 @@ std::vector<std::string> DiagnoseCommand::reading_after(const diagnosis::Ladder&
 
 int DiagnoseCommand::run() const {
   const bool loop_wanted = max_effects.value() > 0;
-  if (output.given() && !loop_wanted) {
-    throw InputError("-o " + output.value(), "is the model at the loop's end; give --max-effects");
-  }
   std::optional<OutputFile> model_file;
   if (output.given()) model_file.emplace(output.value());
   ReportFile page(report);

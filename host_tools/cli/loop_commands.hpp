@@ -83,6 +83,7 @@ struct DiagnoseCommand : Command {
       0,
       12};
   Text output{this, {"o", "MODEL", "the loop's model, with --max-effects"}};
+  Clash without_loop{this, {&output}, Clash::When::without, &max_effects};
   Texts holdouts{this, {"holdout", "RUN", "a run that judges additions; may be repeated"}};
   Number average{
       this, {"average", "S", "rows of one look, seconds (a ladder chooses its own)"}, {1e-3, 1e6}};

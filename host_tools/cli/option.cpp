@@ -33,6 +33,28 @@ void OptionGroup::fail(const std::string& what) const {
   throw InputError("fogcomp " + command_, what + "; see fogcomp " + command_ + " --help");
 }
 
+void OptionGroup::refuse_clashes() const {
+  for (const Clash* clash : clashes_) {
+    const bool is_with = clash->when == Clash::When::with;
+    if (clash->other->given() != is_with) continue;
+    const std::string other = dashed(clash->other->name);
+    for (const Option* option : clash->options) {
+      if (!option->given()) continue;
+      throw InputError(dashed(option->name),
+                       is_with ? "means nothing beside " + other + "; leave one of the two out"
+                               : "means nothing without " + other + "; give both");
+    }
+  }
+}
+
+Clash::Clash(OptionGroup* group, std::vector<const Option*> which, When with_or_without,
+             const Option* another)
+    : options(std::move(which)), when(with_or_without), other(another) {
+  for (OptionGroup* owner = group; owner != nullptr; owner = owner->parent_) {
+    owner->clashes_.push_back(this);
+  }
+}
+
 Option::Option(OptionGroup* group, OptionText text, std::vector<std::string> value_words)
     : OptionText(std::move(text)), words(std::move(value_words)), group_(group) {
   for (OptionGroup* owner = group; owner != nullptr; owner = owner->parent_) {

@@ -8,6 +8,7 @@
 
 namespace fogcomp::cli {
 
+struct Clash;
 class Option;
 
 /// A group of options: all of a command, or some that several commands share. Each option is a
@@ -23,6 +24,8 @@ class OptionGroup {
   const std::vector<Option*>& options() const { return options_; }
   /// The option of that name (without dashes); nullptr if there is none.
   Option* find_option(const std::string& name) const;
+  /// Throws InputError for a given option that means nothing beside the others.
+  void refuse_clashes() const;
   /// The given options, as words of a command line.
   std::vector<std::string> given_words() const;
   /// Omits all of them from --help, which should fit a screen.
@@ -36,10 +39,23 @@ class OptionGroup {
   const std::string& command() const { return command_; }
 
  private:
+  friend struct Clash;
   friend class Option;
   OptionGroup* parent_ = nullptr;
   std::string command_;
   std::vector<Option*> options_;
+  std::vector<const Clash*> clashes_;
+};
+
+/// Options that mean nothing with, or without, another one: a member of their group, behind them.
+struct Clash {
+  enum class When : std::uint8_t { with, without };
+  Clash(OptionGroup* group, std::vector<const Option*> which, When with_or_without,
+        const Option* another);
+
+  const std::vector<const Option*> options;
+  const When when;
+  const Option* const other;
 };
 
 /// Text of an option for help, manual page and completion.

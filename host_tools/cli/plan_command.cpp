@@ -28,10 +28,10 @@ struct PlanCommand : Command {
                "white, flicker, random_walk as for simulate (default: the "
                "model's, or of its preset paper)"}};
   Flag compare{this, "compare", "compares programmes: files, or of simulate --list"};
-  Text model{this, {"model", "MODEL", "the model of --compare", "", kRare}};
   Integer<std::uint64_t> seed{this, {"seed", "N", "of the search", "1"}, 0, 1LL << 53};
   ReportOption report{this};
   Flag json{this, "json", "one JSON object on stdout"};
+  Clash only_to_plan{this, {&output, &hours, &chamber}, Clash::When::with, &compare};
 
   PlanCommand()
       : Command("plan", {"[MODEL] [--compare PROGRAMME...]", 0, kAnyNumber},
@@ -43,13 +43,17 @@ struct PlanCommand : Command {
   int run() const override;
 
  private:
+  /// A comparison has programmes behind it, or alone.
+  bool has_model() const {
+    return !arguments.empty() && (!compare.given() || is_model_or_header(arguments.front()));
+  }
   workflow::PlanRequest request() const;
   int run_comparison() const;
 };
 
 workflow::PlanRequest PlanCommand::request() const {
   workflow::PlanRequest request;
-  request.model = model.find();
+  if (has_model()) request.model = arguments.front();
   request.effects = effects.find();
   request.noise = noise.value();
   request.use = use.find();
@@ -60,13 +64,11 @@ workflow::PlanRequest PlanCommand::request() const {
 }
 
 int PlanCommand::run_comparison() const {
-  if (arguments.empty()) fail("--compare needs programmes: files, or names of simulate --list");
-  if (output.given()) fail("--compare writes no programme; leave out -o");
-  for (const std::string& each : arguments) {
-    if (is_model_or_header(each)) fail(each + " is a model; with --compare: --model " + each);
-  }
+  const std::vector<std::string> programmes(arguments.begin() + (has_model() ? 1 : 0),
+                                            arguments.end());
+  if (programmes.empty()) fail("--compare needs programmes: files, or names of simulate --list");
   ReportFile page(report);
-  const workflow::PlanComparison found = workflow::compare_programmes(request(), arguments);
+  const workflow::PlanComparison found = workflow::compare_programmes(request(), programmes);
   const findings::Document document = findings::comparison_findings(found);
   page.fill(document);
   page.commit();
@@ -77,13 +79,10 @@ int PlanCommand::run_comparison() const {
 
 int PlanCommand::run() const {
   if (compare.given()) return run_comparison();
-  if (model.given()) fail("--model is for --compare; name the model without it");
   if (arguments.size() > 1) fail("takes one model; --compare takes programmes");
   OutputFile profile(output.required());
   ReportFile page(report);
-  workflow::PlanRequest wanted = request();
-  if (!arguments.empty()) wanted.model = arguments.front();
-  const workflow::PlanOutcome found = workflow::plan(wanted, Watch().observer());
+  const workflow::PlanOutcome found = workflow::plan(request(), Watch().observer());
   const findings::Document document = findings::plan_findings(found, output.value());
   profile.write("# " + document.found.plain() + "\n# box of use " +
                 planning::box_text(found.question.use) + "\n" + planning::profile_text(found.plan));

@@ -16,10 +16,7 @@ constexpr double kRadiansPerDegree = kPi / 180;
 }  // namespace
 
 double RecordingOptions::earth_rate_dph() const {
-  if (!latitude.given()) {
-    if (axis.given()) throw InputError("--axis", "means nothing without --latitude; give both");
-    return 0;
-  }
+  if (!latitude.given()) return 0;
   return axis.value() * kEarthRateDph * std::sin(latitude.value() * kRadiansPerDegree);
 }
 
@@ -42,16 +39,10 @@ recording::ReadOptions RecordingOptions::value() const {
   options.default_input_rate_dph = earth_rate_dph();
   options.stream_rate_hz = rate.find();
   options.is_table = table.given();
-  if (table.given() && (rate.given() || join.given())) {
-    throw InputError("--table", "its lines have no times; leave --rate and --join out");
-  }
   options.temperature_degc = temperature.find();
   options.join = join.text();
   options.join_columns = join_columns.text();
   recording::parse_column_map(options.join_columns);
-  if (join_columns.given() && !join.given()) {
-    throw InputError("--join-columns", "means nothing without --join; give both");
-  }
   return options;
 }
 
@@ -59,9 +50,6 @@ recording::ReadOptions MaskedRecordingOptions::value(
     std::vector<std::string> runs, const std::vector<std::string>& holdouts) const {
   runs.insert(runs.end(), holdouts.begin(), holdouts.end());
   recording::ReadOptions options = RecordingOptions::value();
-  if (table.given() && (!masks.value().empty() || !cuts.value().empty())) {
-    throw InputError("--table", "its lines have no times; leave --mask and --cut out");
-  }
   for (const std::string& mask : masks.value()) {
     options.masks.push_back(recording::parse_mask(mask));
   }

@@ -11,7 +11,7 @@ namespace fogcomp::cli {
 /// The options of all commands that read recordings.
 struct RecordingOptions : OptionGroup {
   using OptionGroup::OptionGroup;
-  /// Throws InputError for a value out of range, or --axis without --latitude.
+  /// Throws InputError for a value out of range.
   recording::ReadOptions value() const;
 
   Number scale_factor{
@@ -46,6 +46,9 @@ struct RecordingOptions : OptionGroup {
   Text join_columns{
       this,
       {"join-columns", "MAP", "which is which in that: temperature=Sensor 2[degC]", "", kRare}};
+  Clash without_latitude{this, {&axis}, Clash::When::without, &latitude};
+  Clash table_has_no_rate{this, {&rate, &join}, Clash::When::with, &table};
+  Clash without_join{this, {&join_columns}, Clash::When::without, &join};
 
  private:
   std::string column_map() const;
@@ -82,6 +85,7 @@ struct MaskedRecordingOptions : RecordingOptions {
       this,
       {"cut", "T", "s since power-on: the bias jumps; each part has its own; RUN:T in one run", "",
        kRare}};
+  Clash table_has_no_times{this, {&masks, &cuts}, Clash::When::with, &table};
 };
 
 }  // namespace fogcomp::cli

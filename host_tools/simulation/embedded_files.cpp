@@ -21,9 +21,8 @@ std::string find_text(const std::string& name, const std::vector<EmbeddedFile>& 
     names.push_back(file.name);
     list += (list.empty() ? "" : ", ") + file.name;
   }
-  throw InputError("--" + what, "no ready-made " + what + " '" + name + "'" +
-                                    did_you_mean(name, names) + "; there are " + list +
-                                    ", or give the path of a file");
+  throw InputError(name, "no ready-made " + what + did_you_mean(name, names) + "; there are " +
+                             list + ", or give the path of a file");
 }
 
 std::string first_sentence(const EmbeddedFile& file) {

@@ -32,11 +32,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 // Whether the parts of `word` begin parts of the candidate, in order: "temp_rate" for
-// "temperature_rate_product".
+// "temperature_rate_product", "--lot" for "--prior-lot".
 bool abbreviates(std::string_view word, const std::string& candidate) {
-  const std::vector<std::string> beginnings = split(word, '_');
+  const auto parts_of = [](std::string text) {
+    std::replace(text.begin(), text.end(), '-', '_');
+    return split(text, '_');
+  };
+  const std::vector<std::string> beginnings = parts_of(std::string(word));
   std::size_t next = 0;
-  for (const std::string& part : split(candidate, '_')) {
+  for (const std::string& part : parts_of(candidate)) {
     if (next < beginnings.size() && part.rfind(beginnings[next], 0) == 0) ++next;
   }
   return !beginnings.empty() && next == beginnings.size();

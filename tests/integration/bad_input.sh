@@ -51,7 +51,19 @@ for average in 10 2700; do
   "$fogcomp" fit good.csv -o hour.model --effects bias --average "$average" 2>"$scratch.err" >"$scratch.out"
   [[ ! -s $scratch.err ]] || fail "--average $average: $(cat "$scratch.err")"
 done
-rm hour.model hour2.model
+# Rows shorter than the recording's own are asked for in vain: a note, but none of a length that nobody has asked for.
+noted() {
+  "$fogcomp" "$@" 2>"$scratch.err" >"$scratch.out" || fail "$*: $(cat "$scratch.err")"
+  grep -qE '^note: good\.csv: rows of 10 s instead of 5: whole multiples of 10 s$' "$scratch.err" ||
+    fail "$* -> $(cat "$scratch.err")"
+}
+noted fit good.csv -o hour.model --effects bias,temperature_rate --average 5
+noted compare good.model good.csv --average 5
+noted diagnose good.model good.csv --average 5
+awk -F, 'NR == 1 || $1 % 60 == 0' good.csv >minutes.csv
+"$fogcomp" fit minutes.csv -o hour.model --effects bias 2>"$scratch.err" >"$scratch.out"
+[[ ! -s $scratch.err ]] || fail "rows of a minute: $(cat "$scratch.err")"
+rm hour.model hour2.model minutes.csv
 awk -F, -v OFS=, 'NR > 1 { $2 += 273.15 } 1' good.csv >kelvin.csv
 refuses '^kelvin\.csv: the board would refuse every sample: temperature 293.* is outside -70 to 130 degC; is temperature_degc in kelvin\? subtract 273\.15' \
   "${fit[@]}" kelvin.csv
@@ -153,7 +165,18 @@ for cut in x 1..2 other.csv:; do
 done
 refuses '^--cut 1000000000: no run has samples both before and after it' add good.model good.csv --cut 1e9 -o kept
 refuses '^--cut: names other\.csv, which is none of the runs' add good.model good.csv --cut other.csv:60 -o kept
-refuses '^-o kept: is the model at the loop.s end; give --max-effects' diagnose good.model good.csv -o kept
+for cut in 5 9 14 59539 59544; do
+  refuses '^good\.csv: a --cut leaves no row of 10 s beside it that counts' add good.model good.csv --cut $cut -o kept
+  refuses '^good\.csv: a --cut leaves no row' diagnose good.model good.csv --cut $cut
+done
+refuses '^good\.csv: a --cut leaves no row' "${fit[@]}" good.csv --cut 3000 --cut 3010
+refuses '^good\.csv: a --cut leaves no row' "${fit[@]}" good.csv --cut 50 --mask 0..100
+"$fogcomp" fit good.csv -o cut_early.model --effects bias --cut 25 >/dev/null || fail "a cut behind two rows is refused"
+"$fogcomp" add good.model good.csv --cut 26000 --force -o cut_here.model >/dev/null
+refuses '^--cut: the model has been made with it; give another one' add cut_here.model good.csv --cut 26000 -o kept
+"$fogcomp" add good.model thermal_lag good.csv --cut 26000 --force -o cut_here.model >/dev/null
+refuses '^--cut: the model has been made with it' add cut_here.model good.csv --cut 26000.0 -o kept
+rm cut_early.model cut_here.model
 refuses '^good\.model: -o would overwrite the input good\.model; ' diagnose good.model good.csv --max-effects 2 \
   -o good.model
 add "^effect: is not named" ''
@@ -282,7 +305,9 @@ for cut in -5 0 1e9; do
   refuses '^--cut .*: no run has samples both before and after it' "${fit[@]}" good.csv --cut $cut
 done
 refuses '^--mask 1000000000\.\.2000000000: lies in none of the runs' "${fit[@]}" good.csv --mask 1e9..2e9
-refuses '^fogcomp plan: good\.model is a model; with --compare: --model good\.model' plan good.model --compare paper
+refuses '^fogcomp plan: --compare needs programmes' plan good.model --compare
+refuses "^papr: no ready-made profile \(did you mean 'paper'" plan --compare papr
+refuses "^papr: no ready-made profile \(did you mean 'paper'" simulate -o kept --profile papr
 refuses '^copy\.csv: has the same samples as good\.csv, .*--static must be another' \
   diagnose good.model good.csv --static copy.csv
 refuses '^glass_transition: these recordings do not determine tg' fit rest.csv -o kept --effects bias,glass_transition
@@ -418,6 +443,30 @@ refuses 'is a directory' info good.csv --report folder
 refuses 'cannot be written' fit good.csv -o kept --effects bias --report nowhere/x.html
 refuses '^missing\.csv: .*' compare good.model missing.csv --report kept
 
+# Options that mean nothing beside others, or without them; of a value that is empty; a model that is no output.
+clash() { refuses "^$1: means nothing $2 $3; " "${@:4}"; }
+clash --axis without --latitude info good.csv --axis up
+clash --join-columns without --join info good.csv --join-columns temperature=2
+clash --rate beside --table info good.csv --table --rate 10
+clash --join beside --table "${fit[@]}" good.csv --table --join in.csv
+clash --mask beside --table "${fit[@]}" good.csv --table --mask 0..5
+clash --cut beside --table compare good.model good.csv --table --cut 5
+clash -o without --max-effects diagnose good.model good.csv -o kept
+clash -o beside --compare plan --compare paper -o kept
+clash --hours beside --compare plan --compare paper --hours 3
+clash --chamber beside --compare plan good.model --compare paper --chamber T:0..20
+for command in "diagnose good.model good.csv --holdout" "diagnose good.model good.csv --static" \
+  "add good.model shupe good.csv -o kept --holdout" "fit good.csv -o kept --prior" "fit good.csv -o kept --lot" \
+  "compare good.model good.csv --model" "info good.csv --report" "simulate -o kept --profile"; do
+  read -ra words <<<"$command"
+  refuses "^fogcomp ${words[0]}: ${words[-1]} is empty; name a file, or leave it out" "${words[@]}" ''
+done
+refuses '^in\.model: -o would overwrite a model' plan --hours 1 -o in.model
+refuses '^in\.model: -o would overwrite a model' denoise good.csv -o in.model
+refuses '^in\.model: --report would overwrite a model' info good.csv --report in.model
+refuses '^in\.model: --hide would overwrite a model' simulate -o kept --hide in.model
+refuses "unknown option --lot \(did you mean '--prior-lot'" calibrate lot/G1 -o results --lot gyros.lot
+
 # Near misses of an effect's name; blanks in a list; a mean longer than the run.
 refuses "did you mean 'temperature_rate' or 'temperature_rate_product'" fit good.csv -o kept --effects temp_rate
 refuses "did you mean 'glass_transition'" fit good.csv -o kept --effects bias,transition
@@ -466,6 +515,9 @@ echo 'temperature_rate.k <= 0.2' >limits
 lot "^limits:1: .*did you mean 'temperature_rate.K'" lot -o results --limits limits
 lot '^missing: ' lot -o results --limits missing
 lot '^kept: cannot be made' lot -o kept
+mkdir own_table
+echo 'serial,owner' >own_table/gyros.csv
+lot '^own_table/gyros\.csv: is no table of fogcomp batch, which would replace it' lot -o own_table
 lot "^fogcomp batch: --network '40' is not a number from 0 to 32" lot -o results --network 40
 lot "^fogcomp batch: --wavelet 'sym88' is not one of" lot -o results --wavelet sym88
 lot '^--axis: means nothing without --latitude' lot -o results --axis down

@@ -19,6 +19,12 @@ holds foretold.json ".programmes[0].sigma_dph - $(value plan.json .sigma_dph) | 
 "$fogcomp" plan --compare plan.profile paper --report page.html >foretold.txt
 says foretold.txt '^  paper  *16.5 h'
 
+# A model is named before the programmes.
+"$fogcomp" simulate -o paper.csv >/dev/null
+"$fogcomp" fit paper.csv -o paper.model --effects bias,bias_temperature >/dev/null
+"$fogcomp" plan paper.model --compare paper >foretold.txt
+says foretold.txt '^  effects: *bias, bias_temperature$'
+
 # Simulated: the mean square error of three gyros on the moves of another programme.
 printf 'start 20 degC\nrandom_steps -35 degC to 55 degC at 1 degC/min every 70 min for 12 h\n' >unseen.profile
 gyro=(--without polarization_ripple --without temperature_rate_product --effect shupe:asymmetry_m=0.2)
@@ -60,7 +66,6 @@ refused 'white' --noise white=0
 refused 'has effects' paper.model --effects bias
 refused 'does not exist|cannot|no such' absent.model
 refused 'is a model, where plan expects' paper.model plan.profile.model
-refused 'without it' --model paper.model
 status=0
 "$fogcomp" plan --compare papr 2>refused.txt || status=$?
 ((status == 2)) || fail "exit code $status"

@@ -26,6 +26,8 @@ TEST(DidYouMean, KnowsAbbreviationsAndSeveralCandidates) {
   EXPECT_EQ(fogcomp::did_you_mean("temp", kNames),
             " (did you mean 'temperature_rate' or 'temperature_rate_product'?)");
   EXPECT_EQ(fogcomp::did_you_mean("rate_temp", kNames), "");
+  EXPECT_EQ(fogcomp::did_you_mean("--lot", {"--prior-lot", "-o"}),
+            " (did you mean '--prior-lot'?)");
 }
 
 TEST(Nearest, IsNothingWhereNothingIsNear) {
