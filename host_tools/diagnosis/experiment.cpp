@@ -12,6 +12,7 @@
 #include "simulation/embedded_files.hpp"
 #include "simulation/programme.hpp"
 #include "simulation/simulation.hpp"
+#include "support/evidence.hpp"
 #include "support/least_squares.hpp"
 #include "support/parallel.hpp"
 #include "support/text.hpp"
@@ -19,8 +20,6 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Separation below which a programme does not justify its chamber time: odds of e^(3^2 / 2) = 90.
-constexpr double kWorthwhile = 3;
 constexpr double kLatitude_deg = 45;
 
 struct Choice {
@@ -158,7 +157,8 @@ Experiment propose_experiment(const model::Model& model, const std::vector<Rival
   const auto found = std::max_element(proposals.begin(), proposals.end(), more);
   Experiment best = *found;
   const char* const what = kMenu[static_cast<std::size_t>(found - proposals.begin())].what;
-  if (best.separation < kWorthwhile) best.profile.clear();
+  // Below, a programme does not justify its chamber time.
+  if (best.separation < kPossibleSigmas) best.profile.clear();
   best.sentence = sentence_of(best, what, rivals);
   return best;
 }

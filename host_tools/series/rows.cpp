@@ -10,10 +10,6 @@ namespace {
 using Means = fog::BlockMeans<model::RealNumbers>;
 using Signals = fog::Signals<model::RealNumbers>;
 
-std::int64_t blocks_per_row(double average_s, double block_s) {
-  return std::max(1LL, std::llround(average_s / block_s));
-}
-
 void add_weighted(double weight, const Means& means, Means& sum) {
   sum.temperature += weight * means.temperature;
   sum.input_rate += weight * means.input_rate;
@@ -26,12 +22,6 @@ void add_weighted(double weight, const Means& means, Means& sum) {
   }
 }
 
-void add_weighted(double weight, const Signals& signals, Signals& sum) {
-  sum.temperature += weight * signals.temperature;
-  sum.temperature_rate += weight * signals.temperature_rate;
-  add_weighted(weight, signals.block, sum.block);
-}
-
 std::vector<std::size_t> united(const std::vector<std::size_t>& a,
                                 const std::vector<std::size_t>& b) {
   std::vector<std::size_t> all;
@@ -40,6 +30,20 @@ std::vector<std::size_t> united(const std::vector<std::size_t>& a,
 }
 
 }  // namespace
+
+void SignalSum::add(double weight, const Signals& signals) {
+  weight_ += weight;
+  sum_.temperature += weight * signals.temperature;
+  sum_.temperature_rate += weight * signals.temperature_rate;
+  add_weighted(weight, signals.block, sum_.block);
+  sum_.block.rate_within = signals.block.rate_within;
+}
+
+Signals SignalSum::mean() const {
+  SignalSum mean;
+  mean.add(1 / weight_, sum_);
+  return mean.sum_;
+}
 
 std::vector<recording::RowRange> Rows::runs() const {
   return recording::ranges_from(run_starts, static_cast<std::size_t>(size()));
@@ -141,7 +145,7 @@ std::int32_t RowAverager::take(const BlockSeries::Block& block, const Signals& s
   sum_.samples += samples;
   sum_.time += samples * block.time_s;
   sum_.drift += samples * (block.rate_dph - block.means.input_rate);
-  add_weighted(samples, signals, sum_.signals);
+  sum_.signals.add(samples, signals);
   add_weighted(samples, block.means, sum_.inputs);
   const auto row = static_cast<Eigen::Index>(numbers_.size()) - 1;
   for (Eigen::Index i = 0; i < further_values_; ++i) further_(row, i) += samples * further[i];
@@ -172,7 +176,7 @@ void RowAverager::complete_row() {
   drift_dph_.push_back(sum_.drift / sum_.samples);
   seconds_.push_back(sum_.samples * sample_s_);
   rows_.time_s.push_back(sum_.time / sum_.samples);
-  add_weighted(1 / sum_.samples, sum_.signals, rows_.signals.emplace_back());
+  rows_.signals.push_back(sum_.signals.mean());
   add_weighted(1 / sum_.samples, sum_.inputs, rows_.inputs.emplace_back());
   if (further_values_ > 0)
     further_.row(static_cast<Eigen::Index>(numbers_.size()) - 1) /= sum_.samples;
@@ -201,6 +205,10 @@ void RowAverager::finish() {
   rows_.seconds.tail(count) = Eigen::VectorXd::Map(seconds_.data(), count);
   rows_.weights = rows_.seconds / rows_.row_s;
   further_.conservativeResize(count, Eigen::NoChange);
+}
+
+std::int64_t blocks_per_row(double average_s, double block_s) {
+  return std::max(1LL, std::llround(average_s / block_s));
 }
 
 double row_length_s(double average_s, double block_s) {

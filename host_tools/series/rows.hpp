@@ -70,6 +70,18 @@ auto of_rows(Vector& values, const recording::RowRange& range) {
                         static_cast<Eigen::Index>(range.size()));
 }
 
+/// Sum of the signals of some blocks.
+class SignalSum {
+ public:
+  void add(double weight, const fog::Signals<model::RealNumbers>& signals);
+  /// The input rate within the block is that of the last one.
+  fog::Signals<model::RealNumbers> mean() const;
+
+ private:
+  double weight_ = 0;
+  fog::Signals<model::RealNumbers> sum_{};
+};
+
 /// Averages the blocks of one recording to rows, appended to `rows`.
 class RowAverager {
  public:
@@ -93,7 +105,7 @@ class RowAverager {
     double samples = 0;
     double time = 0;
     double drift = 0;
-    fog::Signals<model::RealNumbers> signals;
+    SignalSum signals;
     fog::BlockMeans<model::RealNumbers> inputs;
   };
 
@@ -116,7 +128,10 @@ class RowAverager {
   Eigen::MatrixXd further_;  // sums in the last row, until that is complete
 };
 
-/// Length of a row, seconds: a whole number of blocks, at least one.
+/// At least one.
+std::int64_t blocks_per_row(double average_s, double block_s);
+
+/// Length of a row, seconds: a whole number of blocks.
 double row_length_s(double average_s, double block_s);
 
 }  // namespace fogcomp::series

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "model/drift_model.hpp"
 #include "model/input_value.hpp"
@@ -32,7 +33,7 @@ void run_without_noise(const BlockSeries& series, const MeasuredTemperature& own
 
 }  // namespace
 
-void SignalSeries::Run::keep(const Signals& signals, bool restart) {
+void SignalSeries::Track::keep(const Signals& signals, bool restart) {
   const fog::BlockMeans<model::RealNumbers>& means = signals.block;
   blocks.push_back({{signals.temperature, signals.temperature_rate}, means.elapsed, kNoRow, 0});
   if (restart) restarts.push_back(blocks.size() - 1);
@@ -47,41 +48,39 @@ void SignalSeries::Run::keep(const Signals& signals, bool restart) {
 }
 
 // The unclamped temperature of the signals is that of their block. `signals`: of an earlier block
-// of the run or new.
-void SignalSeries::Run::read(std::size_t block, Reading reading, const TemperatureChange& change,
-                             Signals& signals) const {
-  const Block& kept = blocks[block];
-  signals.temperature = kept.seen.temperature;
-  signals.temperature_rate = kept.seen.temperature_rate;
-  if (reading == Reading::without_noise && !delayed.empty()) {
-    signals.temperature = delayed[block].temperature;
-    signals.temperature_rate = delayed[block].temperature_rate;
-  } else if (reading == Reading::of_gyro && !own.empty()) {
-    signals.temperature = own[block].degc;
-    signals.temperature_rate = own[block].degc_per_min;
-  }
-  signals.temperature += change.degc;
-  signals.temperature_rate += change.degc_per_min;
+// of the track or new.
+void SignalSeries::Track::read(std::size_t block, const Seen& seen, Signals& signals) const {
+  signals.temperature = seen.temperature;
+  signals.temperature_rate = seen.temperature_rate;
   signals.block.temperature = signals.temperature;
   if (!input_rate.empty()) {
-    const InputRate& rate = input_rate[block];
-    signals.block.input_rate = reading == Reading::of_gyro ? rate.dph : rate.before_dph;
-    signals.block.rate_within = rate.within;
+    signals.block.input_rate = input_rate[block].before_dph;
+    signals.block.rate_within = input_rate[block].within;
   }
-  signals.block.elapsed = kept.elapsed;
+  signals.block.elapsed = blocks[block].elapsed;
   if (!power_on.empty()) signals.block.power_on = power_on[block];
   if (!extension.empty()) signals.block.extension = extension[block];
 }
 
-SignalSeries::Signals SignalSeries::Run::signals(std::size_t block) const {
+SignalSeries::Signals SignalSeries::Track::signals(std::size_t block) const {
   Signals signals{};
-  read(block, Reading::of_sensor, {}, signals);
+  read(block, blocks[block].seen, signals);
   return signals;
 }
 
+void SignalSeries::Run::read(std::size_t block, Reading reading, const TemperatureChange& change,
+                             Signals& signals) const {
+  const Track& own = track(reading);
+  const bool is_delayed = reading == Reading::without_noise && !delayed.empty();
+  Seen seen = is_delayed ? delayed[block] : own.blocks[block].seen;
+  seen.temperature += change.degc;
+  seen.temperature_rate += change.degc_per_min;
+  own.read(block, seen, signals);
+}
+
 // Column by column: adding each block's values as soon as they are stored would wait for the store.
-void SignalSeries::Run::add(std::size_t first, std::size_t count, const double* values,
-                            Eigen::MatrixXd& sums) const {
+void SignalSeries::Track::add(std::size_t first, std::size_t count, const double* values,
+                              Eigen::MatrixXd& sums) const {
   const auto size = static_cast<std::size_t>(sums.cols());
   for (std::size_t k = 0; k < size; ++k) {
     double* const sum = sums.col(static_cast<Eigen::Index>(k)).data();
@@ -122,62 +121,117 @@ void SignalSeries::add(const BlockSeries& series) {
   Run& run = runs_.emplace_back();
   run.block_s = series.block_s;
   run.is_table = series.is_table;
-  run.inputs = series.inputs;
   run.recordings = series.recordings;
   run.rates_within = series.input_rates;
-  run.blocks.reserve(series.blocks.size() + 1);
+  const std::shared_ptr<const MeasuredTemperature> own = temperature_of(series);
+  see_thermometer(own->thermometer);
   RowAverager rows(series, model_.average_s, rows_);
-  if (phase_ == Phase::board) {
-    add_as_the_board(series, rows);
-  } else {
-    add_without_delay(series, rows);
-  }
+  const std::vector<std::int32_t> row_of = phase_ == Phase::board
+                                               ? add_as_the_board(series, *own, rows)
+                                               : add_without_delay(series, *own, rows);
   rows.finish();
+  keep_own(series, *own, row_of, run.gyro);
   samples_.conservativeResizeLike(Eigen::VectorXd::Zero(rows_.size()));
-  for (const Block& block : run.blocks) {
+  for (const Block& block : run.gyro.blocks) {
     if (block.row != kNoRow) samples_[block.row] += block.samples;
   }
 }
 
-void SignalSeries::add_as_the_board(const BlockSeries& series, RowAverager& rows) {
+std::vector<std::int32_t> SignalSeries::add_as_the_board(const BlockSeries& series,
+                                                         const MeasuredTemperature& own,
+                                                         RowAverager& rows) {
   Run& run = runs_.back();
-  const std::shared_ptr<const MeasuredTemperature> measured = temperature_of(series);
-  const MeasuredTemperature& own = *measured;
-  see_thermometer(own.thermometer);
+  Track& board = run.board;
+  board.block_s = series.block_s;
+  board.inputs = series.inputs;
+  board.blocks.reserve(series.blocks.size() + 1);
   run.delayed.reserve(series.blocks.size() + 1);
   Recorder delayed_recorder(model_, series.block_s, [&](const Signals& signals, bool) {
     run.delayed.push_back({signals.temperature, signals.temperature_rate});
   });
   run_without_noise(series, own, delayed_recorder);
-  run.own.reserve(series.blocks.size() + 1);
-  Recorder recorder(model_, series.block_s, [&](const Signals& signals, bool restart) {
-    run.keep(signals, restart);
-    // In the block in which these signals act.
-    run.own.push_back(own.at(std::llround(signals.block.elapsed - series.first.elapsed)));
-  });
+  std::vector<std::int32_t> row_of(series.blocks.size(), kNoRow);
+  Recorder recorder(model_, series.block_s,
+                    [&](const Signals& signals, bool restart) { board.keep(signals, restart); });
   run_blocks(series, recorder, [&](const BlockSeries::Block& block) {
-    Block& current = run.blocks.back();
-    if (!run.input_rate.empty()) {
-      run.input_rate.back().dph = block.means.input_rate;
-      run.input_rate.back().within = block.means.rate_within;
+    Block& current = board.blocks.back();
+    if (!board.input_rate.empty()) {
+      board.input_rate.back().dph = block.means.input_rate;
+      board.input_rate.back().within = block.means.rate_within;
     }
-    current.row = rows.take(block, run.signals(run.blocks.size() - 1));
+    current.row = rows.take(block, board.signals(board.blocks.size() - 1));
     current.samples = block.samples;
+    row_of[static_cast<std::size_t>(&block - series.blocks.data())] = current.row;
   });
+  return row_of;
 }
 
-void SignalSeries::add_without_delay(const BlockSeries& series, RowAverager& rows) {
-  Run& run = runs_.back();
-  const std::shared_ptr<const MeasuredTemperature> measured = temperature_of(series);
-  see_thermometer(measured->thermometer);
+std::vector<std::int32_t> SignalSeries::add_without_delay(const BlockSeries& series,
+                                                          const MeasuredTemperature& own,
+                                                          RowAverager& rows) {
+  std::vector<std::int32_t> row_of;
+  for (const BlockSeries::Block& block : series.blocks) {
+    const TemperatureNow& now = own.at(block.number);
+    row_of.push_back(rows.take(block, {now.degc, now.degc_per_min, block.means}));
+  }
+  return row_of;
+}
+
+namespace {
+
+// How many blocks are one for the gyro's own signals: part of a row of the model. An input rate may
+// differ from sample to sample.
+std::int64_t blocks_together(const BlockSeries& series, double average_s) {
+  if (has(series.inputs, fog::Input::input_rate)) return 1;
+  const std::int64_t in_row = blocks_per_row(average_s, series.block_s);
+  const auto most = static_cast<std::int64_t>(rules::kLongestOwnBlock_s / series.block_s);
+  std::int64_t together = std::clamp<std::int64_t>(most, 1, in_row);
+  while (in_row % together != 0) --together;
+  return together;
+}
+
+// Times are counted in blocks.
+fog::Signals<model::RealNumbers> in_blocks_of(double together,
+                                              fog::Signals<model::RealNumbers> signals) {
+  fog::BlockMeans<model::RealNumbers>& block = signals.block;
+  for (double* const time :
+       {&block.elapsed, &block.power_on.at, &block.power_on.was_on, &block.power_on.was_off}) {
+    *time /= together;
+  }
+  return signals;
+}
+
+}  // namespace
+
+// A block that is missing keeps the inputs of the one before it.
+void SignalSeries::keep_own(const BlockSeries& series, const MeasuredTemperature& own,
+                            const std::vector<std::int32_t>& row_of, Track& gyro) const {
+  const std::int64_t together = blocks_together(series, model_.average_s);
+  gyro.block_s = static_cast<double>(together) * series.block_s;
+  gyro.inputs = series.inputs;
   each_part(series, [&](std::size_t first, std::size_t end) {
-    for (std::size_t i = first; i < end; ++i) {
-      const BlockSeries::Block& block = series.blocks[i];
-      const TemperatureNow& own = measured->at(block.number);
-      const Signals signals{own.degc, own.degc_per_min, block.means};
-      run.keep(signals, i == first);
-      run.blocks.back().row = rows.take(block, signals);
-      run.blocks.back().samples = block.samples;
+    SignalSum sum;
+    Block counted;
+    bool is_first = true;
+    fog::BlockMeans<model::RealNumbers> means;
+    for (std::int64_t number = series.blocks[first].number; first < end; ++number) {
+      const BlockSeries::Block& block = series.blocks[first];
+      means.elapsed += 1;
+      if (block.number == number) {
+        means = block.means;
+        if (row_of[first] != kNoRow) {
+          counted.row = row_of[first];
+          counted.samples += block.samples;
+        }
+        ++first;
+      }
+      const TemperatureNow& now = own.at(number);
+      sum.add(1, {now.degc, now.degc_per_min, means});
+      if ((number + 1) % together != 0 && first < end) continue;
+      gyro.keep(in_blocks_of(static_cast<double>(together), std::exchange(sum, {}).mean()),
+                std::exchange(is_first, false));
+      gyro.blocks.back().row = counted.row;
+      gyro.blocks.back().samples = std::exchange(counted, {}).samples;
     }
   });
 }
@@ -204,27 +258,28 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading, bool 
   Eigen::MatrixXd means;
   std::vector<double> values;
   for (const Run& run : runs_) {
+    const Track& track = run.track(reading);
     std::vector<Signals> signals(kTogether);
     const auto read = [&](std::size_t block, Signals& now) {
       run.read(block, reading, change, now);
-      if (follows_rate && !run.input_rate.empty()) {
-        now.block.input_rate = run.input_rate[block].dph;
+      if (follows_rate && !track.input_rate.empty()) {
+        now.block.input_rate = track.input_rate[block].dph;
       }
     };
-    std::optional part(make(run.block_s));
+    std::optional part(make(run));
     const std::size_t size = part->size();
     if (means.size() == 0) means.setZero(rows_.size(), static_cast<Eigen::Index>(size));
     values.resize(size * kTogether);
     for (const recording::RowRange& stretch :
-         recording::ranges_from(run.restarts, run.blocks.size())) {
-      if (run.is_table) part.emplace(make(run.block_s));
+         recording::ranges_from(track.restarts, track.blocks.size())) {
+      if (run.is_table) part.emplace(make(run));
       read(stretch.first, signals[0]);
       part->reset(at_rest(signals[0]));
       for (std::size_t first = stretch.first; first < stretch.end; first += kTogether) {
         const std::size_t count = std::min(kTogether, stretch.end - first);
         for (std::size_t i = 0; i < count; ++i) read(first + i, signals[i]);
         part->run(signals.data(), count, values.data());
-        run.add(first, count, values.data(), means);
+        track.add(first, count, values.data(), means);
       }
     }
   }
@@ -267,10 +322,10 @@ Eigen::MatrixXd SignalSeries::regressors(const model::EffectTerm& term, Reading 
       effect->run(signals, count, values);
     }
   };
-  const auto part = [&](double block_s) {
-    const bool before = phase_ == Phase::board && reading != Reading::of_gyro;
-    return Part{
-        model::make_effect(before ? term : model::for_present_block(term, block_s), block_s)};
+  const auto part = [&](const Run& run) {
+    const Track& track = run.track(reading);
+    return Part{model::make_effect(
+        &track == &run.board ? term : model::for_present_block(term, run.block_s), track.block_s)};
   };
   Eigen::MatrixXd means = row_means(part, reading, model::follows_input_rate(term), change);
   const std::vector<recording::RowRange> runs = rows_.runs();
@@ -292,9 +347,10 @@ model::SignalRanges SignalSeries::signal_ranges() const {
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     ranges[i] = {kInfinite, -kInfinite};
     for (const Run& run : runs_) {
-      for (std::size_t block = 0; block < run.blocks.size(); ++block) {
+      const Track& track = run.track(Reading::of_sensor);
+      for (std::size_t block = 0; block < track.blocks.size(); ++block) {
         const double value =
-            model::value_of(static_cast<fog::Input>(i), run.signals(block), run.block_s);
+            model::value_of(static_cast<fog::Input>(i), track.signals(block), track.block_s);
         ranges[i] = {std::min(ranges[i].min, value), std::max(ranges[i].max, value)};
       }
     }
@@ -312,7 +368,8 @@ Eigen::MatrixXd SignalSeries::network_inputs(const std::vector<model::RealInput>
       }
     }
   };
-  return row_means([&](double block_s) { return Part(inputs, block_s); });
+  return row_means(
+      [&](const Run& run) { return Part(inputs, run.track(Reading::of_sensor).block_s); });
 }
 
 }  // namespace fogcomp::series

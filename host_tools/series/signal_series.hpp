@@ -96,35 +96,51 @@ class SignalSeries {
     std::int32_t row = kNoRow;  // kNoRow if the board's drift is invalid, or the block is masked
     std::uint32_t samples = 0;
   };
-  struct Run {
+  // What effects are run over.
+  struct Track {
     double block_s = 0;
-    bool is_table = false;
     fog::InputMask inputs = 0;  ///< of the recording
-    std::vector<std::uint64_t> recordings;
     std::vector<Block> blocks;
     std::vector<std::size_t> restarts;  ///< blocks before which the model begins anew
     std::vector<PowerOn> power_on;      ///< per block; empty if it is time 0 for all
     std::vector<InputRate> input_rate;  ///< per block; empty if the recording lacks it
     std::vector<Extension> extension;   ///< the same
-    std::vector<Seen> delayed;          ///< without noise, per block; empty in Phase::zero
-    std::vector<TemperatureNow> own;    ///< the gyro's, per block; empty in Phase::zero
-    decltype(BlockSeries::input_rates) rates_within;  ///< owners of what `input_rate` points to
 
     void keep(const Signals& signals, bool restart);
-    void read(std::size_t block, Reading reading, const TemperatureChange& change,
-              Signals& signals) const;
+    void read(std::size_t block, const Seen& seen, Signals& signals) const;
     Signals signals(std::size_t block) const;
     /// Adds what the blocks from `first` on add to row sums; `values`: of each, columns of `sums`.
     void add(std::size_t first, std::size_t count, const double* values,
              Eigen::MatrixXd& sums) const;
   };
+  struct Run {
+    double block_s = 0;  ///< of the board
+    bool is_table = false;
+    std::vector<std::uint64_t> recordings;
+    Track board;                                      ///< empty in Phase::zero
+    std::vector<Seen> delayed;                        ///< without noise, of each of these blocks
+    Track gyro;                                       ///< its own temperature, without delay
+    decltype(BlockSeries::input_rates) rates_within;  ///< owners of what `input_rate` points to
+
+    const Track& track(Reading reading) const {
+      return reading == Reading::of_gyro || board.blocks.empty() ? gyro : board;
+    }
+    void read(std::size_t block, Reading reading, const TemperatureChange& change,
+              Signals& signals) const;
+  };
   template <class Keep>
   class Recorder;
 
-  void add_as_the_board(const BlockSeries& series, RowAverager& rows);
-  void add_without_delay(const BlockSeries& series, RowAverager& rows);
+  // Both return the row of each block.
+  std::vector<std::int32_t> add_as_the_board(const BlockSeries& series,
+                                             const MeasuredTemperature& own, RowAverager& rows);
+  static std::vector<std::int32_t> add_without_delay(const BlockSeries& series,
+                                                     const MeasuredTemperature& own,
+                                                     RowAverager& rows);
+  void keep_own(const BlockSeries& series, const MeasuredTemperature& own,
+                const std::vector<std::int32_t>& row_of, Track& gyro) const;
   void see_thermometer(const Thermometer& thermometer);
-  // Row means of make(block_s): an object with size(), reset(signals) and run(signals, count,
+  // Row means of make(run): an object with size(), reset(signals) and run(signals, count,
   // values), block by block. `follows_rate`: for effects of the samples' own input rate.
   template <class Make>
   Eigen::MatrixXd row_means(const Make& make, Reading reading = Reading::of_sensor,

@@ -46,7 +46,8 @@ TEST(SignalSeries, BeginsALagAtRestWithAndWithoutTheBoardsDelay) {
 // A jump is where it is, whether the block before or the present one is read.
 TEST(SignalSeries, HasABiasStepInTheSameRowWithAndWithoutTheBoardsDelay) {
   const Eigen::VectorXd board = in_ramp("bias_step:at=1000", Phase::board);
-  EXPECT_EQ(board, in_ramp("bias_step:at=1000", Phase::zero));
+  const Eigen::VectorXd zero = in_ramp("bias_step:at=1000", Phase::zero);
+  EXPECT_EQ(board, zero);
   EXPECT_EQ(board.minCoeff(), 0);
   EXPECT_EQ(board.maxCoeff(), 1);
 }
