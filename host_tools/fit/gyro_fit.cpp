@@ -48,20 +48,10 @@ GyroFit values_of(const judge::Prediction& found, const NoiseWeightedFit& fit, d
 
 }  // namespace
 
-std::optional<GyroFit> fit_gyro(const KnownRegressors& known, const NoiseWeightedFit& board,
-                                const series::ColumnRange& offsets) {
-  const series::Rows& rows = known.series().rows();
-  const std::vector<series::ColumnRange> columns = series::columns_of(board.terms, rows.row_s);
-  const Eigen::Index beside = board.linear() - columns.back().first - columns.back().count;
-  constexpr bool kShapesFound = true;  // the same minimum, not a better one elsewhere
-  RowSettings settings{board.robust, std::nullopt, kShapesFound};
-  if (board.prior) {
-    settings.noise = board.noise;
-    settings.prior = &*board.prior;
-  }
-  const NoiseWeightedFit fit = fit_rows(known.of(series::Reading::of_gyro), board.terms,
-                                        board.columns.rightCols(beside), settings);
+std::optional<GyroFit> values_of_gyro(const KnownRegressors& known, const NoiseWeightedFit& fit,
+                                      const series::ColumnRange& offsets) {
   if (!is_determined(fit)) return std::nullopt;
+  const series::Rows& rows = known.series().rows();
   return values_of(predict(rows, fit, offsets, temperature_error(known, fit)), fit, rows.row_s);
 }
 

@@ -51,7 +51,7 @@ struct IdentifySettings {
 /// Noise-weighted: rows are whitened with white and Gauss-Markov noise estimated in the soaks.
 /// Shape parameters by variable projection: a bounded grid for each, then Gauss-Newton on all.
 /// Outliers have weight 0. These values compensate best on a board, whose derivative has noise,
-/// steps and a delay; the gyro's own, and all uncertainties, are those of fit_gyro().
+/// steps and a delay; the gyro's own, and all uncertainties, are those of gyro_fit.hpp.
 ///
 /// The terms have no events. Throws InputError for too few rows, and for effects that the
 /// recordings do not determine.

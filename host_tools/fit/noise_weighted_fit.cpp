@@ -143,10 +143,9 @@ NoiseWeightedFit fit_rows(const KnownRegressors& known, const std::vector<model:
 
 NoiseWeightedFit fit_determined(const KnownRegressors& known,
                                 const std::vector<model::EffectTerm>& terms,
-                                const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept,
-                                const std::function<void(double)>& progress) {
+                                const Eigen::MatrixXd& nuisance, const RowSettings& settings) {
   const series::Rows& rows = known.series().rows();
-  NoiseWeightedFit fit = fit_rows(known, terms, nuisance, {kept, std::nullopt, false, progress});
+  NoiseWeightedFit fit = fit_rows(known, terms, nuisance, settings);
   const Eigen::Index unknowns = fit.linear() + static_cast<Eigen::Index>(fit.shapes.size());
   if (rows.size() <= unknowns) {
     throw InputError(

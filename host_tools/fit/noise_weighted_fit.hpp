@@ -61,8 +61,7 @@ NoiseWeightedFit fit_rows(const KnownRegressors& known, const std::vector<model:
 /// rows do not determine a coefficient or a shape (undetermined.hpp).
 NoiseWeightedFit fit_determined(const KnownRegressors& known,
                                 const std::vector<model::EffectTerm>& terms,
-                                const Eigen::MatrixXd& nuisance, const Eigen::VectorXd& kept,
-                                const std::function<void(double)>& progress = {});
+                                const Eigen::MatrixXd& nuisance, const RowSettings& settings = {});
 
 /// 1 in these rows, else 0.
 Eigen::VectorXd ones_in(const series::Rows& rows, const recording::RowRange& range);

@@ -98,7 +98,7 @@ TEST(NoiseWeightedFit, SaysWhatTheRowsCannotTellApart) {
   EXPECT_EQ(fit.linear(), 3);
   EXPECT_FALSE(is_determined(fit));
   EXPECT_TRUE(fit.residual_dph.allFinite());
-  EXPECT_THROW(fit_determined(gyro.series(), terms, constant, gyro.all()), InputError);
+  EXPECT_THROW(fit_determined(gyro.series(), terms, constant), InputError);
 }
 
 TEST(NoiseWeightedFit, RefusesFewerRowsThanUnknowns) {
@@ -111,7 +111,7 @@ TEST(NoiseWeightedFit, RefusesFewerRowsThanUnknowns) {
   series.add(series::make_blocks(recording));
   const Eigen::Index rows = series.rows().size();
   EXPECT_THROW(fit_determined(series, model::parse_effects("bias,bias_temperature:order=9"),
-                              Eigen::MatrixXd(rows, 0), Eigen::VectorXd::Ones(rows)),
+                              Eigen::MatrixXd(rows, 0)),
                InputError);
 }
 
