@@ -208,10 +208,10 @@ class HeaderReader {
     drop_conversion(kRateSlot);
     const auto field = static_cast<std::size_t>(counts - columns_.begin());
     header_.slots[field] = kRateSlot;
-    convert(kRateSlot, counts_unit("'counts'"));
+    convert(kRateSlot, counts_unit("'counts'", *find_unit(kCountsName)));
   }
 
-  Unit counts_unit(const std::string& name) {
+  Unit counts_unit(const std::string& name, Unit counts) {
     const auto scale_factor =
         options_.scale_factor ? options_.scale_factor : options_.model_scale_factor;
     if (!scale_factor) {
@@ -220,7 +220,8 @@ class HeaderReader {
            "'rate_dph'");
     }
     uses_scale_factor_ = true;
-    return {Quantity::rate, "counts", kDphPerDegreePerSecond / *scale_factor};
+    counts.factor *= kDphPerDegreePerSecond / *scale_factor;
+    return counts;
   }
 
   /// Takes the only column whose name fits. If several fit, the user has to choose.
@@ -400,19 +401,16 @@ class HeaderReader {
       unit.reset();
     }
     if (unit && unit->quantity == Quantity::counts && quantity_of(slot) == Quantity::rate) {
-      const double sign = unit->factor;
-      unit = counts_unit(place(field));
-      unit->factor *= sign;
+      unit = counts_unit(place(field), *unit);
+    } else if (unit && unit->quantity != quantity_of(slot)) {
+      fail(place(field) + " is in " + unit->words + ", which is no unit of " + map_key(slot) +
+           "; if it is, give the right one: --columns '" + map_key(slot) + "=" +
+           std::to_string(field + 1) + unit_proposal(slot) + "'");
     }
     if (unit && unit->words == kSamples && slot == kTimeSlot) {
       if (!options_.stream_rate_hz) fail(place(field) + " counts samples; give --rate (Hz)");
       counts_samples_ = true;
       unit->divisor = *options_.stream_rate_hz;
-    }
-    if (unit && unit->quantity != quantity_of(slot)) {
-      fail(place(field) + " is in " + unit->words + ", which is no unit of " + map_key(slot) +
-           "; if it is, give the right one: --columns '" + map_key(slot) + "=" +
-           std::to_string(field + 1) + unit_proposal(slot) + "'");
     }
     if (!unit && !column.unknown_unit.empty()) {
       fail(place(field) + ": unit '" + printable(column.unknown_unit) +

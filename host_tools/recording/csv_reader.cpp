@@ -191,7 +191,7 @@ class RowCollector {
         marks_(marks),
         long_recording_(options, min_rows),
         wrap_(layout),
-        rate_unit_(layout.header.unit_of(kRateSlot)) {
+        are_counts_(layout.header.unit_of(kRateSlot).quantity == Quantity::counts) {
     recording_.file = file.path();
     recording_.power_on_unknown = layout.time != TimeFormat::number;
     for (const std::size_t slot : layout.header.slots) {
@@ -235,7 +235,8 @@ class RowCollector {
     if (has_waiting_) take_waiting(row);
     for (const auto& [slot, values] : columns_) {
       const double value = row.values[slot];
-      if (!kColumns[slot].can_be(value) && !std::isnan(value)) {
+      const bool is_asked = slot == kRateSlot && are_counts_;
+      if (!is_asked && !kColumns[slot].can_be(value) && !std::isnan(value)) {
         return refuse(fault_of_range(slot, row));
       }
     }
@@ -313,7 +314,7 @@ class RowCollector {
 
   void refuse_doubted_units() {
     if (!unit_question_.empty() && !long_recording_.begun()) refuse_doubted_time();
-    const std::string signs = fault_of_signs(recording_.rate_dph, rate_unit_);
+    const std::string signs = fault_of_signs(recording_.rate_dph, layout_.header);
     if (!signs.empty()) throw InputError(file_.path(), signs);
     if (layout_.header.input_rate_is_chosen) return;
     const std::string input = fault_of_input_rate(recording_, layout_.header);
@@ -542,7 +543,7 @@ class RowCollector {
   CsvRow waiting_{};  // values of rows without a rate
   bool has_waiting_ = false;
   std::size_t moved_ = 0;
-  Unit rate_unit_;
+  bool are_counts_;              // the rates: what they can be is asked when their signs are known
   std::size_t first_empty_ = 0;  // line of the first row without time or rate
   bool sparse_ = false;
   std::string last_label_;

@@ -39,7 +39,7 @@ class Marks {
     if (!is_of_programs || dialect.decimal_comma) return true;
     const auto& all = layout_.header.conversions;
     return std::any_of(all.begin(), all.end(), [&](const CsvHeader::Conversion& each) {
-      return each.slot == layout_.header.slots[field] && each.unit.words == "counts";
+      return each.slot == layout_.header.slots[field] && each.unit.quantity == Quantity::counts;
     });
   }
 

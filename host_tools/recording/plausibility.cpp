@@ -99,13 +99,36 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+bool says_its_sign(const Unit& unit) {
+  return unit.quantity == Quantity::counts && unit.words.find("counts") == std::string::npos;
+}
+
+// By two's complement they go on as they were. Few negative ones, or one value, are disturbances.
+bool jump_less_with_signs(const std::vector<double>& counts, double max, double span) {
+  std::size_t negatives = 0;
+  std::size_t largest = 0;
+  double jumps = 0;
+  double with_signs = 0;
+  for (std::size_t row = 0; row < counts.size(); ++row) {
+    const bool is_negative = counts[row] >= span / 2;
+    if (is_negative) ++negatives;
+    if (counts[row] == max) ++largest;
+    if (row == 0) continue;
+    const double jump = std::fabs(counts[row] - counts[row - 1]);
+    const bool changes_sign = is_negative != (counts[row - 1] >= span / 2);
+    jumps += jump * jump;
+    with_signs += std::pow(changes_sign ? span - jump : jump, 2);
+  }
+  return negatives >= kFewValues && largest < negatives && with_signs < kMost * jumps;
+}
+
 // The unit by which values of a rate are nearly `ratio` times as large; "" if none does that.
 std::string choice_of_unit(const CsvHeader& header, std::size_t slot, double ratio) {
-  const double now = header.unit_of(slot).convert(1);
+  const Unit now = header.unit_of(slot);
   std::string choice;
   double nearest = kNoticeable;
   for (const std::string& words : units_of(Quantity::rate)) {
-    const double is = find_unit(words)->convert(1) / now / ratio;
+    const double is = find_unit(words)->convert(1) / now.factor * now.divisor / ratio;
     if (std::fabs(std::fabs(is) - 1) >= nearest) continue;
     nearest = std::fabs(std::fabs(is) - 1);
     choice = " or '" + map_key(slot) + "=" + column_choice(header.names, header.field_of(slot)) +
@@ -116,38 +139,33 @@ std::string choice_of_unit(const CsvHeader& header, std::size_t slot, double rat
 
 }  // namespace
 
-std::string fault_of_signs(const std::vector<double>& rate_dph, const Unit& unit) {
+std::string fault_of_signs(const std::vector<double>& rate_dph, const CsvHeader& header) {
+  const Unit unit = header.unit_of(kRateSlot);
+  if (says_its_sign(unit) || rate_dph.size() < kFewValues) return "";
   std::vector<double> counts;
   for (const double rate : rate_dph) {
-    const double count = rate / unit.factor * unit.divisor;
-    constexpr double kRounding = 1e-6;
-    if (count < 0 || std::fabs(count - std::round(count)) > kRounding) return "";
-    counts.push_back(std::round(count));
+    const double count = std::round(rate / unit.factor * unit.divisor);
+    if (count < 0 || unit.convert(count) != rate) return "";
+    counts.push_back(count);
   }
-  std::sort(counts.begin(), counts.end());
-  for (const int bits : {16, 24, 32}) {
-    const double span = std::ldexp(1.0, bits);
-    const auto upper = std::lower_bound(counts.begin(), counts.end(), span / 2);
-    if (upper == counts.end() || counts.back() >= span) continue;
-    // No converter has as many bits; fewer positive counts may be disturbances.
-    if (bits == 32 && counts.end() - upper > upper - counts.begin()) {
-      return format(
-          "most of its rates are counts such as %.0f, as is %.0f where its sign is not written; "
-          "subtract %.0f from all counts from %.0f on",
-          *upper, *upper - span, span, span / 2);
-    }
-    if (upper == counts.begin()) continue;
-    const double width = (*(upper - 1) - counts.front()) + (counts.back() - *upper);
-    const double joined = counts.front() + span - counts.back();
-    const bool are_many = upper - counts.begin() >= static_cast<std::ptrdiff_t>(kFewValues) &&
-                          counts.end() - upper >= static_cast<std::ptrdiff_t>(kFewValues);
-    if (!are_many || counts.back() == *upper || joined > width || width > span / 2) continue;
-    return format(
-        "its rate is %.0f to %.0f and %.0f to %.0f, as are negative counts that are written "
-        "without a sign; subtract %.0f from those of the second range",
-        counts.front(), *(upper - 1), *upper, counts.back(), span);
+  const auto [min, max] = std::minmax_element(counts.begin(), counts.end());
+  const int bits = *max < 0x1p16 ? 16 : *max < 0x1p24 ? 24 : 32;
+  const double span = std::ldexp(1.0, bits);
+  if (*max < span / 2 || *max >= span) return "";
+  // No gyro rests at half of what it can measure, and no converter has 32 bits.
+  const bool may_rest = unit.quantity != Quantity::counts && bits < 32;
+  const bool is_far = !may_rest && mean(counts) >= kMost * span / 2;
+  if (!is_far && !jump_less_with_signs(counts, *max, span)) return "";
+  const std::string are = format("%.0f to %.0f, as of %d bits without a sign", *min, *max, bits);
+  if (unit.quantity != Quantity::counts) {
+    return "its rate is " + are + format("; subtract %.0f from all from %.0f on", span, span / 2);
   }
-  return "";
+  const std::string choice = "'rate=" + column_choice(header.names, header.field_of(kRateSlot)) +
+                             "[" + unit.words.substr(0, unit.words.find("counts"));
+  return "its counts are " + are + "; say what they are: --columns " + choice +
+         format("int%d]' (%.0f is -1), ", bits, span - 1) + choice +
+         format("offset%d]' (%.0f is 0) or ", bits, span / 2) + choice +
+         format("uint%d]' (all are positive)", bits);
 }
 
 std::string fault_of_input_rate(const Recording& recording, const CsvHeader& header) {
@@ -168,7 +186,8 @@ std::string fault_of_input_rate(const Recording& recording, const CsvHeader& hea
   const double slope = product / square;
   if (std::fabs(slope - 1) <= kMost) return "";
   return format("its rate changes by %.4g where its input rate changes by 1: ", slope) +
-         "one of them has another unit or sign; say which: --columns 'input_rate=" +
+         (slope < 0 ? "one of them is late, or " : "one of them ") +
+         "has another unit or sign; say which: --columns 'input_rate=" +
          column_choice(header.names, header.field_of(kInputRateSlot)) + "[" +
          header.unit_of(kInputRateSlot).words + "]' if it is right" +
          choice_of_unit(header, kInputRateSlot, slope) +
@@ -185,8 +204,7 @@ std::string doubt_of_time(const Recording& recording) {
 
 std::vector<std::string> doubts(const Recording& recording, double white_noise_dph_rthz) {
   std::vector<std::string> lines;
-  for (const std::string& doubt : {noise_doubt(white_noise_dph_rthz), length_doubt(recording),
-                                   fast_doubt(recording), slow_doubt(recording)}) {
+  for (const std::string& doubt : {noise_doubt(white_noise_dph_rthz), doubt_of_time(recording)}) {
     if (!doubt.empty()) lines.push_back(recording.file + ": " + doubt);
   }
   return lines;

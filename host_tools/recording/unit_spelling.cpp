@@ -66,6 +66,15 @@ const Spellings kSpellings[] = {
     {{Quantity::voltage, "mV", 1, 1e3}, "mv millivolt millivolts"},
     {{Quantity::vibration, "g rms"}, "grms g/rms"},
     {{Quantity::counts, "counts"}, "count counts lsb raw adc digits"},
+    {{Quantity::counts, "int16", 1, 1, 0, 0x1p16}, "int16"},
+    {{Quantity::counts, "int24", 1, 1, 0, 0x1p24}, "int24"},
+    {{Quantity::counts, "int32", 1, 1, 0, 0x1p32}, "int32"},
+    {{Quantity::counts, "offset16", 1, 1, 0x1p15}, "offset16"},
+    {{Quantity::counts, "offset24", 1, 1, 0x1p23}, "offset24"},
+    {{Quantity::counts, "offset32", 1, 1, 0x1p31}, "offset32"},
+    {{Quantity::counts, "uint16"}, "uint16"},
+    {{Quantity::counts, "uint24"}, "uint24"},
+    {{Quantity::counts, "uint32"}, "uint32"},
     {{Quantity::date, "D/M/Y"}, "d/m/y dd/mm/yyyy ddmmyyyy"},
     {{Quantity::date, "M/D/Y"}, "m/d/y mm/dd/yyyy mmddyyyy"},
     {{Quantity::other, "another unit"},
@@ -141,7 +150,8 @@ std::string folded(std::string_view text) {
 
 std::string Unit::conversion_words() const {
   std::string text;
-  if (offset != 0) text += format(" - %g", offset);
+  if (span != 0) text += format(", of which those from %.0f on less %.0f,", span / 2, span);
+  if (offset != 0) text += format(" - %.10g", offset);
   if (offset != 0 && (factor != 1 || divisor != 1)) text += ", then";
   if (factor != 1) text += format(" x %.10g", factor);
   if (divisor != 1) text += format(" / %.10g", divisor);

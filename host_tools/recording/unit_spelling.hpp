@@ -29,9 +29,13 @@ struct Unit {
   double factor = 1;
   double divisor = 1;  ///< so that 5 ms are 0.005 s exactly
   double offset = 0;
+  double span = 0;  ///< of a counter, whose upper half is negative; 0: numbers are what they say
 
-  bool is_ours() const { return factor == 1 && divisor == 1 && offset == 0; }
-  double convert(double theirs) const { return (theirs - offset) * factor / divisor; }
+  bool is_ours() const { return factor == 1 && divisor == 1 && offset == 0 && span == 0; }
+  double convert(double theirs) const {
+    if (span > 0 && theirs >= span / 2) theirs -= span;
+    return (theirs - offset) * factor / divisor;
+  }
   /// " x 3600", " / 1000", " - 273.15": appended to the name of a converted column.
   std::string conversion_words() const;
 };

@@ -191,8 +191,8 @@ TEST(BadRows, OfAnotherFormat_NoSkippingProposed) {
   const auto good = [](int row) { return format("%d,20,%d", row, row % 7); };
   ReadOptions skip;
   skip.skip_bad_rows = true;
-  const std::string hex = rows_with(100, [](int row) { return format("%d,20,0x%X", row, row); });
-  EXPECT_NE(fault(hex).find("100 of 100 rows are bad: correct the file"), std::string::npos);
+  const std::string octal = rows_with(100, [](int row) { return format("%d,20,%oo", row, row); });
+  EXPECT_NE(fault(octal).find("100 of 100 rows are bad: correct the file"), std::string::npos);
   const std::string newest = rows_with(100, [&](int row) { return good(100 - row); });
   EXPECT_NE(fault(newest).find("; the newest row stands first: sort the rows by time"),
             std::string::npos)
@@ -256,19 +256,81 @@ TEST(CsvReader, ClockOfMinutes_SamplesAreCounted) {
   EXPECT_NE(fault(text, options).find("do not go with 0.05 samples a second"), std::string::npos);
 }
 
-TEST(CsvReader, NegativeCountsWithoutSign_Refused) {
+// 300 counts, as they are written.
+std::string counts_text(const std::function<double(int)>& count) {
+  std::string text = "time_s,temperature_degc,counts\n";
+  for (int row = 0; row < 300; ++row) text += format("%d,20,%.0f\n", row, count(row));
+  return text;
+}
+
+ReadOptions counting(double scale_factor, const std::string& columns = "") {
   ReadOptions options;
-  options.scale_factor = 1e6;
+  options.scale_factor = scale_factor;
+  options.columns = columns;
+  return options;
+}
+
+// At rest, on a table that turns, and so many that one of them is no rate at all.
+TEST(CsvReader, CountsWithoutSign_AskedForThenRead) {
   for (const int bits : {16, 24, 32}) {
-    std::string text = "time_s,temperature_degc,counts\n";
-    for (int row = 0; row < 100; ++row) {
-      const double count = std::round(50 * std::sin(row));
-      text += format("%d,20,%.0f\n", row, count < 0 ? count + std::ldexp(1.0, bits) : count);
+    const double span = std::ldexp(1.0, bits);
+    for (const double swing : {50.0, 0.3 * span, 0.45 * span}) {
+      const auto count = [&](int row) { return std::round(swing * std::sin(row / 30.0)); };
+      const auto wrapped = [&](int row) { return count(row) < 0 ? count(row) + span : count(row); };
+      const auto shifted = [&](int row) { return count(row) + span / 2; };
+      const double scale_factor = span / 1000;
+      for (const auto& [text, unit] :
+           {std::pair{counts_text(wrapped), "int"}, std::pair{counts_text(shifted), "offset"}}) {
+        const std::string said = fault(text, counting(scale_factor));
+        const std::string choice = format("'rate=counts[%s%d]'", unit, bits);
+        EXPECT_NE(said.find(choice), std::string::npos) << said;
+        EXPECT_NE(said.find(format("'rate=counts[uint%d]' (all are positive)", bits)),
+                  std::string::npos)
+            << said;
+        const std::string columns = choice.substr(1, choice.size() - 2);
+        const Recording recording = read_text(text, counting(scale_factor, columns));
+        ASSERT_EQ(recording.rows(), 300U) << columns;
+        EXPECT_NEAR(recording.rate_dph[200], count(200) * 3600 / scale_factor,
+                    1e-6 * span / scale_factor);
+      }
     }
-    EXPECT_NE(fault(text, options).find(format("subtract %.0f from those", std::ldexp(1.0, bits))),
-              std::string::npos)
-        << fault(text, options);
   }
+}
+
+TEST(CsvReader, CountsBeyondARate_AskedForTheirSign) {
+  const std::string text = counts_text([](int row) { return 4294967200.0 - row % 7; });
+  for (const double scale_factor : {1e3, 1e6}) {
+    const std::string said = fault(text, counting(scale_factor));
+    EXPECT_NE(said.find(": its counts are 4294967194 to 4294967200, as of 32 bits without a sign; "
+                        "say what they are: --columns 'rate=counts[int32]' (4294967295 is -1), "
+                        "'rate=counts[offset32]' (2147483648 is 0) or 'rate=counts[uint32]' (all "
+                        "are positive)"),
+              std::string::npos)
+        << said;
+  }
+  EXPECT_EQ(read_text(text, counting(1e8, "rate=counts[uint32]")).rate_dph[0],
+            4294967200.0 * 3600 / 1e8);
+}
+
+// With their sign; positive ones; jumps of a table; lost samples.
+TEST(CsvReader, CountsThatAreWhatTheySay_Read) {
+  const std::function<double(int)> all[] = {
+      [](int row) { return std::round(20000 * std::sin(row / 30.0)); },
+      [](int row) { return 100.0 * row; },
+      [](int row) { return row % 60 < 50 ? 1000.0 : 36000.0 + row % 7; },
+      [](int row) { return row % 50 == 0 ? 65535.0 : 900.0 + row % 7; },
+  };
+  for (const auto& count : all) {
+    EXPECT_EQ(fault(counts_text(count), counting(1000)), "no error");
+  }
+}
+
+TEST(CsvReader, WholeRatesWithoutSign_Refused) {
+  const std::string text = rows_with(300, [](int row) {
+    const double rate = std::round(50 * std::sin(row));
+    return format("%d,20,%.0f", row, rate < 0 ? rate + 65536 : rate);
+  });
+  EXPECT_NE(fault(text).find("subtract 65536 from all from 32768 on"), std::string::npos);
 }
 
 TEST(CsvReader, SaysWhatIsWrongWithTheHeader) {

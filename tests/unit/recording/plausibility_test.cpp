@@ -100,16 +100,16 @@ TEST(Plausibility, InputRateInAnotherUnit_Asked) {
   }
 }
 
-TEST(Plausibility, NegativeCountsOf32BitsWithoutSign_Named) {
-  std::string text = "time_s,temperature_degc,counts\n";
-  for (int row = 0; row < 100; ++row) text += format("%d,20,%.0f\n", row, 4294967200.0 - row % 7);
-  ReadOptions options;
-  options.scale_factor = 1e5;
-  const std::string refusal = read_refusal(text, options);
-  EXPECT_NE(refusal.find("counts such as 4294967194, as is -102 where its sign is not written; "
-                         "subtract 4294967296 from all counts from 2147483648 on"),
+// A swing that is seen half a period late.
+TEST(Plausibility, LateInputRate_NotOnlyOfAnotherSign) {
+  std::string text = "time_s,temperature_degc,rate_dph,input_rate_dph\n";
+  for (int row = 0; row < 600; ++row) {
+    const auto swing = [](double time_s) { return 36000 * std::sin(time_s * 3.14159 / 20); };
+    text += format("%d,20,%.3f,%.9g\n", row, swing(row - 20) + row * row % 17, swing(row));
+  }
+  EXPECT_NE(read_refusal(text).find("one of them is late, or has another unit or sign"),
             std::string::npos)
-      << refusal;
+      << read_refusal(text);
 }
 
 }  // namespace
