@@ -234,12 +234,35 @@ bool scan_rest(DateScanner& scan, TimeReading& reading) {
 }
 
 // Without the marks of its thousands; "" if they part other digits.
-std::string without_groups(std::string_view field, const CsvDialect& dialect) {
+std::string without_groups(std::string_view field, const CsvDialect& dialect, char mark) {
   const std::size_t sign = !field.empty() && (field[0] == '-' || field[0] == '+') ? 1 : 0;
   const std::size_t end = std::min(field.find(dialect.decimal_mark()), field.size());
-  if (!is_grouped(field.substr(sign, end - sign), dialect.group_mark())) return "";
+  if (!is_grouped(field.substr(sign, end - sign), mark)) return "";
   std::string plain(field);
-  plain.erase(std::remove(plain.begin(), plain.end(), dialect.group_mark()), plain.end());
+  plain.erase(std::remove(plain.begin(), plain.end(), mark), plain.end());
+  return plain;
+}
+
+// As other programs and countries write a number that can be no other: "0x3E8", "1.5D+02",
+// "1'234.5", with an apostrophe or a blank that breaks no line. "" if it is none.
+std::string in_other_spelling(std::string_view field, const CsvDialect& dialect) {
+  if (field.substr(0, 2) == "0x" || field.substr(0, 2) == "0X") {
+    std::uint64_t number = 0;
+    const auto [end, error] =
+        std::from_chars(field.data() + 2, field.data() + field.size(), number, 16);
+    const bool is_whole = error == std::errc() && end == field.data() + field.size();
+    return is_whole ? std::to_string(number) : "";
+  }
+  std::string plain(field);
+  for (const std::string_view mark : {"\xE2\x80\x99", "\xC2\xA0", "\xE2\x80\xAF"}) {
+    for (std::size_t at = plain.find(mark); at != std::string::npos; at = plain.find(mark)) {
+      plain.replace(at, mark.size(), "'");
+    }
+  }
+  if (plain.find('\'') != std::string::npos) return without_groups(plain, dialect, '\'');
+  const std::size_t power = plain.find_first_of("Dd");
+  if (power == 0 || power == std::string::npos || plain[power - 1] > '9') return "";
+  plain[power] = 'e';
   return plain;
 }
 
@@ -280,7 +303,7 @@ FieldKind read_number(std::string_view field, const CsvDialect& dialect, double&
     return read_number("-" + std::string(field.substr(kMinus.size())), dialect, value);
   }
   if (dialect.groups && field.find(dialect.group_mark()) != std::string_view::npos) {
-    const std::string plain = without_groups(field, dialect);
+    const std::string plain = without_groups(field, dialect, dialect.group_mark());
     if (plain.empty()) return FieldKind::text;
     return read_number(plain, {dialect.separator, dialect.decimal_comma}, value);
   }
@@ -293,13 +316,15 @@ FieldKind read_number(std::string_view field, const CsvDialect& dialect, double&
     std::replace(text.data(), end, ',', '.');
   }
   if (!field.empty() && scan_decimal(text.data(), end, value) == end) return FieldKind::number;
-  return is_missing_mark(field) ? FieldKind::missing : FieldKind::text;
+  if (is_missing_mark(field)) return FieldKind::missing;
+  const std::string plain = in_other_spelling(field, dialect);
+  return plain.empty() ? FieldKind::text : read_number(plain, dialect, value);
 }
 
 std::optional<TimeReading> read_long_number(std::string_view field, const CsvDialect& dialect) {
   TimeReading reading;
   if (dialect.groups && field.find(dialect.group_mark()) != std::string_view::npos) {
-    return read_long_number(without_groups(field, dialect),
+    return read_long_number(without_groups(field, dialect, dialect.group_mark()),
                             {dialect.separator, dialect.decimal_comma});
   }
   const auto [end, error] =

@@ -893,6 +893,38 @@ TEST(ForeignFiles, TemperatureEachFewMinutes_NoSampleLost) {
   }
 }
 
+// Each means 1234.5, whatever program or country wrote it.
+TEST(ForeignFiles, NumbersOfOtherPrograms_Read) {
+  const char* const numbers[] = {"1'234.5",
+                                 "1\xE2\x80\x99"
+                                 "234.5",
+                                 "1\xC2\xA0"
+                                 "234.5",
+                                 "1\xE2\x80\xAF"
+                                 "234.5",
+                                 "1.2345D+03",
+                                 "+1.2345d3"};
+  for (const char* const number : numbers) {
+    const std::string text =
+        "time_s;temperature_degc;rate_dph\n0D0;20;" + std::string(number) + "\n";
+    EXPECT_EQ(said_of(text), "no error") << number;
+    EXPECT_EQ(read_recording(temporary_file("number.csv", text), {}).rate_dph,
+              std::vector<double>{1234.5})
+        << number;
+  }
+  ReadOptions options;
+  options.scale_factor = 3600;
+  const std::string hexadecimal = "time_s,temperature_degc,counts\n0,20,0x4D2\n1,20,0X4d2\n";
+  EXPECT_EQ(read_recording(temporary_file("number.csv", hexadecimal), options).rate_dph,
+            (std::vector<double>{1234, 1234}));
+  for (const char* const number :
+       {"1'23.5", "12'34", "'234", "0x", "0x4G", "1D", "D1", "1D2D3", "1e2D3", "5 days"}) {
+    const std::string text =
+        "time_s;temperature_degc;rate_dph\n0;20;1\n1;20;" + std::string(number) + "\n";
+    EXPECT_NE(said_of(text).find("not a finite number"), std::string::npos) << number;
+  }
+}
+
 // A step a time, as evenly as the ramp goes, and none in a soak.
 TEST(ForeignFiles, CoarseTemperatureInARamp_IsNoSlowSensor) {
   std::string content = "time_s,temperature_degc,rate_dph\n";
