@@ -175,7 +175,7 @@ class HeaderReader {
         const std::size_t slot = slot_named(name_of(i));
         if (slot == CsvHeader::kSegmentLabel && !header_.has(slot)) header_.slots[i] = slot;
         if (slot >= kColumns.size() || header_.slots[i] != CsvHeader::kIgnored) continue;
-        if (!is_read(slot)) continue;
+        if (!is_read(slot) || (slot == kTimeSlot && columns_[i].unit_alone)) continue;
         if (found[slot] == header_.names.size() && is_known(slot)) continue;
         if (found[slot] < header_.names.size()) {
           fail("column '" + printable(header_.names[i]) + "' stands twice, in fields " +
@@ -226,7 +226,7 @@ class HeaderReader {
 
   /// Takes the only column whose name fits. If several fit, the user has to choose.
   void take_likely(std::size_t slot) {
-    if (slot == kTimeSlot && take_date_and_clock()) return;
+    if (slot == kTimeSlot && (take_calendar() || take_date_and_clock())) return;
     Fields fields = likely(slot);
     if (slot == kTimeSlot) {
       if (const auto sum = time_in_parts(columns_, fields, lines_.first_row)) return take_sum(*sum);
@@ -246,7 +246,7 @@ class HeaderReader {
   }
 
   void take_sum(const ChosenField& chosen) {
-    header_.date_is_alone = !chosen.parts.empty() && is_date(chosen.field);
+    if (!chosen.parts.empty() && is_date(chosen.field)) header_.calendar = {chosen.field};
     take(chosen.field, kTimeSlot, chosen.unit);
     for (std::size_t i = 0; i < chosen.parts.size(); ++i) {
       take_time_part(chosen.parts[i], CsvHeader::kTimePart + i);
@@ -328,6 +328,7 @@ class HeaderReader {
   }
 
   void take_date_and_clock(std::size_t date, std::size_t clock, const std::optional<Unit>& order) {
+    header_.calendar = {date, clock};
     header_.slots[date] = CsvHeader::kDate;
     header_.slots[clock] = kTimeSlot;
     take_order(order ? order : columns_[date].unit);
@@ -338,6 +339,22 @@ class HeaderReader {
   void take_order(const std::optional<Unit>& unit) {
     if (!unit || unit->quantity != Quantity::date) return;
     header_.day_order = unit->words[0] == 'D' ? DayOrder::day_first : DayOrder::month_first;
+  }
+
+  /// Takes year, month, day, hour, minute and perhaps second.
+  bool take_calendar() {
+    const Fields parts = calendar_in_parts(columns_);
+    const Fields times = likely(kTimeSlot);
+    const bool is_only_time = std::all_of(times.begin(), times.end(), [&](std::size_t field) {
+      return std::find(parts.begin(), parts.end(), field) != parts.end();
+    });
+    if (parts.empty() || !is_only_time) return false;
+    header_.calendar = parts;
+    for (const std::size_t field : header_.calendar) header_.slots[field] = CsvHeader::kDate;
+    header_.slots[header_.calendar.back()] = kTimeSlot;
+    header_.understood.push_back("time: " + place(header_.calendar.front()) + " to " +
+                                 place(header_.calendar.back()));
+    return true;
   }
 
   /// Takes the only column of dates and the only one of times of day.
@@ -396,7 +413,7 @@ class HeaderReader {
   void use_unit(std::size_t field, std::size_t slot, std::optional<Unit> unit) {
     const ColumnName& column = columns_[field];
     if (slot == kTimeSlot &&
-        (header_.date_is_alone || (unit && unit->quantity == Quantity::date))) {
+        (!header_.calendar.empty() || (unit && unit->quantity == Quantity::date))) {
       take_order(unit);
       unit.reset();
     }
@@ -557,6 +574,7 @@ std::size_t required_columns_among(const std::vector<std::string>& names,
       if (find_field(choice, columns) || constant_of(choice)) found.insert(choice.slot);
     }
   }
+  if (!calendar_in_parts(columns).empty()) found.insert(kTimeSlot);
   if (options.temperature_degc || !options.join.empty()) found.insert(kTemperatureSlot);
   if (options.without_rate) found.insert(kRateSlot);
   if (options.stream_rate_hz || options.is_table) found.insert(kTimeSlot);

@@ -22,7 +22,7 @@ struct CsvHeader {
   /// ("sec", "nanosec"), those that are added to the first one.
   static constexpr std::size_t kTimePart = kColumns.size();
   static constexpr std::size_t kReadSlots = kTimePart + kMaxTimeParts;
-  /// The date of a time that has only the time of day in its own column.
+  /// A part of the date of a time that has the rest in its own column.
   static constexpr std::size_t kDate = 102;
 
   std::vector<std::string> names;  ///< as in the file, one per field
@@ -53,9 +53,10 @@ struct CsvHeader {
   std::size_t field_of(std::size_t slot) const;
   /// Of a slot of time or rate; s or deg/h if it is not converted.
   Unit unit_of(std::size_t slot) const;
-  /// The time is a date alone, to which parts are added.
-  bool date_is_alone = false;
-  /// A row's time as written; of two columns the date before the time of day, put into `both`.
+  /// Fields of a date and a time of day: of both, of the date alone (to which parts are added), or
+  /// from the year on.
+  std::vector<std::size_t> calendar{};
+  /// A row's time as written; of several columns the date before the time of day, in `both`.
   std::string_view time_of(const std::vector<std::string_view>& fields, std::string& both) const;
   /// Empty fields behind the names in each row, whose lines end in separators: they are nothing.
   std::size_t empty_behind = 0;

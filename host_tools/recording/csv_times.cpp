@@ -36,6 +36,11 @@ class TimeColumn {
     const Unit unit = layout_.header.unit_of(kTimeSlot);
     layout_.scale = scale_of(times.first, unit);
     if (!is_since_power_on(times.first, unit)) layout_.time = TimeFormat::dates;
+    if (layout_.time == TimeFormat::number && first_s_.value_or(0) > 0) {
+      layout_.header.understood.push_back(format(
+          "power-on is %g s before the first sample (of a clock, it is not known: add its date)",
+          *first_s_));
+    }
   }
 
  private:
@@ -60,10 +65,9 @@ class TimeColumn {
 
   [[noreturn]] void refuse_order(const std::string& example, bool may_be_both) const {
     const CsvHeader& header = layout_.header;
-    const bool is_apart = header.has(CsvHeader::kDate);
+    const bool is_apart = header.calendar.size() == 2;
     const std::string time = column_choice(header.names, header.field_of(kTimeSlot));
-    const std::string date =
-        is_apart ? column_choice(header.names, header.field_of(CsvHeader::kDate)) : time;
+    const std::string date = is_apart ? column_choice(header.names, header.calendar[0]) : time;
     const std::string rest = (is_apart ? "+" + time : "") + "'";
     const std::string where = path_ + ": times such as " + printable(example);
     if (!may_be_both) {
@@ -114,6 +118,7 @@ class TimeColumn {
     const CsvHeader& header = layout_.header;
     bool is_whole = time.fraction == 0;
     double unit_s = header.unit_of(kTimeSlot).convert(1);
+    double sum_s = unit_s * static_cast<double>(time.whole);
     for (std::size_t slot = CsvHeader::kTimePart; header.has(slot); ++slot) {
       const std::size_t field = header.field_of(slot);
       double part = 0;
@@ -122,10 +127,12 @@ class TimeColumn {
         return;
       }
       const double part_s = header.unit_of(slot).convert(part);
+      sum_s += part_s;
       if (!is_whole || part_s < 0 || part_s >= unit_s) parts_fit_ = false;
       is_whole = part == std::floor(part);
       unit_s = header.unit_of(slot).convert(1);
     }
+    if (!first_s_ && header.has(CsvHeader::kTimePart)) first_s_ = sum_s;
   }
 
   [[noreturn]] void refuse_parts() const {
@@ -220,8 +227,9 @@ class TimeColumn {
   const std::vector<std::string_view>& lines_;
   const std::string& path_;
   CsvLayout& layout_;
-  bool parts_fit_ = true;  // of a time in several columns
-  std::string both_;       // a date and a time of day
+  bool parts_fit_ = true;          // of a time in several columns
+  std::optional<double> first_s_;  // of those
+  std::string both_;               // a date and a time of day
 };
 
 /// The first and the last of times that rise in all rows.

@@ -24,20 +24,41 @@ bool may_be_of_calendar(const ColumnName& column, std::string_view value) {
          std::min(value.find('.'), value.size()) >= kShortest;
 }
 
-void name_letters(std::vector<ColumnName>& columns) {
-  using Letters = std::array<std::string_view, 3>;
-  for (const Letters& letters : {Letters{"h", "m", "s"}, Letters{"hh", "mm", "ss"}}) {
-    std::array<ColumnName*, 3> found{};
-    for (ColumnName& column : columns) {
-      for (std::size_t i = 0; i < letters.size(); ++i) {
-        if (column.key == letters[i]) found[i] = &column;
-      }
+constexpr std::size_t kYear = 0;
+constexpr std::size_t kHour = 3;
+constexpr std::size_t kEndOfParts = 6;
+
+using PartsOfTime = std::array<std::size_t, kEndOfParts>;
+
+// Columns that are called year, month, day, hour, minute and second, by themselves or all behind
+// `before`; the number of columns where there is none.
+PartsOfTime parts_of_time(const std::vector<ColumnName>& columns, std::string_view before) {
+  constexpr std::array<std::string_view, kEndOfParts> kNames{
+      "year yyyy", "month mon", "day dd", "h hh hr hour", "m mm min minute", "s ss sec second"};
+  PartsOfTime parts;
+  parts.fill(columns.size());
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    std::string name = columns[i].key;
+    if (name.substr(0, before.size()) != before) continue;
+    name.erase(0, before.size());
+    if (!name.empty() && !before.empty() && (name[0] == '_' || name[0] == '.')) name.erase(0, 1);
+    if (name.size() > 2 && name.back() == 's') name.pop_back();
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      const std::vector<std::string> names = split(kNames[part], ' ');
+      if (std::find(names.begin(), names.end(), name) != names.end()) parts[part] = i;
     }
-    if (std::find(found.begin(), found.end(), nullptr) != found.end()) continue;
-    constexpr Letters kUnits{"h", "min", "s"};
-    for (std::size_t i = 0; i < kUnits.size(); ++i) {
-      found[i]->unit = find_unit(kUnits[i]);
-      found[i]->unit_alone = true;
+  }
+  return parts;
+}
+
+void name_letters(std::vector<ColumnName>& columns) {
+  for (const std::string_view before : {"", "time"}) {
+    const PartsOfTime parts = parts_of_time(columns, before);
+    if (std::find(parts.begin() + kHour, parts.end(), columns.size()) != parts.end()) continue;
+    constexpr std::string_view kUnits[] = {"h", "min", "s"};
+    for (std::size_t i = kHour; i < kEndOfParts; ++i) {
+      columns[parts[i]].unit = find_unit(kUnits[i - kHour]);
+      columns[parts[i]].unit_alone = true;
     }
   }
 }
@@ -63,6 +84,15 @@ std::vector<std::size_t> columns_with(CalendarPart part, const std::vector<Colum
     return may_be_of_calendar(columns[i], value) && calendar_part(value) == part;
   });
   return found;
+}
+
+std::vector<std::size_t> calendar_in_parts(const std::vector<ColumnName>& columns) {
+  for (const std::string_view before : {"", "time", "utc", "date", "local"}) {
+    const PartsOfTime parts = parts_of_time(columns, before);
+    const auto* const end = std::find(parts.begin(), parts.end(), columns.size());
+    if (end >= parts.begin() + kEndOfParts - 1) return {parts.begin() + kYear, end};
+  }
+  return {};
 }
 
 std::optional<ChosenField> time_in_parts(const std::vector<ColumnName>& columns,

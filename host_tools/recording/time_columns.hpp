@@ -14,7 +14,8 @@ namespace fogcomp::recording {
 /// Hours, minutes, seconds and a part of these.
 constexpr std::size_t kMaxTimeParts = 4;
 
-/// Names of a header with their units. "h", "m" and "s" are units where all three stand.
+/// Names of a header with their units. "h", "m" and "s" are units where all three stand, as are
+/// "time_h", "time_m", "time_s".
 std::vector<ColumnName> column_names(const std::vector<std::string>& names,
                                      const std::vector<std::string>& units);
 
@@ -23,6 +24,9 @@ std::vector<ColumnName> column_names(const std::vector<std::string>& names,
 std::vector<std::size_t> columns_with(CalendarPart part, const std::vector<ColumnName>& columns,
                                       const std::vector<std::size_t>& free,
                                       const std::vector<std::string>& first_row);
+
+/// Columns of a year, a month, a day, hours, minutes and perhaps seconds; empty unless all are.
+std::vector<std::size_t> calendar_in_parts(const std::vector<ColumnName>& columns);
 
 /// The sum that all of `times`, columns that may be the time, are: called alike and in different
 /// units, with a date beside them or without. Their values have to agree (understand_times()).

@@ -26,11 +26,15 @@ std::size_t CsvHeader::field_of(std::size_t slot) const {
 
 std::string_view CsvHeader::time_of(const std::vector<std::string_view>& fields,
                                     std::string& both) const {
-  const std::string_view time = fields[field_of(kTimeSlot)];
-  if (!has(kDate) && !date_is_alone) return time;
-  const std::string_view date = date_is_alone ? time : fields[field_of(kDate)];
-  if (date.empty() || time.empty()) return {};
-  both = std::string(date) + " " + (date_is_alone ? "0:00" : std::string(time));
+  if (calendar.empty()) return fields[field_of(kTimeSlot)];
+  const std::string_view marks = calendar.size() <= 2 ? " " : "-- ::";
+  both.clear();
+  for (std::size_t i = 0; i < calendar.size(); ++i) {
+    if (fields[calendar[i]].empty()) return {};
+    if (i > 0) both += marks[i - 1];
+    both += fields[calendar[i]];
+  }
+  if (calendar.size() == 1) both += " 0:00";
   return both;
 }
 

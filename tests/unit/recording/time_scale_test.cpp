@@ -196,7 +196,8 @@ TEST(TimeOfSeveralColumns, HoursMinutesSeconds_Added) {
   const std::string rest = ",temperature_degc,rate_dph\n";
   const std::string rows = "0,59,59.5,20,1\n1,0,0.0,20,2\n1,0,0.5,20,1\n";
   const std::vector<double> expected{3599.5, 3600, 3600.5};
-  for (const char* names : {"h,m,s", "HH,MM,SS", "hour,min,sec", "Hours,Minutes,Seconds"}) {
+  for (const char* names : {"h,m,s", "HH,MM,SS", "hour,min,sec", "Hours,Minutes,Seconds", "h,min,s",
+                            "hour,mm,sec", "time_h,time_m,time_s", "Time H,Time M,Time S"}) {
     EXPECT_EQ(times_of(names + rest + rows), expected) << names;
   }
   EXPECT_EQ(times_of("a,b,c" + rest + rows, "time=a[h]+b[min]+c[s]"), expected);
@@ -210,6 +211,35 @@ TEST(TimeOfSeveralColumns, DateBesideThem_CountsFromTheFirstSample) {
   EXPECT_EQ(times_of("date" + rows), (std::vector<double>{0, 1}));
   EXPECT_EQ(times_of("day" + rows, "time=day+hour[h]+min[min]+sec[s]"),
             (std::vector<double>{0, 1}));
+}
+
+// Over the end of a month, which a sum of days does not know.
+TEST(TimeOfSeveralColumns, YearToSecond_IsADate) {
+  const std::string rest = ",temperature_degc,rate_dph\n";
+  for (const char* names :
+       {"year,month,day,h,m,s", "Year,Month,Day,Hours,Minutes,Seconds",
+        "UTC Year,UTC Month,UTC Day,UTC Hour,UTC Minute,UTC Second", "yyyy,mon,dd,hh,mm,ss"}) {
+    EXPECT_EQ(times_of(names + rest + "2024,2,29,23,59,59,20,1\n2024,3,1,0,0,0.5,20,2\n"),
+              (std::vector<double>{0, 1.5}))
+        << names;
+  }
+  EXPECT_EQ(
+      times_of("year,month,day,hour,min" + rest + "2023,12,31,23,59,20,1\n2024,1,1,0,0,20,2\n"),
+      (std::vector<double>{0, 60}));
+}
+
+TEST(TimeOfSeveralColumns, TimeBesideACalendar_ComesFirst) {
+  EXPECT_EQ(times_of("timestamp,utc_year,utc_month,utc_day,utc_hour,utc_minute,temperature_degc,"
+                     "rate_dph\n0.5,2024,2,29,23,59,20,1\n1,2024,2,29,23,59,20,2\n"),
+            (std::vector<double>{0.5, 1}));
+}
+
+TEST(TimeOfSeveralColumns, ClockThatMayNotCountFromPowerOn_Said) {
+  const std::string names = "h,m,s,temperature_degc,rate_dph\n";
+  EXPECT_NE(
+      read(names + "8,0,0,20,1\n8,0,1,20,2\n").said.find("power-on is 28800 s before the first"),
+      std::string::npos);
+  EXPECT_EQ(read(names + "0,0,0,20,1\n0,0,1,20,2\n").said.find("power-on"), std::string::npos);
 }
 
 TEST(TimeOfSeveralColumns, PartThatIsNone_Refused) {
