@@ -41,8 +41,8 @@ Finding find_in_table(const recording::Recording& table, const compare::RunSumma
             "bias,bias_temperature:order=2" + turned}}};
 }
 
-Finding find(const recording::Recording& recording, const compare::RunSummary& summary,
-             const std::string& first_effects) {
+Finding find(const recording::Recording& recording, recording::TemperatureCourse course,
+             const compare::RunSummary& summary, const std::string& first_effects) {
   if (recording.is_table) return find_in_table(recording, summary);
   const std::optional<double> drift = summary.drift_dph(summary.bias);
   const double length_s = recording.time_s.back() - recording.time_s.front();
@@ -58,11 +58,7 @@ Finding find(const recording::Recording& recording, const compare::RunSummary& s
   const Text error = words(format("means of %.4g s scatter by ", summary.average_s)) +
                      number(*summary.bias.std_dph) + " deg/h (std), noise alone would make " +
                      number(*summary.noise_floor_dph);
-  const bool ramps = std::any_of(summary.segments.begin(), summary.segments.end(),
-                                 [](const compare::SegmentSummary& segment) {
-                                   return segment.kind != recording::SegmentKind::soak;
-                                 });
-  if (!ramps) {
+  if (course == recording::TemperatureCourse::steady) {
     return {"the temperature stands still: " + error,
             {"this run shows noise and warm-up only; record one in which the temperature moves"}};
   }
@@ -111,13 +107,13 @@ std::string shown_words(const std::vector<planning::VisibleSize>& visible, doubl
 }
 
 std::vector<Lead> leads_of(const recording::Recording& recording,
-                           const compare::RunSummary& summary,
+                           recording::TemperatureCourse course, const compare::RunSummary& summary,
                            const std::vector<planning::VisibleSize>& visible) {
-  const std::string course = course_words(recording, recording::temperature_course(recording));
-  if (course.empty()) return {};
+  const std::string what = course_words(recording, course);
+  if (what.empty()) return {};
   const std::optional<double> drift_dph = summary.drift_dph(summary.bias);
   return without_empty(
-      {{"what it is", words(course)},
+      {{"what it is", words(what)},
        {"can show", drift_dph ? words(shown_words(visible, *drift_dph)) : Text()}});
 }
 
@@ -151,7 +147,8 @@ Parts extent(const recording::Recording& recording) {
 }
 
 // Where the temperature goes one way only, it cannot be told from time.
-Text programme_words(const compare::RunSummary& summary) {
+Text programme_words(recording::TemperatureCourse course, const compare::RunSummary& summary) {
+  if (course == recording::TemperatureCourse::steady) return {};
   bool rises = false;
   bool falls = false;
   double fastest = 0;
@@ -160,12 +157,11 @@ Text programme_words(const compare::RunSummary& summary) {
     (segment.kind == recording::SegmentKind::ramp_up ? rises : falls) = true;
     fastest = std::max(fastest, std::fabs(segment.temperature_rate_degc_per_min));
   }
-  if (!rises && !falls) return {};
   const auto& degc = summary.blocks.temperature_degc;
   const auto [min, max] = std::minmax_element(degc.begin(), degc.end());
-  std::string text =
-      format("temperature %.1f to %.1f degC, ramps of up to %.3g degC/min in the mean, ", *min,
-             *max, fastest);
+  std::string text = format("temperature %.1f to %.1f degC", *min, *max);
+  if (!rises && !falls) return words(text);
+  text += format(", ramps of up to %.3g degC/min in the mean, ", fastest);
   text += rises && falls ? "both ways" : rises ? "up only" : "down only";
   if (rises != falls) {
     text +=
@@ -347,11 +343,12 @@ Parts over_inputs(const compare::RunSummary& summary) {
 
 Document info_findings(const recording::Recording& recording, const compare::RunSummary& summary,
                        const planning::Prospect& prospect) {
-  const Finding finding = find(recording, summary, prospect.first_effects);
+  const recording::TemperatureCourse course = recording::temperature_course(recording);
+  const Finding finding = find(recording, course, summary, prospect.first_effects);
   const std::vector<planning::VisibleSize>& visible = prospect.visible;
   Document document{"fogcomp info " + recording.file, finding.found, finding.next,
-                    leads_of(recording, summary, visible)};
-  document.parts = extent(recording) + Sentence{programme_words(summary)} +
+                    leads_of(recording, course, summary, visible)};
+  document.parts = extent(recording) + Sentence{programme_words(course, summary)} +
                    bias_section(recording.is_table, summary);
   if (recording.rows() == 1) return document;
   if (!recording.is_table) {

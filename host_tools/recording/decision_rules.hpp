@@ -12,8 +12,8 @@ namespace fogcomp::recording::rules {
 /// 2. csv_reader_test, segments_test.
 constexpr double kMaxSpacing = 1.5;
 
-/// Seconds: gaps up to this do not end a segment. Chosen. Across gaps longer than kHoldSeconds
-/// (board_limits.hpp) nothing is known of the chamber, as of a temperature. segments_test.
+/// Seconds: gaps up to this do not end a segment. Chosen. Across gaps longer than kMaxUsualPeriodS,
+/// which are no logger's rhythm, nothing is known of the chamber. segments_test.
 constexpr double kMaxDropoutS = 1;
 
 /// Definition of a ramp: minimum change, in degC or tolerances, however long it takes; and the

@@ -164,7 +164,7 @@ std::vector<Piece> without_short_soaks(std::vector<Piece> pieces) {
 std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowRange rows) {
   const auto [corners, tolerance] = temperature_polygon(recording, rows);
   if (corners.size() < 2) return {{SegmentKind::soak, rows}};
-  const double min_ramp_degc = std::max(rules::kMinRampDegc, rules::kMinRampTolerances * tolerance);
+  const double min_ramp_degc = polygon.min_ramp_degc();
 
   std::vector<Piece> pieces;
   for (std::size_t i = 1; i < corners.size(); ++i) {
@@ -236,7 +236,7 @@ Segment segment_of(const Recording& recording, const std::string& name, SegmentK
 std::vector<Segment> segments_by_temperature(const Recording& recording) {
   std::vector<Segment> segments;
   const RowRange all{0, recording.rows()};
-  for (const RowRange& programme : cut_at_gaps(recording, all, kHoldSeconds)) {
+  for (const RowRange& programme : cut_at_gaps(recording, all, rules::kMaxUsualPeriodS)) {
     const std::vector<ProgrammePart> parts = find_programme_parts(recording, programme);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string name = name_of(recording, parts, i);
@@ -336,6 +336,10 @@ std::vector<RowRange> unmasked_stretches(const Recording& recording) {
     }
   }
   return unmasked;
+}
+
+double TemperaturePolygon::min_ramp_degc() const {
+  return std::max(rules::kMinRampDegc, rules::kMinRampTolerances * tolerance_degc);
 }
 
 TemperaturePolygon temperature_polygon(const Recording& recording, RowRange rows) {

@@ -49,6 +49,7 @@ struct TemperaturePoint {
 struct TemperaturePolygon {
   std::vector<TemperaturePoint> corners{};  ///< first and last row among them; none for one row
   double tolerance_degc = 0;                ///< by noise and resolution of the sensor
+  double min_ramp_degc() const;             ///< a smaller change is no ramp
 };
 TemperaturePolygon temperature_polygon(const Recording& recording, RowRange rows);
 

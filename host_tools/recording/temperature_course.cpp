@@ -34,6 +34,14 @@ Slopes slopes_of(const TemperaturePolygon& polygon) {
   return slopes;
 }
 
+bool stands(const TemperaturePolygon& polygon) {
+  const auto [min, max] = std::minmax_element(
+      polygon.corners.begin(), polygon.corners.end(),
+      [](const auto& a, const auto& b) { return a.temperature_degc < b.temperature_degc; });
+  return polygon.corners.empty() ||
+         max->temperature_degc - min->temperature_degc < polygon.min_ramp_degc();
+}
+
 // The last pieces may stand: a change within the tolerance has no direction.
 bool is_settling(const TemperaturePolygon& polygon) {
   constexpr std::size_t kMinPieces = 3;
@@ -107,12 +115,9 @@ const char* course_name(TemperatureCourse course) {
 
 TemperatureCourse temperature_course(const Recording& recording) {
   if (recording.is_table) return TemperatureCourse::table;
-  const std::vector<Segment> segments = find_segments(recording);
-  const auto soaks = std::count_if(segments.begin(), segments.end(), [](const Segment& one) {
-    return one.kind == SegmentKind::soak;
-  });
-  if (static_cast<std::size_t>(soaks) == segments.size()) return TemperatureCourse::steady;
   const TemperaturePolygon polygon = temperature_polygon(recording, {0, recording.rows()});
+  if (stands(polygon)) return TemperatureCourse::steady;
+  const std::vector<Segment> segments = find_segments(recording);
   if (is_settling(polygon)) return TemperatureCourse::settling;
   if (is_of_day(recording, segments, polygon)) return TemperatureCourse::day;
   const bool is_free = !ever_stands(polygon) && goes_both_ways(segments);

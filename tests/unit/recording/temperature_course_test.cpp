@@ -9,6 +9,7 @@
 #include <string>
 
 #include "recording/recording.hpp"
+#include "recording/segments.hpp"
 
 namespace fogcomp::recording {
 namespace {
@@ -84,6 +85,31 @@ TEST(TemperatureCourse, Surroundings_AreTold) {
       course_of(1, [](double t) { return 30 + 5 * std::sin(t / 300) + 2 * std::sin(t / 110 + 1); }),
       "free");
   EXPECT_EQ(course_of(10, [](double) { return 25; }), "steady");
+}
+
+// A logger that is off at times sees the same programme.
+TEST(TemperatureCourse, Pauses_ChangeNothing) {
+  const auto degc = [](double t) { return 50 - std::fabs(t - 4 * kHour) / 480; };
+  for (const double off_s : {60.0, 540.0, 1800.0}) {
+    for (const double on_s : {60.0, 540.0}) {
+      Recording recording;
+      recording.period_s = 1;
+      for (double time_s = 0; time_s < 8 * kHour; ++time_s) {
+        const double within_s = std::fmod(time_s, on_s + off_s);
+        if (within_s >= on_s) continue;
+        if (within_s == 0) recording.stretch_starts.push_back(recording.rows());
+        recording.time_s.push_back(time_s);
+        recording.temperature_degc.push_back(degc(time_s));
+        recording.rate_dph.push_back(1);
+      }
+      const std::string course = course_name(temperature_course(recording));
+      EXPECT_NE(course, "steady") << on_s << " " << off_s;
+      if (off_s > 600) continue;  // longer than a logger's period
+      for (const Segment& segment : find_segments(recording)) {
+        EXPECT_NE(segment.kind, SegmentKind::soak) << segment.name << on_s << " " << off_s;
+      }
+    }
+  }
 }
 
 }  // namespace
