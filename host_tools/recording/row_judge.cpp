@@ -135,7 +135,7 @@ class RowJudge {
   }
 
   // The row from which on temperatures are right if those before it are of a sensor that did not
-  // measure yet: they jumped once and for all, and are fewer than those that the jump cost; or 0.
+  // measure yet: they jumped once and for all, and are all 0 or fewer than the jump cost; or 0.
   std::size_t end_of_wrong_start() const { return level_; }
 
   // First row whose temperature the next row confirms; without one, the first that the board would
@@ -160,6 +160,13 @@ class RowJudge {
   }
   bool is_possible(std::size_t row) const {
     return fog::is_possible(board_temperature(temperature_degc_[row]));
+  }
+
+  // What a variable says before it was set.
+  bool is_unread_until(std::size_t end) const {
+    return std::all_of(temperature_degc_.begin(),
+                       temperature_degc_.begin() + static_cast<std::ptrdiff_t>(end),
+                       [](double degc) { return degc == 0; });
   }
 
   // Whether one coil can have had these two temperatures.
@@ -206,7 +213,7 @@ class RowJudge {
     } else if (status == Status::none) {
       if (jumping_) {
         excursion_ = are_compatible(row - 1, row);
-        if (excursion_ && jump_ < row - jump_) level_ = jump_;
+        if (excursion_ && (jump_ < row - jump_ || is_unread_until(jump_))) level_ = jump_;
       }
       jumping_ = false;
       good_ = row;

@@ -148,11 +148,12 @@ TEST(RowJudge, AnExcursionIsRefusedFromItsBeginningAndNotWhatFollows) {
   }
 }
 
-// It says 0 degC before it measures: the fewer rows are wrong.
+// It says 0 degC before it measures, however long.
 TEST(RowJudge, SensorThatBeginsLate_RefusedUntilThen) {
-  for (const int wrong : {1, 5, 20}) {
-    const Rows rows = refused(
-        with_temperature(1, 3000, [&](double time_s) { return time_s < wrong ? 0.0 : 30.0; }));
+  for (const int wrong : {1, 5, 18, 20, 60, 900}) {
+    const Rows rows = refused(with_temperature(1, 3000, [&](double time_s) {
+      return time_s < wrong ? 0.0 : 18 + std::round(time_s / 8) / 16;
+    }));
     ASSERT_EQ(rows.size(), static_cast<std::size_t>(wrong));
     EXPECT_EQ(rows.back(), static_cast<std::size_t>(wrong - 1));
   }
