@@ -205,7 +205,7 @@ class RowCollector {
       constants_.push_back(each);
       columns_.push_back({each.slot, &(recording_[kColumns[each.slot].column])});
     }
-    recording_.temperature_given = layout.header.is_constant(kTemperatureSlot);
+    if (layout.header.is_constant(kTemperatureSlot)) recording_.temperature_period_s = HUGE_VAL;
     const CsvHeader& header = layout.header;
     if (header.has(kTimeSlot) && !header.time_has_unit && layout.time == TimeFormat::number &&
         header.unit_of(kTimeSlot).is_ours()) {

@@ -39,7 +39,8 @@ Recording rows_of(const Recording& whole, const RowRange& rows) {
   Recording part;
   part.file = whole.file;
   part.power_on_unknown = whole.power_on_unknown;
-  part.temperature_given = whole.temperature_given;
+  part.temperature_period_s = whole.temperature_period_s;
+  part.temperature_step_degc = whole.temperature_step_degc;
   for (const ColumnInfo& info : kColumns) {
     const std::vector<double>& column = whole[info.column];
     if (column.empty()) continue;
@@ -101,7 +102,8 @@ void LongRecording::take_part(Recording& part, const LineNumbers& lines) {
     while (means_.rows() > rules::kMaxMeanRows) halve();
   }
   means_.power_on_unknown = part.power_on_unknown;
-  means_.temperature_given = part.temperature_given;
+  means_.temperature_period_s = part.temperature_period_s;
+  means_.temperature_step_degc = part.temperature_step_degc;
 }
 
 // Counts for the whole file; false if no row of this part is left.

@@ -78,7 +78,7 @@ void join_file(Recording& recording, LineNumbers& lines, const ReadOptions& opti
 
 /// Completes a column with readings in some rows only (NaN elsewhere): by straight lines between
 /// readings at most `longest_s` apart, or different by at most `step` if that is not 0;
-/// behind the last reading it repeats that for kHoldSeconds.
+/// behind the last reading it repeats that for `longest_s`.
 void join_by_lines(const std::vector<double>& time_s, std::vector<double>& column, double step = 0,
                    double longest_s = kHoldSeconds);
 

@@ -54,8 +54,11 @@ struct Recording {
     std::string text;
   };
   std::vector<Label> labels;
-  bool temperature_given = false;  ///< none was measured: one value for all rows
-  bool is_table = false;           ///< of means at steady temperatures (become_table())
+  /// Between the temperature's readings, and their smallest difference. 0: each row has one.
+  /// HUGE_VAL: none was measured, one value was given.
+  double temperature_period_s = 0;
+  double temperature_step_degc = 0;
+  bool is_table = false;  ///< of means at steady temperatures (become_table())
   /// time_s starts at the first row, because the file has calendar times.
   bool power_on_unknown = false;
   /// With power_on_unknown: the first row's time, seconds since 1970 if its calendar is known.

@@ -307,7 +307,8 @@ void name_stuck_columns(const Recording& recording, const Words& words, const Re
     const bool is_temperature = info.column == Column::temperature_degc;
     const bool has_own_judge = info.column == Column::time_s || info.column == Column::uptime_s ||
                                info.column == Column::input_rate_dph ||
-                               (is_temperature && judges_frozen_temperatures(recording));
+                               (is_temperature && (recording.temperature_period_s > 0 ||
+                                                   judges_frozen_temperatures(recording)));
     if (has_own_judge || values.empty()) continue;
     const std::vector<RowRange> held = held_ranges(values);
     if (held.empty()) continue;
@@ -389,8 +390,7 @@ void leave_out_sentinels(Recording& recording, LineNumbers& lines, const ReadWat
 void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
                             const GyroLimits& limits, const ReadWatch& watch) {
   const std::vector<RefusedRow> refused = refused_rows(recording, limits);
-  const std::vector<RowRange> frozen =
-      recording.temperature_given ? std::vector<RowRange>{} : frozen_temperatures(recording);
+  const std::vector<RowRange> frozen = frozen_temperatures(recording);
   const Words words(recording, lines, limits, refused);
   if (!frozen.empty()) watch.say(recording.file, words.frozen(frozen));
   name_stuck_columns(recording, words, watch);

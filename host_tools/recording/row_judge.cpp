@@ -286,7 +286,7 @@ std::vector<RefusedRow> refused_rows(const Recording& recording, const GyroLimit
 }
 
 bool judges_frozen_temperatures(const Recording& recording) {
-  return recording.period_s <= rules::kMaxFrozenSampleS;
+  return std::max(recording.period_s, recording.temperature_period_s) <= rules::kMaxFrozenSampleS;
 }
 
 std::vector<RowRange> frozen_temperatures(const Recording& recording) {

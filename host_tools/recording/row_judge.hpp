@@ -36,8 +36,8 @@ struct RefusedRow {
 /// A recording with 85 degC only is a soak.
 std::vector<RefusedRow> refused_rows(const Recording& recording, const GyroLimits& limits);
 
-/// Whether frozen_temperatures() can tell: rows of a second or less. In longer ones the end of a
-/// ramp looks the same.
+/// Whether frozen_temperatures() can tell: readings each second or more often. Between longer ones
+/// the end of a ramp looks the same.
 bool judges_frozen_temperatures(const Recording& recording);
 
 /// Ranges in which the board would call the temperature frozen for longer than it holds a drift.

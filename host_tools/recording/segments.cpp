@@ -52,6 +52,7 @@ double noise_degc(const std::vector<Point>& points) {
 
 // Smallest step of the sensor: 0.0625 degC for many digital ones, nearly 0 for others.
 double resolution_degc(const Recording& recording, RowRange rows) {
+  if (recording.temperature_period_s > 0) return recording.temperature_step_degc;
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t row = rows.first + 1; row < rows.end; ++row) {
     const double step =
@@ -162,7 +163,8 @@ std::vector<Piece> without_short_soaks(std::vector<Piece> pieces) {
 // the temperature has settled to about 0.5 degC, so the tail of a chamber with a time constant
 // belongs to it. Noise and resolution of the sensor raise these limits as necessary.
 std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowRange rows) {
-  const auto [corners, tolerance] = temperature_polygon(recording, rows);
+  const TemperaturePolygon polygon = temperature_polygon(recording, rows);
+  const std::vector<Point>& corners = polygon.corners;
   if (corners.size() < 2) return {{SegmentKind::soak, rows}};
   const double min_ramp_degc = polygon.min_ramp_degc();
 

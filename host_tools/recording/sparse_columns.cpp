@@ -9,6 +9,7 @@
 #include "recording/board_limits.hpp"
 #include "recording/columns.hpp"
 #include "recording/decision_rules.hpp"
+#include "recording/row_range.hpp"
 #include "support/evidence.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"
@@ -83,54 +84,84 @@ void say_how_sparse(const Recording& recording, const ColumnInfo& info, std::siz
                    is_smooth ? "smooth curve" : "straight line"));
 }
 
-// Of a temperature that is logged when it changes, the step by which it does: no two readings that
-// follow each other are equal, most differ by the smallest difference, and that is no ramp. 0 for
-// any other column.
-double step_between_changes(const ColumnInfo& info, const std::vector<double>& column) {
-  if (info.column != Column::temperature_degc) return 0;
-  std::vector<double> changes;
-  for_each_interval(column, [&](std::size_t before, std::size_t after) {
-    changes.push_back(std::fabs(column[after] - column[before]));
-  });
-  if (changes.empty()) return 0;
-  const double step = *std::min_element(changes.begin(), changes.end());
-  const double usual = median(changes);
-  constexpr double kRounding = 1e-6;
-  const bool is_step = usual <= step * (1 + kRounding) && usual < rules::kMinRampDegc;
-  return is_step ? usual * (1 + kRounding) : 0;
+/// How a temperature is read that has readings in some rows only.
+struct TemperatureRhythm {
+  TemperatureRhythm(const std::vector<double>& time_s, const std::vector<double>& degc) {
+    std::vector<double> intervals_s;
+    std::vector<double> changes_degc;
+    for_each_interval(degc, [&](std::size_t before, std::size_t after) {
+      intervals_s.push_back(time_s[after] - time_s[before]);
+      changes_degc.push_back(std::fabs(degc[after] - degc[before]));
+    });
+    if (intervals_s.empty()) return;
+    set_steps(changes_degc);
+    if (intervals_s.size() > 1) set_intervals(std::move(intervals_s));
+  }
+
+  /// Between two readings so far apart nothing is missing, as most of the time says.
+  double longest_interval_s = kHoldSeconds;
+  double period_s = 0;   ///< if most readings keep it
+  double step_degc = 0;  ///< smallest difference
+  /// The same if it is logged when it changes: no two readings that follow each other are equal,
+  /// most differ by the smallest difference, and that is no ramp.
+  double change_degc = 0;
+
+ private:
+  void set_steps(const std::vector<double>& changes_degc) {
+    for (const double change : changes_degc) {
+      if (change > 0 && (step_degc == 0 || change < step_degc)) step_degc = change;
+    }
+    constexpr double kRounding = 1e-6;
+    const double usual = median(changes_degc);
+    const bool any_stands = std::count(changes_degc.begin(), changes_degc.end(), 0.0) > 0;
+    const bool is_step = usual <= step_degc * (1 + kRounding) && usual < rules::kMinRampDegc;
+    if (!any_stands && is_step) change_degc = usual * (1 + kRounding);
+  }
+
+  void set_intervals(std::vector<double> intervals_s) {
+    std::sort(intervals_s.begin(), intervals_s.end());
+    double rest_s = kMost * std::accumulate(intervals_s.begin(), intervals_s.end(), 0.0);
+    auto usual = intervals_s.end();
+    while (rest_s > 0) rest_s -= *--usual;
+    const double longest_s = rules::kMaxSpacing * *usual;
+    const bool is_told = intervals_s.back() <= rules::kMaxSpacing * intervals_s.front() ||
+                         intervals_s.end() - usual >= std::ptrdiff_t{rules::kMinCases};
+    if (!is_told) return;
+    longest_interval_s = std::max(kHoldSeconds, std::min(longest_s, rules::kMaxUsualPeriodS));
+    if (*usual <= rules::kMaxSpacing * median(intervals_s)) period_s = *usual;
+  }
+};
+
+void join_temperature(Recording& recording) {
+  const TemperatureRhythm rhythm(recording.time_s, recording.temperature_degc);
+  if (is_gap(rhythm.period_s, median_spacing_s(recording.time_s))) {
+    recording.temperature_period_s = rhythm.period_s;
+    recording.temperature_step_degc = rhythm.step_degc;
+  }
+  join_by_lines(recording.time_s, recording.temperature_degc, rhythm.change_degc,
+                rhythm.longest_interval_s);
 }
 
-// Between two readings of a temperature that is read each few minutes, as most of the time says,
-// nothing is missing.
-double longest_interval_s(const ColumnInfo& info, const std::vector<double>& time_s,
-                          const std::vector<double>& column) {
-  std::vector<double> intervals_s;
-  for_each_interval(column, [&](std::size_t before, std::size_t after) {
-    intervals_s.push_back(time_s[after] - time_s[before]);
-  });
-  if (info.column != Column::temperature_degc || intervals_s.size() < 2) return kHoldSeconds;
-  std::sort(intervals_s.begin(), intervals_s.end());
-  double rest_s = kMost * std::accumulate(intervals_s.begin(), intervals_s.end(), 0.0);
-  auto usual = intervals_s.end();
-  while (rest_s > 0) rest_s -= *--usual;
-  const double longest_s = rules::kMaxSpacing * *usual;
-  const bool is_told = intervals_s.back() <= rules::kMaxSpacing * intervals_s.front() ||
-                       intervals_s.end() - usual >= std::ptrdiff_t{rules::kMinCases};
-  return is_told ? std::max(kHoldSeconds, std::min(longest_s, rules::kMaxUsualPeriodS))
-                 : kHoldSeconds;
-}
-
-std::vector<std::size_t> incomplete_rows(const Recording& recording) {
-  std::vector<std::size_t> rows;
+void leave_out_incomplete_rows(Recording& recording, LineNumbers& lines, const ReadWatch& watch) {
+  const auto lacks = [](const std::vector<double>& column, std::size_t row) {
+    return !column.empty() && std::isnan(column[row]);
+  };
+  std::vector<std::size_t> removed;
   for (std::size_t row = 0; row < recording.rows(); ++row) {
-    for (const ColumnInfo& info : kColumns) {
-      const std::vector<double>& column = recording[info.column];
-      if (column.empty() || !is_needed(info.column) || !std::isnan(column[row])) continue;
-      rows.push_back(row);
-      break;
+    if (lacks(recording.temperature_degc, row) || lacks(recording.input_rate_dph, row)) {
+      removed.push_back(row);
     }
   }
-  return rows;
+  if (removed.empty()) return;
+  watch.say(recording.file,
+            counted(removed.size(), "sample") +
+                format(" left out: no temperature or input rate within %g s, the first at line %zu",
+                       kHoldSeconds, lines.line_of(removed.front())));
+  recording.empty_rows += removed.size();
+  lines = lines.without(removed, recording.rows());
+  remove_rows(recording, removed);
+  if (recording.rows() == 0)
+    throw InputError(recording.file, "no sample is left; see the lines above");
 }
 
 }  // namespace
@@ -141,7 +172,7 @@ void join_by_lines(const std::vector<double>& time_s, std::vector<double>& colum
     join_readings(time_s, column, before, after, step, longest_s);
   });
   for (std::size_t row = last + 1; row < column.size(); ++row) {
-    if (time_s[row] - time_s[last] <= kHoldSeconds) column[row] = column[last];
+    if (time_s[row] - time_s[last] <= longest_s) column[row] = column[last];
   }
 }
 
@@ -158,8 +189,11 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
       unknown = draw_input_rate(recording.time_s, recording.rate_dph, column);
     }
     if (info.column == Column::uptime_s) complete_restarts(recording.time_s, column);
-    join_by_lines(recording.time_s, column, step_between_changes(info, column),
-                  longest_interval_s(info, recording.time_s, column));
+    if (info.column == Column::temperature_degc) {
+      join_temperature(recording);
+    } else {
+      join_by_lines(recording.time_s, column);
+    }
     const bool complete_now = readings_in(column) == column.size();
     if (readings > 0 && (complete_now || is_needed(info.column))) {
       say_how_sparse(recording, info, readings, watch);
@@ -173,17 +207,7 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
       column.clear();
     }
   }
-  const std::vector<std::size_t> removed = incomplete_rows(recording);
-  if (removed.empty()) return;
-  watch.say(recording.file,
-            counted(removed.size(), "sample") +
-                format(" left out: no temperature or input rate within %g s, the first at line %zu",
-                       kHoldSeconds, lines.line_of(removed.front())));
-  recording.empty_rows += removed.size();
-  lines = lines.without(removed, recording.rows());
-  remove_rows(recording, removed);
-  if (recording.rows() == 0)
-    throw InputError(recording.file, "no sample is left; see the lines above");
+  leave_out_incomplete_rows(recording, lines, watch);
 }
 
 }  // namespace fogcomp::recording

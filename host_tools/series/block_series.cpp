@@ -67,7 +67,8 @@ fog::InputMask inputs_of(const recording::Recording& recording) {
 }
 
 // Where a reading changes more than once in a block, their mean has no steps that matter.
-double temperature_step_degc(const recording::Recording& recording, std::size_t blocks) {
+double temperature_step_degc(const recording::Recording& recording, const BlockSeries& series) {
+  if (recording.temperature_period_s >= series.block_s) return recording.temperature_step_degc;
   double step_degc = HUGE_VAL;
   std::size_t changes = 0;
   for (std::size_t row = 1; row < recording.rows(); ++row) {
@@ -77,7 +78,7 @@ double temperature_step_degc(const recording::Recording& recording, std::size_t 
     step_degc = std::min(step_degc, change);
     ++changes;
   }
-  return changes == 0 || changes > blocks ? 0 : step_degc;
+  return changes == 0 || changes > series.blocks.size() ? 0 : step_degc;
 }
 
 // Blocks from one line of a table to the next: more than a board bridges.
@@ -228,6 +229,7 @@ BlockSeries without_blocks(const recording::Recording& recording) {
   series.file = recording.file;
   series.recordings = {recording::rows_hash(recording)};
   series.period_s = recording.period_s;
+  series.temperature_period_s = recording.temperature_period_s;
   series.samples_per_block = samples_per_block(recording.period_s);
   series.block_s = recording.period_s > 0 ? recording.period_s * series.samples_per_block : 1;
   series.is_table = recording.is_table;
@@ -288,7 +290,7 @@ BlockSeries make_blocks(const recording::Recording& recording) {
   if (recording.is_table) {
     add_settled_blocks(series);
   } else {
-    series.temperature_step_degc = temperature_step_degc(recording, series.blocks.size());
+    series.temperature_step_degc = temperature_step_degc(recording, series);
   }
   require_unmasked(series);
   return series;

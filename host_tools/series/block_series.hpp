@@ -43,6 +43,7 @@ struct BlockSeries {
   double rounding_dph = 0;
   /// Smallest change between readings of the temperature; 0: noise hides it within a block.
   double temperature_step_degc = 0;
+  double temperature_period_s = 0;  ///< between its readings; 0: each block has one
   /// Once it has been measured (measured_temperature.hpp); nothing: it has not.
   std::shared_ptr<const MeasuredTemperature> temperature;
 };

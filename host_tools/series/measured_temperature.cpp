@@ -31,18 +31,30 @@ std::vector<Part> parts_of(const BlockSeries& series) {
     Part& part = parts.emplace_back();
     part.first_number = series.blocks[first].number;
     part.readings.interval_s = series.block_s;
+    double next = 0;  // block with a reading
     for (std::size_t i = first; i < end; ++i) {
       const BlockSeries::Block& block = series.blocks[i];
-      part.readings.degc.resize(static_cast<std::size_t>(block.number - part.first_number), NAN);
+      const auto number = static_cast<std::size_t>(block.number - part.first_number);
+      if (static_cast<double>(number) < next) continue;
+      part.readings.degc.resize(number, NAN);
       part.readings.degc.push_back(block.means.temperature);
+      next = static_cast<double>(number) +
+             std::max(1.0, std::round(series.temperature_period_s / series.block_s));
     }
+    const std::int64_t last = series.blocks[end - 1].number - part.first_number;
+    part.readings.degc.resize(static_cast<std::size_t>(last) + 1, NAN);
   });
   return parts;
 }
 
 // The most probable noise and walk, each in turn, to kFactor.
-TemperatureLaw most_probable(const std::vector<Part>& parts, std::size_t readings,
-                             TemperatureLaw law) {
+TemperatureLaw most_probable(const std::vector<Part>& parts, TemperatureLaw law) {
+  std::size_t readings = 0;
+  for (const Part& part : parts) {
+    const std::vector<double>& degc = part.readings.degc;
+    readings += static_cast<std::size_t>(
+        std::count_if(degc.begin(), degc.end(), [](double each) { return !std::isnan(each); }));
+  }
   const std::size_t every = (readings + kReadings - 1) / kReadings;
   const auto log_likelihood_of = [&](const TemperatureLaw& tried) {
     double sum = 0;
@@ -129,7 +141,7 @@ MeasuredTemperature measured_temperature(const BlockSeries& series) {
   const std::vector<Part> parts = parts_of(series);
   TemperatureLaw law{series.temperature_step_degc,
                      std::max(0.1 * series.temperature_step_degc, 1e-3), 1e-9};
-  law = most_probable(parts, series.blocks.size(), law);
+  law = most_probable(parts, law);
   MeasuredTemperature result;
   double var_degc = 0;
   double var_per_s = 0;

@@ -643,7 +643,7 @@ TEST(ColumnMap, ValueInPlaceOfAName_IsOfAllRows) {
   const Recording recording = read_recording(path, options);
   EXPECT_EQ(recording.input_rate_dph, (std::vector<double>{180000, 180000}));
   EXPECT_EQ(recording.temperature_degc, (std::vector<double>{25, 25}));
-  EXPECT_TRUE(recording.temperature_given);
+  EXPECT_EQ(recording.temperature_period_s, HUGE_VAL);
   EXPECT_NE(said.find("input_rate: 50[deg/s], as given"), std::string::npos) << said;
   options.columns = "input_rate=-2.5[deg/s],temperature=25[degC]";
   EXPECT_EQ(read_recording(path, options).input_rate_dph[0], -9000);
@@ -848,7 +848,7 @@ TEST(ForeignFiles, TemperatureLoggedWhenItChanges_IsKnownBetween) {
         format("%d,%s,%d\n", row, row % 400 == 0 ? digits(20 + row / 800.0).c_str() : "", row % 7);
   }
   const Recording steps = read_recording(temporary_file("steps.csv", content), {});
-  EXPECT_EQ(steps.rows(), 1661U);  // to a minute behind the last reading
+  EXPECT_EQ(steps.rows(), 2000U);  // it has not changed since the last reading
   EXPECT_NEAR(steps.temperature_degc[200], 20.25, 1e-9);
 }
 
@@ -876,7 +876,7 @@ TEST(ForeignFiles, HaveAnInputRateBetweenItsReadings) {
 TEST(ForeignFiles, TemperatureEachFewMinutes_NoSampleLost) {
   for (const bool is_repeated : {false, true}) {
     std::string content = "time_s,temperature_degc,rate_dph\n";
-    for (int row = 0; row < 9001; ++row) {
+    for (int row = 0; row < 9240; ++row) {
       const bool is_read = row % 300 == 0 || (row < 150 && !is_repeated);
       const double read_s = is_repeated ? row - row % 300 : row;
       content +=
@@ -886,10 +886,29 @@ TEST(ForeignFiles, TemperatureEachFewMinutes_NoSampleLost) {
     }
     std::string said;
     const Recording recording = read_recording(temporary_file("slow.csv", content), heard_in(said));
-    EXPECT_EQ(recording.rows(), 9001U) << said;
+    EXPECT_EQ(recording.rows(), 9240U) << said;
     EXPECT_NEAR(recording.temperature_degc[4050], 20 + 15 * std::sin(2.025), 0.1);
     EXPECT_NE(said.find("temperature_degc: a reading in "), std::string::npos) << said;
     EXPECT_EQ(said.find("temperature_degc repeats each reading") != std::string::npos, is_repeated);
+  }
+}
+
+// Two readings at a peak may be equal, and a coarse one is no line of exact temperatures.
+TEST(ForeignFiles, CoarseTemperatureEachFewMinutes_StepsKept) {
+  for (const bool is_repeated : {false, true}) {
+    std::string content = "time_s,temperature_degc,rate_dph\n";
+    for (int row = 0; row < 14400; ++row) {
+      const double read_s = row - row % 300;
+      const double degc = std::round(50 - std::fabs(read_s - 7350) / 240);
+      content += format("%d,%s,%d\n", row,
+                        row % 300 == 0 || is_repeated ? digits(degc).c_str() : "", row * row % 101);
+    }
+    std::string said;
+    const Recording recording = read_recording(temporary_file("slow.csv", content), heard_in(said));
+    EXPECT_EQ(recording.rows(), 14400U) << said;
+    EXPECT_EQ(said.find("stands still"), std::string::npos) << said;
+    EXPECT_EQ(recording.temperature_period_s, 300);
+    EXPECT_EQ(recording.temperature_step_degc, 1);
   }
 }
 
@@ -962,6 +981,7 @@ TEST(ForeignFiles, LeaveOutRowsWhoseValuesNobodyKnows) {
                                     "400,21,7,\n401,21,8,\n"),
                      heard_in(said));
   EXPECT_EQ(recording.time_s, (std::vector<double>{2, 3, 400, 401}));
+  EXPECT_EQ(recording.temperature_period_s, 0) << "a reading in each row but those";
   EXPECT_EQ(recording.rate_dph, (std::vector<double>{3, 4, 7, 8}));
   EXPECT_EQ(recording.empty_rows, 3U);
   EXPECT_TRUE(recording[fog::Input::supply].empty());

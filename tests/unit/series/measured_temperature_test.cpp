@@ -100,6 +100,23 @@ TEST(MeasuredTemperature, NoiselessSteps_HaveTheRateOfTheRamps) {
   EXPECT_LT(error, 0.05);
 }
 
+// Read each 300 s, to 1 degC: what lies on the lines between is no reading.
+TEST(MeasuredTemperature, SlowCoarseReadings_RateOfTheRamp) {
+  recording::Recording recording = read_by(0, 0);
+  recording.temperature_period_s = 300;
+  recording.temperature_step_degc = 1;
+  for (std::size_t i = 0; i < recording.rows(); ++i) {
+    const auto reading = [&](std::size_t number) {
+      return std::round(degc_at(300.0 * static_cast<double>(number)));
+    };
+    const double part = static_cast<double>(i % 300) / 300;
+    recording.temperature_degc[i] = (1 - part) * reading(i / 300) + part * reading(i / 300 + 1);
+  }
+  const MeasuredTemperature measured = measured_temperature(make_blocks(recording));
+  EXPECT_LT(rate_error(measured, kInRamp_s, 0.5), 0.02);
+  EXPECT_LT(rate_error(measured, kSoak_s, 0), 0.05);
+}
+
 // 30 degC about 20 in rows of 10 s, without noise.
 recording::Recording up_and_down() {
   recording::Recording recording;
