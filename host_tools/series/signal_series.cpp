@@ -11,6 +11,7 @@
 #include "series/block_walk.hpp"
 #include "series/decision_rules.hpp"
 #include "series/required_inputs.hpp"
+#include "support/parallel.hpp"
 
 namespace fogcomp::series {
 namespace {
@@ -255,11 +256,13 @@ template <class Make>
 Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading, bool follows_rate,
                                         const TemperatureChange& change) const {
   constexpr std::size_t kTogether = 64;
-  Eigen::MatrixXd means;
-  std::vector<double> values;
-  for (const Run& run : runs_) {
+  const std::size_t size = make(runs_.front()).size();
+  Eigen::MatrixXd means = Eigen::MatrixXd::Zero(rows_.size(), static_cast<Eigen::Index>(size));
+  for_each_index(runs_.size(), [&](std::size_t number) {
+    const Run& run = runs_[number];
     const Track& track = run.track(reading);
     std::vector<Signals> signals(kTogether);
+    std::vector<double> values(size * kTogether);
     const auto read = [&](std::size_t block, Signals& now) {
       run.read(block, reading, change, now);
       if (follows_rate && !track.input_rate.empty()) {
@@ -267,9 +270,6 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading, bool 
       }
     };
     std::optional part(make(run));
-    const std::size_t size = part->size();
-    if (means.size() == 0) means.setZero(rows_.size(), static_cast<Eigen::Index>(size));
-    values.resize(size * kTogether);
     for (const recording::RowRange& stretch :
          recording::ranges_from(track.restarts, track.blocks.size())) {
       if (run.is_table) part.emplace(make(run));
@@ -282,7 +282,7 @@ Eigen::MatrixXd SignalSeries::row_means(const Make& make, Reading reading, bool 
         track.add(first, count, values.data(), means);
       }
     }
-  }
+  });
   means.array().colwise() *= samples_.array().inverse();
   return means;
 }
