@@ -5,6 +5,7 @@
 
 #include "core/thermal/filtered_derivative.hpp"
 #include "fit/decision_rules.hpp"
+#include "model/shape_parameter.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp::fit {
@@ -26,13 +27,14 @@ model::SignalRange widened(fog::Input input, const model::SignalRange& seen) {
   return {seen.min - more, seen.max + more};
 }
 
-void check(const model::EffectTerm& term, const Eigen::VectorXd& column) {
+// `may_be_zero`: another shape may be not.
+void check(const model::EffectTerm& term, const Eigen::VectorXd& column, bool may_be_zero) {
   if (!column.allFinite()) {
     throw InputError("expression '" + term.name + "'",
                      "is not finite over these recordings; does it divide by 0, or take a power of "
                      "a negative value?");
   }
-  if (column.cwiseAbs().maxCoeff() == 0) {
+  if (!may_be_zero && column.cwiseAbs().maxCoeff() == 0) {
     throw InputError("expression '" + term.name + "'",
                      "is 0 all the time on these recordings; leave it out");
   }
@@ -53,14 +55,14 @@ void set_expression_ranges(std::vector<model::EffectTerm>& terms,
       term.expression->ranges[i] = widened(static_cast<fog::Input>(i), seen[i]);
     }
     term.expression->scale_log2 = 0;
-    check(term, series.regressors(term));
+    check(term, series.regressors(term), !model::shape_parameters({term}).empty());
   }
 }
 
 int set_expression_scale(model::EffectTerm& term, const series::SignalSeries& series) {
   if (!term.expression) return 0;
   const Eigen::VectorXd column = series.regressors(term);
-  check(term, column);
+  check(term, column, false);
   const int scale_log2 = term.expression->scale_log2 + std::ilogb(column.cwiseAbs().maxCoeff());
   const int risen = scale_log2 - term.expression->scale_log2;
   term.expression->scale_log2 = scale_log2;

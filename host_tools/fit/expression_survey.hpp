@@ -10,7 +10,7 @@ namespace fogcomp::fit {
 /// Sets the signal ranges of every expression among `terms`: the ranges in the recordings, widened
 /// by a quarter of their span or size; the temperature rate limited to the board's range; time up
 /// to sixteen times the longest recording. Throws InputError for an expression that is not finite
-/// over the recordings, or constant.
+/// over the recordings, or 0 without a shape that could change it.
 void set_expression_ranges(std::vector<model::EffectTerm>& terms,
                            const series::SignalSeries& series);
 

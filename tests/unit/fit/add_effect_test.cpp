@@ -329,6 +329,20 @@ TEST(AddEffect, DropsANetworkToWhichTheEffectLeavesNothing) {
   EXPECT_FALSE(result.model.network.present()) << "gain " << result.fit.network_judged->score.gain;
 }
 
+// In the middle of its range the kink is where these runs never are.
+TEST(AddEffect, FindsAnExpressionThatIsZeroWhereTheSearchBegins) {
+  Model real = truth();
+  fogcomp::model::EffectTerm kink = fogcomp::model::expression_term("kink = max(T-20,0)");
+  kink.coefficients_dph = {0.1};
+  real.terms.push_back(kink);
+  const Model model = incomplete(kComplete);
+  const auto change =
+      fogcomp::fit::change_expression(model.terms, "kink = max(T-?from[-20,220],0)");
+  const Addition found = add_effect(model, change, runs_of(real, {1}), {});
+  EXPECT_TRUE(found.accepted) << found.reason;
+  EXPECT_NEAR(found.model.terms[found.changed.at(0)].parameters[0].value, 20, 5);
+}
+
 TEST(AddEffect, JudgesAnExpressionLikeAnEffect) {
   Model real = truth();
   fogcomp::model::EffectTerm late = fogcomp::model::expression_term("late = lag(dTdt^2, 900)");
