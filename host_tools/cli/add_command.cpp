@@ -70,12 +70,10 @@ int AddCommand::run() const {
   const std::string name = written ? output.value() : "";
   findings::Document document = findings::add_findings(addition, arguments[0], name);
   std::vector<std::string> reading = recording.given_words();
-  for (const recording::Cut& cut : addition.cuts) {
-    const std::vector<std::string> words_of_cut = findings::cut_words({cut});
-    const auto refused = written ? reading.end()
-                                 : std::search(reading.begin(), reading.end(), words_of_cut.begin(),
-                                               words_of_cut.end());
-    if (refused != reading.end()) reading.erase(refused, refused + 2);
+  for (const recording::Cut& cut : written ? std::vector<recording::Cut>() : addition.cuts) {
+    const std::vector<std::string> refused = findings::cut_words({cut});
+    const auto at = std::search(reading.begin(), reading.end(), refused.begin(), refused.end());
+    if (at != reading.end()) reading.erase(at, at + 2);
   }
   document.read_with(reading);
   page.fill(document, [&] { return bench(asked, addition, written); });

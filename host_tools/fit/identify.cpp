@@ -260,9 +260,9 @@ BothFits fit_without_prior(const KnownRegressors& known,
   return both;
 }
 
-BothFits fit_both(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
-                  const Eigen::MatrixXd& offsets, const IdentifySettings& settings,
-                  Identification& result) {
+BothFits both_fits(const KnownRegressors& known, const std::vector<model::EffectTerm>& terms,
+                   const Eigen::MatrixXd& offsets, const IdentifySettings& settings,
+                   Identification& result) {
   if (!settings.prior) return fit_without_prior(known, terms, offsets, settings);
   Prior prior = *settings.prior;
   for (std::size_t i = 0; i < terms.size(); ++i) widen_ranges(terms[i], prior.terms[i]);
@@ -287,7 +287,7 @@ Identification identify(model::Model& model, const KnownRegressors& known,
   set_expression_ranges(model.terms, series);
   const Eigen::MatrixXd offsets = run_offset_columns(rows, settings.run_offsets);
   Identification result;
-  auto [fit, own] = fit_both(known, model.terms, offsets, settings, result);
+  auto [fit, own] = both_fits(known, model.terms, offsets, settings, result);
   model.terms = fit.terms;
 
   // order: coefficients, offsets of all biases but the first

@@ -1,6 +1,7 @@
 #include "recording/reading.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -70,8 +71,10 @@ void complete_restarts(const std::vector<double>& time_s, std::vector<double>& u
 }
 
 // A row is useless without these.
+constexpr std::array kNeeded{Column::temperature_degc, Column::input_rate_dph};
+
 bool is_needed(Column column) {
-  return column == Column::temperature_degc || column == Column::input_rate_dph;
+  return std::find(kNeeded.begin(), kNeeded.end(), column) != kNeeded.end();
 }
 
 void say_how_sparse(const Recording& recording, const ColumnInfo& info, std::size_t readings,
@@ -143,14 +146,12 @@ void join_temperature(Recording& recording) {
 }
 
 void leave_out_incomplete_rows(Recording& recording, LineNumbers& lines, const ReadWatch& watch) {
-  const auto lacks = [](const std::vector<double>& column, std::size_t row) {
-    return !column.empty() && std::isnan(column[row]);
-  };
   std::vector<std::size_t> removed;
   for (std::size_t row = 0; row < recording.rows(); ++row) {
-    if (lacks(recording.temperature_degc, row) || lacks(recording.input_rate_dph, row)) {
-      removed.push_back(row);
-    }
+    const auto is_lacked = [&](Column column) {
+      return !recording[column].empty() && std::isnan(recording[column][row]);
+    };
+    if (std::any_of(kNeeded.begin(), kNeeded.end(), is_lacked)) removed.push_back(row);
   }
   if (removed.empty()) return;
   watch.say(recording.file,

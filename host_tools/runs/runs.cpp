@@ -79,21 +79,20 @@ Runs with_cuts(Runs runs, const std::vector<recording::Cut>& cuts) {
 // A bias that no row determines would be any.
 void require_rows_beside_cuts(const std::vector<Run>& runs, double row_s) {
   for (const Run& run : runs) {
+    const std::vector<series::BlockSeries::Block>& blocks = run.blocks.blocks;
+    const auto cuts =
+        std::count_if(blocks.begin(), blocks.end(), [](const auto& block) { return block.cut; });
+    if (cuts == 0) continue;
     series::Rows rows;
     series::RowAverager averager(run.blocks, row_s, rows);
-    std::size_t parts = 1;
-    for (const series::BlockSeries::Block& block : run.blocks.blocks) {
-      averager.take(block, {});
-      if (block.cut) ++parts;
-    }
-    if (parts == 1) continue;
+    for (const series::BlockSeries::Block& block : blocks) averager.take(block, {});
     averager.finish();
     rows.bias_of = series::BiasOf::recording;
     const std::vector<recording::RowRange> ranges = rows.bias_ranges();
     const bool all_count = std::all_of(ranges.begin(), ranges.end(), [&](const auto& range) {
       return series::of_rows(rows.seconds, range).sum() > 0;
     });
-    if (all_count && ranges.size() == parts) continue;
+    if (all_count && ranges.size() == static_cast<std::size_t>(cuts) + 1) continue;
     throw InputError(run.file, format("a --cut leaves no row of %.4g s beside it that counts; give "
                                       "another time, or RUN:T if it is of another run",
                                       rows.row_s));

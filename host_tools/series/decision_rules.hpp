@@ -13,8 +13,4 @@ constexpr double kMinChangeOfRate_dph = 36;
 /// more: two thirds. edge_values_test.
 constexpr double kMaxUnevenness = 0.5;
 
-/// Longest block of the gyro's own signals, seconds: half of the shortest usual row. A lag of 20 s
-/// is wrong by 0.5 % over such blocks. signal_series_test.
-constexpr double kLongestOwnBlock_s = 5;
-
 }  // namespace fogcomp::series::rules

@@ -6,10 +6,10 @@
 #include <optional>
 #include <utility>
 
+#include "model/catalogue.hpp"
 #include "model/drift_model.hpp"
 #include "model/input_value.hpp"
 #include "series/block_walk.hpp"
-#include "series/decision_rules.hpp"
 #include "series/required_inputs.hpp"
 #include "support/parallel.hpp"
 
@@ -180,12 +180,25 @@ std::vector<std::int32_t> SignalSeries::add_without_delay(const BlockSeries& ser
 
 namespace {
 
+// Of the lags of dT/dt that an effect of the catalogue may have: 5 s. Over blocks as long a lag of
+// 20 s is wrong by 0.5 %.
+double shortest_lag_s() {
+  double shortest_s = HUGE_VAL;
+  for (const model::CatalogueEntry& entry : model::catalogue()) {
+    for (const fog::ParameterDescription& parameter : entry.parameters) {
+      if (parameter.time != fog::Time::constant_of_rate) continue;
+      shortest_s = std::min(shortest_s, parameter.min_milli / 1000.0);
+    }
+  }
+  return shortest_s;
+}
+
 // How many blocks are one for the gyro's own signals: part of a row of the model. An input rate may
 // differ from sample to sample.
 std::int64_t blocks_together(const BlockSeries& series, double average_s) {
   if (has(series.inputs, fog::Input::input_rate)) return 1;
   const std::int64_t in_row = blocks_per_row(average_s, series.block_s);
-  const auto most = static_cast<std::int64_t>(rules::kLongestOwnBlock_s / series.block_s);
+  const auto most = static_cast<std::int64_t>(shortest_lag_s() / series.block_s);
   std::int64_t together = std::clamp<std::int64_t>(most, 1, in_row);
   while (in_row % together != 0) --together;
   return together;
