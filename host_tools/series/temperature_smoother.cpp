@@ -78,19 +78,25 @@ struct Seen {
 };
 
 Seen seen(double reading_degc, const TemperatureLaw& law, double mean_degc, double variance) {
+  // One reading in a million is wrong, and then it says anything within 100 degC.
+  constexpr double kWrongPerDegc = 1e-8;
   const double noise = law.noise_degc * law.noise_degc;
   const double sigma = std::sqrt(variance + noise);
   const double from_reading = (reading_degc - mean_degc) / sigma;
-  if (!(law.step_degc > 0)) {
-    return {{1 / noise, reading_degc / noise}, -from_reading * from_reading / 2 - std::log(sigma)};
+  Site site{1 / noise, reading_degc / noise};
+  double right = density(from_reading) / sigma;
+  double wrong = kWrongPerDegc;
+  if (law.step_degc > 0) {
+    const double half = law.step_degc / 2 / sigma;
+    const Truncated inside = truncated(from_reading - half, from_reading + half);
+    site.precision = (1 - inside.variance) / (noise + variance * inside.variance);
+    const double mean = mean_degc + variance / sigma * inside.mean;
+    site.shift = site.precision * mean + inside.mean / sigma;
+    right = std::exp(inside.log_probability);
+    wrong *= law.step_degc;
   }
-  const double half = law.step_degc / 2 / sigma;
-  const Truncated inside = truncated(from_reading - half, from_reading + half);
-  Site site;
-  site.precision = (1 - inside.variance) / (noise + variance * inside.variance);
-  const double mean = mean_degc + variance / sigma * inside.mean;
-  site.shift = site.precision * mean + inside.mean / sigma;
-  return {site, inside.log_probability};
+  const double is_right = right / (right + wrong);
+  return {{is_right * site.precision, is_right * site.shift}, std::log(right + wrong)};
 }
 
 // The covariance as a sum of squares: it stays positive where nearly all of it goes (Joseph's
@@ -126,14 +132,22 @@ Eigen::Matrix3d shrunk(const Eigen::Matrix3d& square, const Eigen::Matrix3d& mor
   return root * sum.llt().solve(root.transpose());
 }
 
-// Nothing is known of the temperature rate but what a chamber can do.
-TemperatureState at_first(double reading_degc, const TemperatureLaw& law) {
+// The temperature is what two of the first three readings agree on, to their difference: any one of
+// them may be wrong. Nothing is known of its rate but what a chamber can do.
+TemperatureState at_first(const std::vector<double>& readings, const TemperatureLaw& law) {
   constexpr double kMaxPerMin = 5;
   constexpr double kFastest_s = 10;
-  const double degc = std::max(law.step_degc, law.noise_degc);
+  std::vector<double> three;
+  for (std::size_t i = 0; i < readings.size() && three.size() < 3; ++i) {
+    if (!std::isnan(readings[i])) three.push_back(readings[i]);
+  }
+  std::sort(three.begin(), three.end());
+  const double middle = three[three.size() / 2];
+  const double apart = std::min(middle - three.front(), three.back() - middle);
   const double per_s = kMaxPerMin / kSecondsPerMinute;
-  const Eigen::Vector3d sigma(degc, per_s, per_s / kFastest_s);
-  return {{reading_degc, 0, 0}, sigma.cwiseAbs2().asDiagonal()};
+  const Eigen::Vector3d sigma(std::max({apart, law.step_degc, law.noise_degc}), per_s,
+                              per_s / kFastest_s);
+  return {{middle, 0, 0}, sigma.cwiseAbs2().asDiagonal()};
 }
 
 class Smoother {
@@ -142,7 +156,7 @@ class Smoother {
       : law_(law),
         interval_s_(readings.interval_s),
         transition_(transition(interval_s_)),
-        first_(at_first(readings.degc[0], law)),
+        first_(at_first(readings.degc, law)),
         readings_(readings.degc),
         sites_(readings_.size()),
         later_(readings_.size(), {Eigen::Matrix3d::Zero(), Eigen::Vector3d::Zero()}),
@@ -151,6 +165,8 @@ class Smoother {
   // Calls visit(state) for each reading, in order.
   void run(const std::function<void(const TemperatureState&)>& visit) {
     constexpr int kTurns = 4;
+    take_as_measurements();
+    backward();
     forward([](const Passed&) {});
     backward();
     divide();
@@ -186,6 +202,18 @@ class Smoother {
     double square = 0;  // of what they were, relative to what the walk lets expect
     double told = 0;    // how many of their three numbers the readings tell
   };
+
+  // A start from which the turns converge on long soaks, too: readings within the time in which the
+  // walk crosses a step are one measurement of the place within it.
+  void take_as_measurements() {
+    const double variance =
+        law_.step_degc * law_.step_degc / 12 + law_.noise_degc * law_.noise_degc;
+    const double crossing_s = std::pow(20 * variance / law_.walk, 0.2);
+    const double precision = std::min(1.0, interval_s_ / crossing_s) / variance;
+    for (std::size_t i = 0; i < readings_.size(); ++i) {
+      if (!std::isnan(readings_[i])) sites_[i] = {precision, precision * readings_[i]};
+    }
+  }
 
   Information from(std::size_t i) const {
     Information all = later_[i];
@@ -289,11 +317,11 @@ class Smoother {
 double log_likelihood(const TemperatureReadings& readings, std::size_t every,
                       const TemperatureLaw& law) {
   double sum = 0;
-  TemperatureState state = at_first(readings.degc[0], law);
+  TemperatureState state = at_first(readings.degc, law);
   std::size_t before = 0;
   std::size_t count = 0;
-  for (std::size_t i = 1; i < readings.degc.size(); ++i) {
-    if (std::isnan(readings.degc[i]) || ++count % every != 0) continue;
+  for (std::size_t i = 0; i < readings.degc.size(); ++i) {
+    if (std::isnan(readings.degc[i]) || count++ % every != 0) continue;
     const double dt = static_cast<double>(i - before) * readings.interval_s;
     state = predicted(state, transition(dt), added_by(dt, law.walk));
     before = i;

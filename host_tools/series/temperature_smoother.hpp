@@ -6,7 +6,8 @@
 
 namespace fogcomp::series {
 
-/// What a thermometer may be like, and the temperature that it measures.
+/// What a thermometer may be like, and the temperature that it measures. Beside its noise, a
+/// reading may be wrong once in a while, and then it says nothing.
 struct TemperatureLaw {
   double step_degc = 0;   ///< between readings; 0: none
   double noise_degc = 0;  ///< standard deviation of a reading, beside the step

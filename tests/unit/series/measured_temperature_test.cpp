@@ -72,32 +72,57 @@ INSTANTIATE_TEST_SUITE_P(Thermometers, MeasuredTemperatureTest,
                          testing::Values(std::pair{1.0, 0.05}, std::pair{0.25, 0.05},
                                          std::pair{0.0625, 0.03}, std::pair{0.00390625, 0.004}));
 
-// A coil that follows a chamber at 1 degC/min by 120 s, and steps of a sixteenth without any noise.
-TEST(MeasuredTemperature, NoiselessSteps_HaveTheRateOfTheRamps) {
-  constexpr double kPerMinute = 1;
-  constexpr double kLag_s = 120;
+// A coil that follows a chamber at 1 degC/min by 120 s, and its true temperature rates.
+struct InAChamber {
   recording::Recording recording;
-  recording.period_s = 1;
-  recording.stretch_starts = {0};
   std::vector<double> rates;
-  double chamber = 25;
-  double coil = chamber;
-  for (const double target : {60.0, 0.0, -30.0, 25.0}) {
-    const double ramp_s = std::abs(target - chamber) / kPerMinute * 60;
-    const double from = chamber;
-    for (int i = 0; i < ramp_s + 900; ++i) {
-      chamber = from + std::min(1.0, i / ramp_s) * (target - from);
-      rates.push_back(60 * (chamber - coil) / kLag_s);
-      recording.time_s.push_back(static_cast<double>(recording.time_s.size()));
-      recording.temperature_degc.push_back(std::round(coil * 16) / 16);
-      recording.rate_dph.push_back(0);
-      coil += (chamber - coil) / kLag_s;
+
+  InAChamber(double step_degc, double soak_s) {
+    constexpr double kPerMinute = 1;
+    constexpr double kLag_s = 120;
+    recording.period_s = 1;
+    recording.stretch_starts = {0};
+    double chamber = 25;
+    double coil = chamber;
+    for (const double target : {60.0, 0.0, -30.0, 25.0}) {
+      const double ramp_s = std::abs(target - chamber) / kPerMinute * 60;
+      const double from = chamber;
+      for (int i = 0; i < ramp_s + soak_s; ++i) {
+        chamber = from + std::min(1.0, i / ramp_s) * (target - from);
+        rates.push_back(60 * (chamber - coil) / kLag_s);
+        recording.time_s.push_back(static_cast<double>(recording.time_s.size()));
+        recording.temperature_degc.push_back(std::round(coil / step_degc) * step_degc);
+        recording.rate_dph.push_back(0);
+        coil += (chamber - coil) / kLag_s;
+      }
     }
   }
-  const MeasuredTemperature measured = measured_temperature(make_blocks(recording));
-  const double error = rms_of_rate_error(measured, 0, static_cast<int>(rates.size()),
-                                         [&](int i) { return rates[static_cast<std::size_t>(i)]; });
-  EXPECT_LT(error, 0.05);
+
+  double rate_error() const {
+    return rms_of_rate_error(measured_temperature(make_blocks(recording)), 0,
+                             static_cast<int>(rates.size()),
+                             [&](int i) { return rates[static_cast<std::size_t>(i)]; });
+  }
+};
+
+TEST(MeasuredTemperature, NoiselessSteps_HaveTheRateOfTheRamps) {
+  EXPECT_LT(InAChamber(0.0625, 900).rate_error(), 0.02);
+  EXPECT_LT(InAChamber(0.5, 900).rate_error(), 0.05);
+}
+
+// Thousands of readings that say the same, between two edges that are never met.
+TEST(MeasuredTemperature, NoiselessSteps_DoNotWanderInALongSoak) {
+  EXPECT_LT(InAChamber(0.5, 5400).rate_error(), 0.03);
+  EXPECT_LT(InAChamber(1, 5400).rate_error(), 0.05);
+}
+
+TEST(MeasuredTemperature, WrongReadings_SayNothing) {
+  InAChamber gyro(0.01, 900);
+  const double without = gyro.rate_error();
+  gyro.recording.temperature_degc.front() += 1.5;
+  gyro.recording.temperature_degc[5000] -= 1.8;
+  gyro.recording.temperature_degc.back() -= 1.2;
+  EXPECT_LT(gyro.rate_error(), 1.2 * without);
 }
 
 // Read each 300 s, to 1 degC: what lies on the lines between is no reading.
