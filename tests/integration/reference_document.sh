@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# reference_document.sh FOGCOMP SOURCE [--renew]: host_tools/REFERENCE.md has every command's usage as `fogcomp help` says
-# it, every JSON key that the code writes and none that it does not, and every key of a model file. What checks pages by,
-# tests/checks/command_options.txt, has every command's options. --renew writes usage and options anew.
+# reference_document.sh FOGCOMP SOURCE [--renew]: host_tools/REFERENCE.md has every JSON key that the code writes and none
+# that it does not, and every key of a model file. What checks pages by, tests/checks/command_options.txt, has every
+# command's options. --renew writes these anew.
 set -euo pipefail
 exec python3 - "$@" <<'EOF'
 import glob, os, re, subprocess, sys
@@ -21,32 +21,15 @@ def read(*patterns):
     return "\n".join(open(file, encoding="utf-8").read() for file in files)
 
 
-def one_line(text):
-    return " ".join(text.split())
-
-
-def command_help(command):
-    """Its usage and purpose as a row of the table of commands, and the names of its options."""
+def options_of(command):
     text = said("help", command)
-    purpose = one_line(re.search(rf"fogcomp {command} - (.*?)\n\nusage", text, re.S)[1])
-    usage = one_line(re.search(r"^usage: (.*?)\n\n", text, re.M | re.S)[1])
-    usage = usage.removeprefix("fogcomp ").removesuffix(" [options]").replace("|", "\\|")
-    options = re.findall(r"^  (--?[a-z][a-z-]*)", text.split("\nusage: ")[1].split("\nexample: ")[0], re.M)
-    return f"| `{usage}` | {purpose} |\n", options
+    return re.findall(r"^  (--?[a-z][a-z-]*)", text.split("\nusage: ")[1].split("\nexample: ")[0], re.M)
 
 
 text = open(page, encoding="utf-8").read()
 sections = {m[2]: m[0] for m in re.finditer(r"^(###+) (.+)\n(?:(?!^##).*\n)*", text, re.M)}
 commands = re.findall(r"^  ([a-z]+) ", said("--help"), re.M)
-helps = {command: command_help(command) for command in commands}
-
-table = re.search(r"(?<=\| `fogcomp` \| \|\n\|---\|---\|\n)(?:\| `.+\n)+", text)[0]
-wanted = "".join(row for row, _ in helps.values())
-if table != wanted:
-    problems.append(f"REFERENCE.md, table of commands: wanted\n{wanted}\nthere is\n{table}")
-    text = text.replace(table, wanted, 1)
-
-options = "".join(f"{command}: {' '.join(names)}".rstrip() + "\n" for command, (_, names) in helps.items())
+options = "".join(f"{command}: {' '.join(options_of(command))}".rstrip() + "\n" for command in commands)
 if not os.path.exists(options_file) or open(options_file, encoding="utf-8").read() != options:
     problems.append(f"{options_file} is not as fogcomp help has it")
 
@@ -76,14 +59,13 @@ for key in model_keys:
         problems.append(f"REFERENCE.md, Model file: {key} is missing")
 
 if renew:
-    open(page, "w", encoding="utf-8").write(text)
     open(options_file, "w", encoding="utf-8").write(options)
-    print("REFERENCE.md, command_options.txt: usage and options as the commands have them")
+    print("command_options.txt: options as the commands have them")
     sys.exit(0)
 for problem in problems:
     print(problem, file=sys.stderr)
 if problems:
-    print("tests/integration/reference_document.sh FOGCOMP SOURCE --renew writes usage and options anew",
+    print("tests/integration/reference_document.sh FOGCOMP SOURCE --renew writes the options anew",
           file=sys.stderr)
 else:
     print(f"{len(commands)} commands, {len(set(model_keys))} keys of a model file, as the tool has them")
