@@ -58,52 +58,68 @@ class ChirpTransform {
     fft_.fwd(spectrum_of_filter_, filter);
   }
 
-  Spectrum operator()(const Spectrum& values) {
-    Spectrum chirped(spectrum_of_filter_.size());
-    for (std::size_t k = 0; k < values.size(); ++k) chirped[k] = values[k] * ones_[k];
-    Spectrum spectrum;
-    fft_.fwd(spectrum, chirped);
-    for (std::size_t k = 0; k < spectrum.size(); ++k) spectrum[k] *= spectrum_of_filter_[k];
-    fft_.inv(chirped, spectrum);
-    chirped.resize(values.size());
-    for (std::size_t k = 0; k < values.size(); ++k) chirped[k] *= ones_[k];
-    return chirped;
+  void operator()(const Spectrum& values, Spectrum& transformed) {
+    chirped_.assign(spectrum_of_filter_.size(), 0);
+    for (std::size_t k = 0; k < values.size(); ++k) chirped_[k] = values[k] * ones_[k];
+    fft_.fwd(spectrum_, chirped_);
+    for (std::size_t k = 0; k < spectrum_.size(); ++k) spectrum_[k] *= spectrum_of_filter_[k];
+    fft_.inv(chirped_, spectrum_);
+    transformed.resize(values.size());
+    for (std::size_t k = 0; k < values.size(); ++k) transformed[k] = chirped_[k] * ones_[k];
   }
 
  private:
   Spectrum ones_;
   Spectrum spectrum_of_filter_;
+  Spectrum chirped_;
+  Spectrum spectrum_;
   Eigen::FFT<double> fft_;
 };
 
-// A transform of some length. What depends on the length alone is computed once: a third of the
-// time of a transform, and fits of one recording take hundreds of one length.
+// Transforms of some length. What depends on the length alone is computed once: half of the time of
+// a transform, and fits of one recording take hundreds of one length.
 class Transform {
  public:
   explicit Transform(std::size_t size) {
     if (!has_small_factors(size)) chirped_.emplace(size);
+    for (std::size_t k = 0; k < size; ++k) {
+      const double norm = std::sqrt((k == 0 ? 1.0 : 2.0) / static_cast<double>(size));
+      turns_.push_back(
+          std::polar(norm, -kPi * static_cast<double>(k) / (2 * static_cast<double>(size))));
+    }
   }
 
-  Spectrum operator()(const Spectrum& values) {
-    if (chirped_) return (*chirped_)(values);
-    Spectrum spectrum;
-    fft_.fwd(spectrum, values);
-    return spectrum;
+  /// Valid until the next one.
+  const Spectrum& operator()(const Spectrum& values) {
+    if (chirped_) {
+      (*chirped_)(values, spectrum_);
+    } else {
+      fft_.fwd(spectrum_, values);
+    }
+    return spectrum_;
   }
+  /// Of the cosine transform, in its norm.
+  const Spectrum& turns() const { return turns_; }
 
  private:
   std::optional<ChirpTransform> chirped_;
   Eigen::FFT<double> fft_;
+  Spectrum turns_;
+  Spectrum spectrum_;
 };
+
+// Of two values or more, as Eigen's transform needs them.
+Transform& transform_of(std::size_t size) {
+  constexpr std::size_t kMaxLengths = 4;  // that a fit has by turns
+  thread_local std::map<std::size_t, Transform> known;
+  if (known.size() >= kMaxLengths && known.count(size) == 0) known.clear();
+  return known.try_emplace(size, size).first->second;
+}
 
 }  // namespace
 
 std::vector<std::complex<double>> fourier(const std::vector<std::complex<double>>& values) {
-  constexpr std::size_t kMaxLengths = 4;  // that a fit has by turns
-  if (values.size() < 2) return values;   // Eigen's transform needs two values
-  thread_local std::map<std::size_t, Transform> known;
-  if (known.size() >= kMaxLengths && known.count(values.size()) == 0) known.clear();
-  return known.try_emplace(values.size(), values.size()).first->second(values);
+  return values.size() < 2 ? values : transform_of(values.size())(values);
 }
 
 std::vector<double> periodogram(const std::vector<double>& values) {
@@ -120,13 +136,10 @@ std::vector<double> periodogram(const std::vector<double>& values) {
 // time, one as the imaginary part.
 Eigen::MatrixXd cosine_transform(const Eigen::Ref<const Eigen::MatrixXd>& columns) {
   const Eigen::Index size = columns.rows();
+  if (size < 2) return columns;
   Eigen::MatrixXd result(size, columns.cols());
-  std::vector<std::complex<double>> turns;
-  for (Eigen::Index k = 0; k < size; ++k) {
-    const double norm = std::sqrt((k == 0 ? 1.0 : 2.0) / static_cast<double>(size));
-    turns.push_back(
-        std::polar(norm, -kPi * static_cast<double>(k) / (2 * static_cast<double>(size))));
-  }
+  Transform& transform = transform_of(static_cast<std::size_t>(size));
+  const Spectrum& turns = transform.turns();
   std::vector<std::complex<double>> values(static_cast<std::size_t>(size));
   for (Eigen::Index first = 0; first < columns.cols(); first += 2) {
     const Eigen::Index second = std::min(first + 1, columns.cols() - 1);
@@ -134,7 +147,7 @@ Eigen::MatrixXd cosine_transform(const Eigen::Ref<const Eigen::MatrixXd>& column
       const Eigen::Index place = i % 2 == 0 ? i / 2 : size - 1 - i / 2;
       values[static_cast<std::size_t>(place)] = {columns(i, first), columns(i, second)};
     }
-    const std::vector<std::complex<double>> spectrum = fourier(values);
+    const Spectrum& spectrum = transform(values);
     for (Eigen::Index k = 0; k < size; ++k) {
       const auto at = static_cast<std::size_t>(k);
       const std::complex<double> mirrored =
