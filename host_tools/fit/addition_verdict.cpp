@@ -21,6 +21,14 @@ model::Model without_network(model::Model model) {
   return model;
 }
 
+std::vector<std::size_t> refined_terms(const FittedPair& pair) {
+  std::vector<std::size_t> refined;
+  for (const std::size_t i : pair.change.changed) {
+    if (i < pair.before.terms.size()) refined.push_back(i);
+  }
+  return refined;
+}
+
 // Compares two models out of sample: a holdout is one more part that is left out, from which
 // nothing was learnt before.
 class Judge {
@@ -28,7 +36,7 @@ class Judge {
   Judge(const FittedPair& judged, const Addition& after)
       : pair(judged),
         with_{after.fit.identified.noise, after.fit.identified.row_weights,
-              judged.settings.run_offsets} {
+              judged.settings.run_offsets, refined_terms(judged)} {
     if (pair.runs.holdouts.empty() || !pair.change.cuts.empty()) return;
     all_ = std::make_unique<KnownRegressors>(after.model, pair.runs.all());
     const series::Rows& rows = all_->series().rows();
@@ -42,7 +50,7 @@ class Judge {
                                            pair.runs.holdouts, with_.noise, with_.run_offsets);
     const series::Rows& rows = all_->series().rows();
     const CrossValidation validation(*all_, {before.terms, rows}, {after.terms, rows},
-                                     {with_.noise, weights_, with_.run_offsets});
+                                     {with_.noise, weights_, with_.run_offsets, with_.refined});
     judged.score =
         validation.on_rows_from(static_cast<std::size_t>(with_.row_weights.size())).score;
     return judged;

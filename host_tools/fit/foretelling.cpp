@@ -96,7 +96,8 @@ Eigen::VectorXd Foretelling::take_columns(const KnownRegressors& known,
     const series::ColumnRange& own = places[shape.term];
     parts.emplace_back(problem.derivative(shape, coefficients.segment(own.first, own.count)));
   }
-  parts.push_back(inexact_terms(rows, terms, side_by_side(parts, rows.size()), coefficients));
+  parts.push_back(
+      inexact_terms(rows, terms, side_by_side(parts, rows.size()), coefficients, with.refined));
   columns_ = side_by_side(parts, rows.size());
   return coefficients;
 }

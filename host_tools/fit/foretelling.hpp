@@ -18,6 +18,8 @@ struct JudgedWith {
   const noise::NoiseModel& noise;
   const Eigen::VectorXd& row_weights;
   bool run_offsets = false;
+  /// Terms that are refined, of both models: how these bend is what is judged.
+  std::vector<std::size_t> refined = {};
 };
 
 /// Effects with fitted shapes, and the biases beside them.

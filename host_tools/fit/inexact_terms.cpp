@@ -59,7 +59,7 @@ Eigen::VectorXd slope(const series::Rows& rows, const Eigen::VectorXd& values) {
 
 // Possible bending of each term: its drift without its mean, times Legendre polynomials of the
 // temperature over the range of these rows.
-Eigen::MatrixXd bent_terms(const FittedTerms& fit) {
+Eigen::MatrixXd bent_terms(const FittedTerms& fit, const std::vector<std::size_t>& straight) {
   Eigen::ArrayXd degc(fit.rows.size());
   for (Eigen::Index i = 0; i < degc.size(); ++i) {
     degc[i] = fit.rows.signals[static_cast<std::size_t>(i)].temperature;
@@ -70,6 +70,7 @@ Eigen::MatrixXd bent_terms(const FittedTerms& fit) {
   Eigen::MatrixXd bent(fit.rows.size(), kBends * static_cast<Eigen::Index>(columns.size()));
   Eigen::Index at = 0;
   for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (std::find(straight.begin(), straight.end(), i) != straight.end()) continue;
     const auto [first, count] = columns[i];
     Eigen::ArrayXd drift =
         (fit.columns.middleCols(first, count) * fit.coefficients.segment(first, count)).array();
@@ -78,7 +79,7 @@ Eigen::MatrixXd bent_terms(const FittedTerms& fit) {
     bent.col(at++) = drift * u;
     bent.col(at++) = drift * (3 * u.square() - 1) / 2;
   }
-  return bent;
+  return bent.leftCols(at);
 }
 
 // `shifted`: drift that a sensor which leads or lags the coil shifts.
@@ -96,9 +97,11 @@ Eigen::MatrixXd timings(const FittedTerms& fit, const Eigen::VectorXd& shifted) 
 }  // namespace
 
 Eigen::MatrixXd inexact_terms(const series::Rows& rows, const std::vector<model::EffectTerm>& terms,
-                              const Eigen::MatrixXd& columns, const Eigen::VectorXd& coefficients) {
+                              const Eigen::MatrixXd& columns, const Eigen::VectorXd& coefficients,
+                              const std::vector<std::size_t>& straight) {
   const FittedTerms fit{rows, terms, columns, coefficients};
-  return side_by_side({timings(fit, thermal_drift(fit, false)), bent_terms(fit)}, rows.size());
+  return side_by_side({timings(fit, thermal_drift(fit, false)), bent_terms(fit, straight)},
+                      rows.size());
 }
 
 Eigen::MatrixXd inexact_rate_terms(const series::Rows& rows,

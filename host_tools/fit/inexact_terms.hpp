@@ -10,10 +10,11 @@ namespace fogcomp::fit {
 
 /// What a gyro may do beside the formulas of a model's terms, a column for each, of one standard
 /// deviation, deg/h: a sensor that leads or lags the coil, drift of the rate through other lags, a
-/// bend of each term with temperature. `columns`: rows x at least the terms' regressors;
-/// `coefficients`: theirs.
+/// bend of each term with temperature, but for the terms `straight`. `columns`: rows x at least the
+/// terms' regressors; `coefficients`: theirs.
 Eigen::MatrixXd inexact_terms(const series::Rows& rows, const std::vector<model::EffectTerm>& terms,
-                              const Eigen::MatrixXd& columns, const Eigen::VectorXd& coefficients);
+                              const Eigen::MatrixXd& columns, const Eigen::VectorXd& coefficients,
+                              const std::vector<std::size_t>& straight = {});
 
 /// Of these what no change of the terms' coefficients can do: the drift of the temperature rate
 /// follows the rate early, late, or through other lags. A sensor that leads or lags the coil

@@ -163,8 +163,11 @@ std::vector<std::string> possible_refinements(const EffectTerm& own) {
     const bool is_given =
         !own.parameters[i].identified && parameter.scale != fog::Scale::whole &&
         (is_optional_part(parameter) || parameter.not_given == fog::NotGiven::kept);
-    if (!is_left_out && !is_given) continue;
-    settings.push_back(std::string(parameter.name) + "=?");
+    if (is_left_out || is_given) settings.push_back(std::string(parameter.name) + "=?");
+    const double most = parameter.max_milli / 1000.0;
+    if (parameter.scale != fog::Scale::whole || own.parameters[i].value >= most) continue;
+    settings.push_back(
+        format("%s=%.0f", parameter.name, std::min(own.parameters[i].value + 2, most)));
   }
   return settings;
 }

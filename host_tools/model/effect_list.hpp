@@ -23,8 +23,9 @@ std::vector<EffectTerm> parse_effects(const std::string& list);
 std::vector<EffectTerm> grown_terms(const EffectTerm& own);
 
 /// Settings that identify what makes a term's formula exact and is not identified: a further part
-/// that is left out or has a given shape, a parameter that is kept at its default or given:
-/// {"period2=?", "chirp=?"}. Empty if it has nothing of the kind.
+/// that is left out or has a given shape, a parameter that is kept at its default or given, two
+/// orders more (an even and an odd one): {"period2=?", "chirp=?"}. Empty if it has nothing of the
+/// kind.
 std::vector<std::string> possible_refinements(const EffectTerm& own);
 
 /// `name`, with the first number from 2 on behind it (name_2) by which it differs from all terms'.

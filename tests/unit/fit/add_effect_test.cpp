@@ -116,6 +116,19 @@ TEST(EffectChange, TakesNoEffectTwice) {
                fogcomp::InputError);
 }
 
+// Formulas may be a little wrong, and so may this one: but whether it is, is the question.
+TEST(AddEffect, JudgesHowAnEffectBends) {
+  const std::string effects = "bias,bias_temperature:order=2,temperature_rate";
+  Model gyro = truth();
+  gyro.terms[1].parameters[0].value = 4;
+  gyro.terms[1].coefficients_dph = {{-1, 1e-4}, {-0.7, 1e-4}, {0, 1e-4}, {0.03, 1e-4}};
+  const Addition bent = add(effects, "bias_temperature:order=4", gyro, {1, 2});
+  EXPECT_TRUE(bent.accepted) << bent.reason;
+  gyro.terms[1].coefficients_dph[3].value = 0;
+  const Addition straight = add(effects, "bias_temperature:order=4", gyro, {1, 2});
+  EXPECT_FALSE(straight.accepted) << straight.reason;
+}
+
 TEST(AddEffect, RefusesAUselessEffect) {
   const Addition result = add(kComplete, "thermal_hysteresis:radius=5", truth(), {1});
   EXPECT_FALSE(result.accepted);

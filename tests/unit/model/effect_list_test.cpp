@@ -43,10 +43,12 @@ TEST(EffectList, RefinementsFreeWhatAFormulaLeavesOutOrKeeps) {
   EXPECT_EQ(of("polarization_ripple:period2=?,chirp=?"), Settings{});
   EXPECT_EQ(of("thermal_hysteresis"), Settings{"radius2=?"});
   EXPECT_EQ(of("scale_factor_asymmetry"), Settings{"dead_band=?"});
-  EXPECT_EQ(of("scale_factor_temperature"), Settings{"lag=?"});
+  EXPECT_EQ(of("scale_factor_temperature"), (Settings{"order=3", "lag=?"}));
+  EXPECT_EQ(of("bias_temperature:order=2"), Settings{"order=4"});
+  EXPECT_EQ(of("bias_temperature:order=8"), Settings{"order=9"});
   EXPECT_EQ(of("glass_transition"), Settings{"lag=?"});
   for (const char* const has_none :
-       {"bias", "bias_temperature:order=2", "thermal_lag:tau=300", "bias_step"}) {
+       {"bias", "bias_temperature:order=9", "thermal_lag:tau=300", "bias_step"}) {
     EXPECT_EQ(of(has_none), Settings{}) << has_none;
   }
   EXPECT_EQ(possible_refinements(expression_term("x = sin(T / ?p[2,60])")), Settings{});
