@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "recording/decision_rules.hpp"
-#include "recording/held_rate.hpp"
 #include "recording/reading.hpp"
 #include "recording/row_range.hpp"
 #include "support/distributions.hpp"

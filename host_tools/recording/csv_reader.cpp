@@ -13,7 +13,6 @@
 #include "recording/columns.hpp"
 #include "recording/csv_lines.hpp"
 #include "recording/csv_row.hpp"
-#include "recording/held_rate.hpp"
 #include "recording/long_recording.hpp"
 #include "recording/plausibility.hpp"
 #include "recording/row_filter.hpp"
@@ -418,7 +417,8 @@ class RowCollector {
   void complete_sparse() {
     Recording& run = recording_;
     const bool is_held = blank_held_readings(run.time_s, run.rate_dph, run.input_rate_dph);
-    const bool is_slow = blank_held_temperatures(run.time_s, run.temperature_degc);
+    const bool is_slow = !options_.keep_refused_rows &&  // a board holds it, too
+                         blank_held_temperatures(run.time_s, run.temperature_degc);
     const auto say_repeated = [&](const std::string& column) {
       options_.watch.say(file_.path(), column + " repeats each reading until the next one");
     };

@@ -76,6 +76,16 @@ Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lin
 /// power-on and the other has dates, and if nothing is joined.
 void join_file(Recording& recording, LineNumbers& lines, const ReadOptions& options);
 
+/// Whether lengths, in rows, scatter less than those between events that come by chance: these have
+/// a geometric distribution, of variance m (m - 1) for a mean m, kurtosis 9 + 1 / (m (m - 1)).
+/// False where there are too few to tell.
+bool are_regular(const std::vector<double>& lengths);
+
+/// Rows that repeat a reading, of a rate that is logged faster than the gyro delivers: it changes
+/// in a rhythm that is slower than the rows. In such a series noise is averaged over time, not over
+/// rows. Empty if the rate changes from row to row, or repeats by chance because it is coarse.
+std::vector<std::size_t> repeated_readings(const std::vector<double>& rate_dph);
+
 /// Completes a column with readings in some rows only (NaN elsewhere): by straight lines between
 /// readings at most `longest_s` apart, or different by at most `step` if that is not 0;
 /// behind the last reading it repeats that for `longest_s`.
@@ -95,8 +105,9 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
 bool blank_held_readings(const std::vector<double>& time_s, const std::vector<double>& rate_dph,
                          std::vector<double>& input_rate);
 
-/// The same for a temperature that repeats each reading, in a steady rhythm, for longer than
-/// kHoldSeconds, as a sensor that is read each few minutes does.
+/// The same for a temperature that repeats each reading for longer than a second, and 10 min at
+/// most. What is held goes on by several steps of its resolution, and not one by one as a coarse
+/// sensor.
 bool blank_held_temperatures(const std::vector<double>& time_s, std::vector<double>& degc);
 
 /// Completes an input rate with readings in some rows only (NaN elsewhere) between readings at most

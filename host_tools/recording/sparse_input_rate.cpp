@@ -147,64 +147,6 @@ double usual_error(const std::vector<std::vector<RateReading>>& stretches) {
   return errors.empty() ? kInfinite : median(std::move(errors));
 }
 
-// Rows with a new reading in a column that holds each for two samples or more: those where it
-// changes, and, back from each in the same rhythm, those where it might have. None if it changes
-// from sample to sample.
-std::vector<std::size_t> rows_of_held_readings(const std::vector<double>& column) {
-  std::vector<std::size_t> changes;
-  std::size_t held = column.size();
-  for (std::size_t row = 1; row < column.size(); ++row) {
-    if (std::isnan(column[row - 1])) return {};
-    if (column[row] == column[row - 1]) continue;
-    if (!changes.empty()) held = std::min(held, row - changes.back());
-    if (held < 2) return {};
-    changes.push_back(row);
-  }
-  if (changes.size() < kFewValues) return {};
-  std::vector<std::size_t> rows{0};
-  for (const std::size_t change : changes) {
-    const std::size_t first = rows.back() + held;
-    const std::size_t later = change > first ? (change - first) % held : 0;
-    for (std::size_t row = first + later; row < change; row += held) rows.push_back(row);
-    rows.push_back(change);
-  }
-  for (std::size_t row = changes.back() + held; row < column.size(); row += held) {
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-double on_line(const RateReading& before, const RateReading& after, double time_s) {
-  const double part = (time_s - before.time_s) / (after.time_s - before.time_s);
-  return before.value + part * (after.value - before.value);
-}
-
-// Whether the gyro moves from each reading to the next one rather than with the steps.
-bool gyro_moves_between(const std::vector<std::size_t>& readings, const std::vector<double>& time_s,
-                        const std::vector<double>& rate_dph,
-                        const std::vector<double>& input_rate) {
-  double from_steps = 0;
-  double from_lines = 0;
-  const auto reading_at = [&](std::size_t row) {
-    return RateReading{row, time_s[row], input_rate[row]};
-  };
-  for (std::size_t i = 0; i + 1 < readings.size(); ++i) {
-    const RateReading before = reading_at(readings[i]);
-    const RateReading after = reading_at(readings[i + 1]);
-    for (std::size_t row = before.row; row < after.row; ++row) {
-      from_steps += std::abs(rate_dph[row] - before.value);
-      from_lines += std::abs(rate_dph[row] - on_line(before, after, time_s[row]));
-    }
-  }
-  return from_lines < from_steps;
-}
-
-void blank_between(const std::vector<std::size_t>& readings, std::vector<double>& column) {
-  std::vector<double> values(column.size(), std::numeric_limits<double>::quiet_NaN());
-  for (const std::size_t row : readings) values[row] = column[row];
-  column = std::move(values);
-}
-
 void extend(std::vector<Mask>& masks, double from_s, double to_s) {
   if (!masks.empty() && masks.back().to_s == from_s) {
     masks.back().to_s = to_s;
@@ -214,33 +156,6 @@ void extend(std::vector<Mask>& masks, double from_s, double to_s) {
 }
 
 }  // namespace
-
-bool blank_held_readings(const std::vector<double>& time_s, const std::vector<double>& rate_dph,
-                         std::vector<double>& input_rate) {
-  const std::vector<std::size_t> readings = rows_of_held_readings(input_rate);
-  if (readings.size() < 2 || !gyro_moves_between(readings, time_s, rate_dph, input_rate)) {
-    return false;
-  }
-  blank_between(readings, input_rate);
-  return true;
-}
-
-bool blank_held_temperatures(const std::vector<double>& time_s, std::vector<double>& degc) {
-  const std::vector<std::size_t> readings = rows_of_held_readings(degc);
-  if (readings.size() < 3) return false;
-  const std::size_t held = readings[2] - readings[1];
-  if (time_s[readings[2]] - time_s[readings[1]] <= kHoldSeconds) return false;
-  const double unit = std::fabs(degc[readings[1]] - degc[readings[0]]);
-  bool is_coarse = true;  // one step at a time, as a sensor of that resolution makes in a ramp
-  for (std::size_t i = 2; i < readings.size(); ++i) {
-    if (i > 2 && readings[i] - readings[i - 1] != held) return false;
-    const double step = std::fabs(degc[readings[i]] - degc[readings[i - 1]]);
-    is_coarse &= step == 0 || std::fabs(step - unit) <= kNoticeable * unit;
-  }
-  if (is_coarse) return false;
-  blank_between(readings, degc);
-  return true;
-}
 
 std::vector<Mask> draw_input_rate(const std::vector<double>& time_s,
                                   const std::vector<double>& rate_dph,
