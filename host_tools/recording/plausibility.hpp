@@ -17,10 +17,10 @@ std::vector<std::string> doubts(const Recording& recording, double white_noise_d
 /// The first of them that a wrong unit of the time explains; "" for none.
 std::string doubt_of_time(const Recording& recording);
 
-/// What is wrong with rates in whole numbers, none negative, that may be counts of 16, 24 or 32
-/// bits without a sign, and what decides. "" if their unit says it (int16, offset16, uint16). Else
-/// they jump less as two's complement, or lie at half of what a converter with a sign has, or
-/// above.
+/// What is wrong with rates in whole numbers that may be counts without a sign, of any width, or
+/// that overflowed, and what decides. "" if their unit says it (int16, offset16, uint16). Else
+/// they jump less round a counter of that width, or lie at half of what a converter of 16, 24 or
+/// 32 bits with a sign has, or above.
 std::string fault_of_signs(const std::vector<double>& rate_dph, const CsvHeader& header);
 
 /// What is wrong with an input rate that the gyro sees, yet with another sign or half as large

@@ -301,6 +301,20 @@ std::vector<RowRange> before_largest_steps(const std::vector<double>& values,
   return held;
 }
 
+/// Its largest and smallest values, if one stands in many rows, time after time, and the value next
+/// to it in few.
+std::string ends_of_scale(const std::vector<double>& rate_dph) {
+  const auto [min, max] = std::minmax_element(rate_dph.begin(), rate_dph.end());
+  std::string ends;
+  for (const double end : {*min, *max}) {
+    const Occurrence found(end, rate_dph);
+    const std::size_t beside = Occurrence(nearest_to(end, rate_dph), rate_dph).rows;
+    if (found.rows < kFewValues || found.ranges < 2 || is_noticeable(beside, found.rows)) continue;
+    ends += format("%s%.6g in %zu", ends.empty() ? "" : ", and ", end, found.rows);
+  }
+  return ends;
+}
+
 void name_stuck_columns(const Recording& recording, const Words& words, const ReadWatch& watch) {
   for (const ColumnInfo& info : kColumns) {
     const std::vector<double>& values = recording[info.column];
@@ -310,8 +324,14 @@ void name_stuck_columns(const Recording& recording, const Words& words, const Re
                                (is_temperature && (recording.temperature_period_s > 0 ||
                                                    judges_frozen_temperatures(recording)));
     if (has_own_judge || values.empty()) continue;
+    const std::string ends = info.column == Column::rate_dph ? ends_of_scale(values) : "";
+    if (!ends.empty()) {
+      watch.say(recording.file, "the rate ends at " + ends +
+                                    " rows, as at the end of a scale; the samples are kept, "
+                                    "--mask FROM..TO leaves some out");
+      continue;
+    }
     const std::vector<RowRange> held = held_ranges(values);
-    if (held.empty()) continue;
     const std::vector<RowRange> ranges =
         is_temperature ? before_largest_steps(values, held) : between_jumps(values, held);
     if (!ranges.empty()) watch.say(recording.file, words.stuck(info, ranges));

@@ -135,7 +135,7 @@ class RowJudge {
   }
 
   // The row from which on temperatures are right if those before it are of a sensor that did not
-  // measure yet: they jumped once and for all, and are all 0 or fewer than the jump cost; or 0.
+  // measure yet: they jumped once and for all, and are one value or fewer than the jump cost; or 0.
   std::size_t end_of_wrong_start() const { return level_; }
 
   // First row whose temperature the next row confirms; without one, the first that the board would
@@ -162,11 +162,14 @@ class RowJudge {
     return fog::is_possible(board_temperature(temperature_degc_[row]));
   }
 
-  // What a variable says before it was set.
+  // One value: what a variable says before it was set is 0, however long, and what a sensor says
+  // before it measures lasts no longer than an excursion.
   bool is_unread_until(std::size_t end) const {
-    return std::all_of(temperature_degc_.begin(),
+    const double said_degc = temperature_degc_[0];
+    return (said_degc == 0 || time_s_[end] - time_s_[0] <= rules::kMaxExcursionS) &&
+           std::all_of(temperature_degc_.begin(),
                        temperature_degc_.begin() + static_cast<std::ptrdiff_t>(end),
-                       [](double degc) { return degc == 0; });
+                       [&](double degc) { return degc == said_degc; });
   }
 
   // Whether one coil can have had these two temperatures.
