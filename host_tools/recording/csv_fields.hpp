@@ -40,6 +40,7 @@ struct TimeReading {
   std::int64_t whole = 0;
   double fraction = 0;
 
+  double number() const { return static_cast<double>(whole) + fraction; }
   /// This time less `other`.
   double since(const TimeReading& other) const {
     return static_cast<double>(whole - other.whole) + (fraction - other.fraction);

@@ -538,7 +538,8 @@ class HeaderReader {
     }
     if (ignored.empty()) return;
     std::string hint;
-    if (ignored.size() == 1) hint = did_you_mean(ignored[0], known_names());
+    if (ignored.size() == 1 && slot_named(ignored[0]) == CsvHeader::kIgnored)
+      hint = did_you_mean(ignored[0], known_names());
     say(std::string("column") + (ignored.size() == 1 ? "" : "s") + " ignored: " + joined(ignored) +
         hint);
   }

@@ -96,7 +96,7 @@ void CsvRowReader::add_time_part(CsvRow& row) {
 
 double CsvRowReader::first_date_s() const {
   if (!first_time_) return 0;
-  const double number = static_cast<double>(first_time_->whole) + first_time_->fraction;
+  const double number = first_time_->number();
   const double zero_s = layout_.scale == nullptr ? 0 : layout_.scale->zero_s;
   const bool is_number = layout_.time == TimeFormat::dates;
   return (is_number ? layout_.header.unit_of(kTimeSlot).convert(number) : number) + zero_s +

@@ -1,6 +1,7 @@
 #include "recording/csv_layout.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -156,7 +157,7 @@ class TimeColumn {
   void refuse_clock(const std::vector<TimeReading>& numbers) const {
     std::vector<double> times;
     for (const TimeReading& each : numbers) {
-      times.push_back(static_cast<double>(each.whole) + each.fraction);
+      times.push_back(each.number());
     }
     if (!layout_.header.unit_of(kTimeSlot).is_ours() || !are_of_clock(times)) return;
     throw InputError(path_, "times such as " + format("%.15g", times.front()) + " (" + column() +
@@ -170,7 +171,7 @@ class TimeColumn {
   }
 
   static TimesSeen seen(const std::vector<TimeReading>& numbers) {
-    TimesSeen times{static_cast<double>(numbers[0].whole) + numbers[0].fraction};
+    TimesSeen times{numbers[0].number()};
     times.are_whole = std::all_of(numbers.begin(), numbers.end(),
                                   [](const TimeReading& each) { return each.fraction == 0; });
     std::vector<double> spacings;
@@ -247,24 +248,24 @@ struct RisingTimes {
   double length_s() const { return last_s - first_s; }
 };
 
-// Over the rows in which both fields have numbers.
-std::pair<RisingTimes, RisingTimes> rising_times(const std::vector<std::string_view>& lines,
-                                                 const CsvLayout& layout, std::size_t other,
-                                                 const Unit& unit) {
+// Of the time, another one and their sum, over the rows in which both fields have numbers.
+std::array<RisingTimes, 3> rising_times(const std::vector<std::string_view>& lines,
+                                        const CsvLayout& layout, std::size_t other,
+                                        const Unit& unit) {
   const std::size_t time = layout.header.field_of(kTimeSlot);
-  std::pair<RisingTimes, RisingTimes> both;
+  std::array<RisingTimes, 3> times;
   for_each_row(lines, layout, [&](std::size_t, const auto& fields) {
     if (fields.size() <= std::max(time, other)) return;
     const auto one = read_long_number(fields[time], layout.dialect);
     const auto two = read_long_number(fields[other], layout.dialect);
     if (!one || !two) return;
-    const auto number = [](const TimeReading& each) {
-      return static_cast<double>(each.whole) + each.fraction;
-    };
-    both.first.add(layout.header.unit_of(kTimeSlot).convert(number(*one)));
-    both.second.add(unit.convert(number(*two)));
+    const double one_s = layout.header.unit_of(kTimeSlot).convert(one->number());
+    const double two_s = unit.convert(two->number());
+    times[0].add(one_s);
+    times[1].add(two_s);
+    times[2].add(one_s + two_s);
   });
-  return both;
+  return times;
 }
 
 }  // namespace
@@ -281,7 +282,16 @@ void refuse_second_times(const std::vector<std::string_view>& lines, const std::
     if (!meaning || meaning->slot != kTimeSlot) continue;
     if (meaning->unit.has_value() != ColumnName(header.names[time]).unit.has_value()) continue;
     const Unit unit = meaning->unit ? *meaning->unit : header.unit_of(kTimeSlot);
-    const auto [own, other] = rising_times(lines, layout, i, unit);
+    const auto [own, other, sum] = rising_times(lines, layout, i, unit);
+    const bool are_parts = !own.is_rising && sum.is_rising && sum.rows >= kFewValues;
+    if (are_parts) {
+      const std::string name = column_choice(header.names, time);
+      const std::string further = column_choice(header.names, i);
+      const bool is_finer = unit.convert(1) < header.unit_of(kTimeSlot).convert(1);
+      throw InputError(path, "its time is in parts, '" + name + "' and '" + further +
+                                 "'; give both: --columns 'time=" +
+                                 (is_finer ? name + "+" + further : further + "+" + name) + "'");
+    }
     if (other.rows < kFewValues || !own.is_rising || !other.is_rising) continue;
     const double ratio = other.length_s() / own.length_s();
     if (std::fabs(ratio - 1) <= kNoticeable) continue;

@@ -14,8 +14,8 @@ namespace fogcomp::recording {
 /// Hours, minutes, seconds and a part of these.
 constexpr std::size_t kMaxTimeParts = 4;
 
-/// Names of a header with their units. "h", "m" and "s" are units where all three stand, as are
-/// "time_h", "time_m", "time_s".
+/// Names of a header with their units. "h", "m" and "s" are units where two of them stand, "m"
+/// among these, and "time_h", "time_m" and "time_s" where all do.
 std::vector<ColumnName> column_names(const std::vector<std::string>& names,
                                      const std::vector<std::string>& units);
 
