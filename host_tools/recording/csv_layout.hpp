@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "recording/csv_fields.hpp"
@@ -63,31 +62,6 @@ struct CsvColumns {
 /// understood is told to options.watch.
 CsvColumns look_at_columns(const FileHead& head, const ReadOptions& options);
 
-/// Columns that a recording must have: time, temperature, rate.
-constexpr std::size_t kRequired = 3;
-
-/// A line that may be the header, parted by `separator`.
-struct LikelyHeader {
-  std::vector<std::string> names{};
-  char separator = ',';
-  std::size_t line = 0;
-  std::size_t found = 0;    ///< required columns among the names
-  bool is_numbers = false;  ///< a first row instead
-
-  std::size_t first_row() const { return is_numbers ? line : line + 1; }
-  /// The larger, the likelier.
-  std::tuple<std::size_t, bool, std::ptrdiff_t, std::size_t> rank() const {
-    return {found, names.size() >= kRequired, -static_cast<std::ptrdiff_t>(line), names.size()};
-  }
-};
-
-/// "tabs", "blanks" or "';'".
-std::string separator_words(char separator);
-
-/// Columns, first rows and separator. `header`: as understood; nullptr: what the names suggest.
-CsvColumns columns_in(const LikelyHeader& likeliest, const CsvHeader* header,
-                      const std::vector<std::string_view>& lines);
-
 /// Finds out how the times of a file are written, and sets the layout's format and, if its name has
 /// no unit, that of the column: the only one that gives a possible date or period
 /// (time_scale.hpp). `lines`: the first ones of the file. Throws InputError for times of no known
@@ -107,5 +81,40 @@ void refuse_second_times(const std::vector<std::string_view>& lines, const std::
 /// question but for counts, which are whole. `lines`: the first ones of the file.
 std::optional<InputError> refusal_of_marks(const std::vector<std::string_view>& lines,
                                            const std::string& path, const CsvLayout& layout);
+
+/// Lines of a file's beginning, without their ends, as many as a layout is decided by. A last line
+/// that has not been read whole is left out.
+std::vector<std::string_view> first_lines(const FileHead& head);
+
+/// Blank, or a comment ('#', '%').
+bool is_comment_or_blank(std::string_view line);
+
+/// A comment line without its mark: numpy and others write the names there.
+std::string_view uncommented(std::string_view line);
+
+/// The fields of a line; a unit that a blank separates from its name belongs to it.
+std::vector<std::string> names_in(std::string_view line, char separator);
+
+/// Whether all fields are units, in brackets or not, empty or "-", and at least one is a unit.
+bool is_units_row(const std::vector<std::string>& fields);
+
+/// A number, with either decimal mark, or a time of a calendar: no name.
+bool is_value(std::string_view field);
+
+bool is_all_numbers(const std::vector<std::string>& names);
+
+/// The first line from `line` on that is neither a comment nor blank; lines.size() if none is.
+std::size_t next_row(const std::vector<std::string_view>& lines, std::size_t line);
+
+/// Calls take(line, fields) for each row of a layout among a file's first lines.
+template <class Take>
+void for_each_row(const std::vector<std::string_view>& lines, const CsvLayout& layout, Take take) {
+  std::vector<std::string_view> fields;
+  for (std::size_t i = next_row(lines, layout.lines_before_rows); i < lines.size();
+       i = next_row(lines, i + 1)) {
+    split_fields(lines[i], layout.dialect.separator, fields);
+    take(i, fields);
+  }
+}
 
 }  // namespace fogcomp::recording

@@ -1,4 +1,4 @@
-#include "recording/csv_lines.hpp"
+#include "recording/csv_layout.hpp"
 
 #include <algorithm>
 

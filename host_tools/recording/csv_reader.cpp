@@ -8,13 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "recording/arrival_stamps.hpp"
 #include "recording/column_map.hpp"
 #include "recording/columns.hpp"
-#include "recording/csv_lines.hpp"
+#include "recording/csv_layout.hpp"
 #include "recording/csv_row.hpp"
 #include "recording/long_recording.hpp"
-#include "recording/plausibility.hpp"
 #include "recording/row_filter.hpp"
 #include "recording/row_range.hpp"
 #include "support/evidence.hpp"
@@ -268,34 +266,25 @@ class RowCollector {
     bad_.judge(file_, rows_read_, options_.skip_bad_rows, none);
     recording_.bad_rows = bad_.count();
     if (none) {
-      throw InputError(file_.path(), recording_.empty_rows > 0
-                                         ? "has no sample with a time and a rate"
-                                         : "has a header but no samples");
+      fail(recording_.empty_rows > 0 ? "has no sample with a time and a rate"
+                                     : "has a header but no samples");
     }
-    if (recording_.empty_rows > 0) {
-      options_.watch.say(file_.path(), counted(recording_.empty_rows, "sample") +
-                                           " left out: no time or rate, the first at line " +
-                                           std::to_string(first_empty_));
-    }
-    if (moved_ > 0) {
-      options_.watch.say(file_.path(), counted(moved_, "row") +
-                                           " without a rate: the other values count from the next "
-                                           "sample on");
-    }
-    if (recording_.bad_rows > 0) {
-      options_.watch.say(file_.path(), counted(recording_.bad_rows, "bad row") +
-                                           " left out, the first: " + bad_.first_at_line());
-    }
+    const auto say_of = [&](std::size_t count, const char* what, const std::string& words) {
+      if (count > 0) say(counted(count, what) + words);
+    };
+    say_of(recording_.empty_rows, "sample",
+           " left out: no time or rate, the first at line " + std::to_string(first_empty_));
+    say_of(moved_, "row", " without a rate: the other values count from the next sample on");
+    say_of(recording_.bad_rows, "bad row", " left out, the first: " + bad_.first_at_line());
     if (wraps_ > 0) {
-      options_.watch.say(
-          file_.path(), "its time counter began again " + counted(wraps_, "time") + ": counted on");
+      say("its time counter began again " + counted(wraps_, "time") + ": counted on");
     }
     complete();
     refuse_doubted_units();
     recording_.first_date_s = reader_.first_date_s();
     if (!long_recording_.begun()) return std::move(recording_);
     if (!options_.join.empty()) {
-      throw InputError(file_.path(), "is too long for --join; join parts of it by fogcomp convert");
+      fail("is too long for --join; join parts of it by fogcomp convert");
     }
     hand_over();
     Recording means = long_recording_.finish(file_.path());
@@ -311,13 +300,16 @@ class RowCollector {
     std::vector<double>* values;
   };
 
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(file_.path(), what); }
+  void say(const std::string& what) const { options_.watch.say(file_.path(), what); }
+
   void refuse_doubted_units() {
     if (!unit_question_.empty() && !long_recording_.begun()) refuse_doubted_time();
     const std::string signs = fault_of_signs(recording_.rate_dph, layout_.header);
-    if (!signs.empty()) throw InputError(file_.path(), signs);
+    if (!signs.empty()) fail(signs);
     if (layout_.header.input_rate_is_chosen) return;
     const std::string input = fault_of_input_rate(recording_, layout_.header);
-    if (!input.empty()) throw InputError(file_.path(), input);
+    if (!input.empty()) fail(input);
   }
 
   // A unit that no name gives is asked for if figures speak against seconds.
@@ -325,8 +317,7 @@ class RowCollector {
     find_stretches(recording_);
     const std::string doubt = doubt_of_time(recording_);
     if (doubt.empty()) return;
-    throw InputError(file_.path(),
-                     "its time has no unit, and in s " + doubt + " Give it: " + unit_question_);
+    fail("its time has no unit, and in s " + doubt + " Give it: " + unit_question_);
   }
 
   // Each part of a long recording.
@@ -349,13 +340,12 @@ class RowCollector {
     auto counted_s = is_counted ? counted_times(recording_.time_s, *given_rate_hz())
                                 : std::optional<std::vector<double>>();
     if (counted_s) {
-      options_.watch.say(file_.path(), "times of a coarse clock; samples are counted, " +
-                                           format("%g in a second as given", *given_rate_hz()));
+      say("times of a coarse clock; samples are counted, " +
+          format("%g in a second as given", *given_rate_hz()));
       recording_.time_s = std::move(*counted_s);
       first_repeat_ = {};
     } else if (even && even->is_known) {
-      options_.watch.say(
-          file_.path(),
+      say(
           format("times are those at which samples arrived; taken as even, at %.8g +- %.2g Hz: "
                  "%zu uneven spacings, %s",
                  even->rate_hz, even->rate_sigma_hz, even->uneven_before,
@@ -372,9 +362,7 @@ class RowCollector {
   }
 
   [[noreturn]] void refuse_times() const {
-    throw InputError(file_.path(),
-                     given_rate_hz()
-                         ? format("times do not go with %g samples a second: too many, or too "
+    fail(given_rate_hz() ? format("times do not go with %g samples a second: too many, or too "
                                   "late; give another --rate",
                                   *given_rate_hz())
                          : "times are those at which samples arrived, and do not tell the sample "
@@ -391,25 +379,20 @@ class RowCollector {
 
   // If all rows of one time are: a clock that is too coarse would show different samples.
   void leave_out_doubled() {
-    if (repeats_ > 0 && doubled_.size() == repeats_) {
-      options_.watch.say(file_.path(), counted(repeats_, "row") +
-                                           " left out that repeat the one before, time and values");
-      lines_ = lines_.without(doubled_, recording_.rows());
-      remove_rows(recording_, doubled_);
-      first_repeat_ = {};
-    }
+    if (repeats_ == 0 || doubled_.size() != repeats_) return;
+    say(counted(repeats_, "row") + " left out that repeat the one before, time and values");
+    remove_rows(recording_, lines_, doubled_);
+    first_repeat_ = {};
   }
 
   void leave_out_repeats() {
     const std::vector<std::size_t> repeats = repeated_readings(recording_.rate_dph);
     if (repeats.empty()) return;
-    options_.watch.say(
-        file_.path(),
+    say(
         format("rate_dph repeats each reading until the next one: %zu readings in %zu samples; "
                "repeats are left out",
                recording_.rows() - repeats.size(), recording_.rows()));
-    lines_ = lines_.without(repeats, recording_.rows());
-    remove_rows(recording_, repeats);
+    remove_rows(recording_, lines_, repeats);
     auto even = even_times(recording_.time_s);
     if (even && even->is_known) recording_.time_s = std::move(even->time_s);
   }
@@ -419,11 +402,9 @@ class RowCollector {
     const bool is_held = blank_held_readings(run.time_s, run.rate_dph, run.input_rate_dph);
     const bool is_slow = !options_.keep_refused_rows &&  // a board holds it, too
                          blank_held_temperatures(run.time_s, run.temperature_degc);
-    const auto say_repeated = [&](const std::string& column) {
-      options_.watch.say(file_.path(), column + " repeats each reading until the next one");
-    };
-    if (is_held) say_repeated("input_rate_dph");
-    if (is_slow) say_repeated("temperature_degc");
+    const char* const repeats = " repeats each reading until the next one";
+    if (is_held) say(std::string("input_rate_dph") + repeats);
+    if (is_slow) say(std::string("temperature_degc") + repeats);
     if (sparse_ || is_held || is_slow) complete_sparse_columns(recording_, lines_, options_.watch);
     sparse_ = false;
   }

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "recording/csv_lines.hpp"
-
 namespace fogcomp::recording {
 namespace {
 

@@ -1,4 +1,4 @@
-#include "recording/plausibility.hpp"
+#include "recording/reading.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -12,7 +12,6 @@
 #include "recording/board_limits.hpp"
 #include "recording/columns.hpp"
 #include "recording/decision_rules.hpp"
-#include "recording/row_judge.hpp"
 #include "support/evidence.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"
@@ -20,6 +19,11 @@
 
 namespace fogcomp::recording {
 namespace {
+
+std::string place_of(const Recording& recording, const LineNumbers& lines, std::size_t row) {
+  return lines.empty() ? format(" at %.6g s", recording.time_s[row])
+                       : format(" at line %zu", lines.line_of(row));
+}
 
 /// Texts of the messages; made while the rows still exist.
 class Words {
@@ -72,10 +76,7 @@ class Words {
                 : format("temperature %.6g degC", temperature(row));
   }
 
-  std::string place(std::size_t row) const {
-    return lines_.empty() ? format(" at %.6g s", recording_.time_s[row])
-                          : format(" at line %zu", lines_.line_of(row));
-  }
+  std::string place(std::size_t row) const { return place_of(recording_, lines_, row); }
 
   std::string others(const std::vector<std::size_t>& rows) const {
     constexpr std::size_t kMaxNamed = 4;
@@ -384,15 +385,12 @@ void leave_out_sentinels(Recording& recording, LineNumbers& lines, const ReadWat
     for (std::size_t row = 0; row < recording.rows(); ++row) {
       if (values[row] == value) rows.push_back(row);
     }
-    const std::string place = lines.empty() ? format("at %.6g s", recording.time_s[rows.front()])
-                                            : format("at line %zu", lines.line_of(rows.front()));
     watch.say(recording.file, counted(rows.size(), "sample") + " left out: the " +
                                   (column == Column::rate_dph ? "" : "input ") +
-                                  format("rate is exactly %.6g deg/h, the first ", value) + place +
-                                  why + ": no readings");
+                                  format("rate is exactly %.6g deg/h, the first", value) +
+                                  place_of(recording, lines, rows.front()) + why + ": no readings");
     recording.empty_rows += rows.size();
-    if (!lines.empty()) lines = lines.without(rows, recording.rows());
-    remove_rows(recording, rows);
+    remove_rows(recording, lines, rows);
   };
   const auto each_far = [&](Column column, auto seen) {
     while (const auto value = far_sentinel(recording[column], seen(recording))) {
@@ -407,8 +405,8 @@ void leave_out_sentinels(Recording& recording, LineNumbers& lines, const ReadWat
   }
 }
 
-void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
-                            const GyroLimits& limits, const ReadWatch& watch) {
+void leave_out_refused_rows(Recording& recording, LineNumbers lines, const GyroLimits& limits,
+                            const ReadWatch& watch) {
   const std::vector<RefusedRow> refused = refused_rows(recording, limits);
   const std::vector<RowRange> frozen = frozen_temperatures(recording);
   const Words words(recording, lines, limits, refused);
@@ -419,7 +417,7 @@ void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
   std::vector<std::size_t> rows(refused.size());
   std::transform(refused.begin(), refused.end(), rows.begin(),
                  [](const RefusedRow& each) { return each.row; });
-  remove_rows(recording, rows);
+  remove_rows(recording, lines, rows);
   recording.refused_rows = refused.size();
 }
 

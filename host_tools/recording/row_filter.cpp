@@ -6,7 +6,7 @@
 #include "recording/column_map.hpp"
 #include "recording/columns.hpp"
 #include "recording/csv_fields.hpp"
-#include "recording/csv_lines.hpp"
+#include "recording/csv_layout.hpp"
 #include "recording/decision_rules.hpp"
 #include "support/evidence.hpp"
 #include "support/input_error.hpp"

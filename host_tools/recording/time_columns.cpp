@@ -1,4 +1,4 @@
-#include "recording/time_columns.hpp"
+#include "recording/column_map.hpp"
 
 #include <algorithm>
 #include <array>

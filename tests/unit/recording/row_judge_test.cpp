@@ -1,4 +1,4 @@
-#include "recording/row_judge.hpp"
+#include "recording/reading.hpp"
 
 #include <gtest/gtest.h>
 
