@@ -11,6 +11,7 @@
 #include "recording/columns.hpp"
 #include "recording/decision_rules.hpp"
 #include "recording/row_filter.hpp"
+#include "recording/unit_spelling.hpp"
 #include "support/input_error.hpp"
 #include "support/model_title.hpp"
 #include "support/text.hpp"
@@ -245,14 +246,12 @@ class LayoutFinder {
   std::size_t next_line(std::size_t line) const { return next_row(lines_, line); }
 
   void try_rows(Reading& reading) const {
-    std::vector<std::string_view> fields;
-    for (std::size_t i = next_line(reading.layout.lines_before_rows);
-         i < lines_.size() && reading.rows < rules::kMaxRowsLookedAt; i = next_line(i + 1)) {
-      split_fields(lines_[i], reading.layout.dialect.separator, fields);
+    for_each_row(lines_, reading.layout, [&](std::size_t, const auto& fields) {
+      if (reading.rows == rules::kMaxRowsLookedAt) return;
       ++reading.rows;
       if (is_good(fields, reading)) ++reading.good_rows;
       if (reading.rows == 1) reading.first_is_good = reading.good_rows == 1;
-    }
+    });
   }
 
   static bool is_good(const std::vector<std::string_view>& fields, Reading& reading) {
@@ -390,15 +389,14 @@ class LayoutFinder {
     const std::size_t last = layout.header.slots.back();
     if (last == kTimeSlot || last == kTemperatureSlot || last == kRateSlot) return;
     std::optional<double> before;
-    std::vector<std::string_view> fields;
-    for (std::size_t i = next_line(layout.lines_before_rows); i < lines_.size();
-         i = next_line(i + 1)) {
-      split_fields(lines_[i], layout.dialect.separator, fields);
+    bool are_numbers = true;
+    for_each_row(lines_, layout, [&](std::size_t, const auto& fields) {
       const std::optional<double> number = parse_number(std::string(fields.front()));
-      if (fields.size() != layout.header.slots.size() + 1 || !number) return;
-      if (before && *number != *before + 1) return;
+      are_numbers = are_numbers && number && fields.size() == layout.header.slots.size() + 1 &&
+                    (!before || *number == *before + 1);
       before = number;
-    }
+    });
+    if (!are_numbers) return;
     fail(next_line(layout.lines_before_rows),
          "a field more than the header has names: is the last one empty, or is the first one the "
          "number of the row, without a name? correct the header");
@@ -421,6 +419,85 @@ CsvColumns look_at_columns(const FileHead& head, const ReadOptions& options) {
 
 CsvLayout find_csv_layout(const FileHead& head, const ReadOptions& options) {
   return LayoutFinder(head, options).find();
+}
+
+std::vector<std::string_view> first_lines(const FileHead& head) {
+  std::vector<std::string_view> lines;
+  std::string_view rest = head.text;
+  constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
+  if (rest.substr(0, kUtf8Mark.size()) == kUtf8Mark) {
+    rest.remove_prefix(kUtf8Mark.size());
+  }
+  constexpr std::size_t kMax = rules::kMaxLinesBeforeHeader + rules::kMaxRowsLookedAt;
+  while (!rest.empty() && lines.size() < kMax) {
+    const std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos && !head.whole)
+      break;  // the rest of the line has not been read
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    // A terminal adds more of them.
+    while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+std::string_view uncommented(std::string_view line) {
+  line = trim(line);
+  while (!line.empty() && (line.front() == '#' || line.front() == '%')) line.remove_prefix(1);
+  return trim(line);
+}
+
+std::vector<std::string> names_in(std::string_view line, char separator) {
+  std::vector<std::string_view> fields;
+  split_fields(line, separator, fields);
+  std::vector<std::string> names;
+  for (const std::string_view field : fields) {
+    // "time [s]" is split at its blank.
+    const bool unit = separator == ' ' && !field.empty() && (field[0] == '[' || field[0] == '(');
+    if (unit && !names.empty()) {
+      names.back() += " " + std::string(field);
+    } else {
+      names.emplace_back(field);
+    }
+  }
+  return names;
+}
+
+bool is_units_row(const std::vector<std::string>& fields) {
+  std::size_t units = 0;
+  for (const std::string& field : fields) {
+    if (field.empty() || field == "-") continue;
+    const std::size_t bracketed = field.front() == '[' || field.front() == '(' ? 1 : 0;
+    if (field.size() < 2 * bracketed + 1 ||
+        !find_unit(std::string_view(field).substr(bracketed, field.size() - 2 * bracketed))) {
+      return false;
+    }
+    ++units;
+  }
+  return units > 0;
+}
+
+bool is_value(std::string_view field) {
+  double value = 0;
+  return read_number(field, {}, value) == FieldKind::number ||
+         read_number(field, {',', true}, value) == FieldKind::number ||
+         calendar_part(field) != CalendarPart::none;
+}
+
+bool is_all_numbers(const std::vector<std::string>& names) {
+  return !names.empty() && std::all_of(names.begin(), names.end(),
+                                       [](const std::string& name) { return is_value(name); });
+}
+
+bool is_comment_or_blank(std::string_view line) {
+  while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
+  return line.empty() || line.front() == '#' || line.front() == '%';
+}
+
+std::size_t next_row(const std::vector<std::string_view>& lines, std::size_t line) {
+  while (line < lines.size() && is_comment_or_blank(lines[line])) ++line;
+  return line;
 }
 
 }  // namespace fogcomp::recording

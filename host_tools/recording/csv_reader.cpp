@@ -45,30 +45,19 @@ std::string fault_of_time(double first_s, double previous_s, double time_s, bool
   return format("time_s goes back from %.15g to %.15g", previous_s, time_s);
 }
 
-/// A time counter of 16, 24 or 32 bits, or a clock, that begins again.
-class CounterWrap {
- public:
-  explicit CounterWrap(const CsvLayout& layout) {
-    const Unit unit = layout.header.unit_of(kTimeSlot);
-    if (layout.time == TimeFormat::number) counts_per_s_ = unit.divisor / unit.factor;
+// Seconds that a time counter of 16, 24 or 32 bits, or a clock, lost at `time_s` where it began
+// again, so that the rows go on as before; 0 if it did not.
+double wrapped_s(const CsvLayout& layout, double previous_s, double spacing_s, double time_s) {
+  if (layout.time != TimeFormat::number) return 0;
+  const Unit unit = layout.header.unit_of(kTimeSlot);
+  const double day_s = 24 * kSecondsPerHour;
+  for (const double span_s :
+       {unit.convert(0x1p16), unit.convert(0x1p24), unit.convert(0x1p32), day_s, 7 * day_s}) {
+    const double step_s = time_s + span_s - previous_s;
+    if (step_s > 0 && !is_gap(step_s, spacing_s)) return span_s;
   }
-
-  // Seconds that it lost at `time_s`, so that the rows go on as before; 0 if it did not.
-  double of(double previous_s, double spacing_s, double time_s) const {
-    if (counts_per_s_ == 0) return 0;
-    const double day_s = 24 * kSecondsPerHour;
-    for (const double span_s : {counter_s(16), counter_s(24), counter_s(32), day_s, 7 * day_s}) {
-      const double step_s = time_s + span_s - previous_s;
-      if (step_s > 0 && !is_gap(step_s, spacing_s)) return span_s;
-    }
-    return 0;
-  }
-
- private:
-  double counter_s(int bits) const { return std::ldexp(1.0, bits) / counts_per_s_; }
-
-  double counts_per_s_ = 0;  // 0: times of a calendar
-};
+  return 0;
+}
 
 /// Whether a last line without its end may have been cut within a number.
 class CutLine {
@@ -187,7 +176,6 @@ class RowCollector {
         lines_(lines),
         marks_(marks),
         long_recording_(options, min_rows),
-        wrap_(layout),
         are_counts_(layout.header.unit_of(kRateSlot).quantity == Quantity::counts) {
     recording_.file = file.path();
     recording_.power_on_unknown = layout.time != TimeFormat::number;
@@ -203,13 +191,6 @@ class RowCollector {
       columns_.push_back({each.slot, &(recording_[kColumns[each.slot].column])});
     }
     if (layout.header.is_constant(kTemperatureSlot)) recording_.temperature_period_s = HUGE_VAL;
-    const CsvHeader& header = layout.header;
-    if (header.has(kTimeSlot) && !header.time_has_unit && layout.time == TimeFormat::number &&
-        header.unit_of(kTimeSlot).is_ours()) {
-      const std::string name = column_choice(header.names, header.field_of(kTimeSlot));
-      unit_question_ =
-          "--columns 'time=" + name + "[min]', or '[s]' if it is right, or '[h]' or '[ms]'";
-    }
   }
 
   /// Reserves memory for all rows of a file of `bytes`, estimated from the length of one row:
@@ -239,7 +220,7 @@ class RowCollector {
     }
     double time_s = row.values[kTimeSlot] + wrapped_s_;
     if (!(time_s > previous_s_)) {
-      const double wrap_s = wrap_.of(previous_s_, spacing_s_, time_s);
+      const double wrap_s = wrapped_s(layout_, previous_s_, spacing_s_, time_s);
       time_s += wrap_s;
       wrapped_s_ += wrap_s;
       if (wrap_s > 0) ++wraps_;
@@ -304,7 +285,7 @@ class RowCollector {
   void say(const std::string& what) const { options_.watch.say(file_.path(), what); }
 
   void refuse_doubted_units() {
-    if (!unit_question_.empty() && !long_recording_.begun()) refuse_doubted_time();
+    if (!long_recording_.begun()) refuse_doubted_time();
     const std::string signs = fault_of_signs(recording_.rate_dph, layout_.header);
     if (!signs.empty()) fail(signs);
     if (layout_.header.input_rate_is_chosen) return;
@@ -314,10 +295,17 @@ class RowCollector {
 
   // A unit that no name gives is asked for if figures speak against seconds.
   void refuse_doubted_time() {
+    const CsvHeader& header = layout_.header;
+    if (!header.has(kTimeSlot) || header.time_has_unit || layout_.time != TimeFormat::number ||
+        !header.unit_of(kTimeSlot).is_ours()) {
+      return;
+    }
     find_stretches(recording_);
     const std::string doubt = doubt_of_time(recording_);
     if (doubt.empty()) return;
-    fail("its time has no unit, and in s " + doubt + " Give it: " + unit_question_);
+    fail("its time has no unit, and in s " + doubt +
+         " Give it: --columns 'time=" + column_choice(header.names, header.field_of(kTimeSlot)) +
+         "[min]', or '[s]' if it is right, or '[h]' or '[ms]'");
   }
 
   // Each part of a long recording.
@@ -508,8 +496,6 @@ class RowCollector {
   double first_s_ = 0;
   double previous_s_ = -std::numeric_limits<double>::infinity();
   double spacing_s_ = 0;  // of the two rows before
-  CounterWrap wrap_;
-  std::string unit_question_;  // the option that gives the unit of the time, if it has none
   double wrapped_s_ = 0;
   std::size_t wraps_ = 0;
   // The first row with the time of the one before.

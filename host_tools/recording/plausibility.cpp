@@ -75,42 +75,29 @@ std::string growth_doubt(const std::vector<double>& rate_dph) {
       rate_dph.front(), rate_dph.back());
 }
 
-std::string length_doubt(const Recording& recording) {
-  const double length_h = (recording.time_s.back() - recording.time_s.front()) / kSecondsPerHour;
-  if (length_h <= rules::kMaxRunHours) return "";
-  return format("a run of %.0f h: is the time in s, or in ms?", length_h);
-}
-
-// Of a short run, too: from its coldest to its warmest sample.
-std::string fast_doubt(const Recording& recording) {
+// By the course of its temperature.
+std::string doubt_of_course(const Recording& recording) {
   const auto& degc = recording.temperature_degc;
   const auto [min, max] = std::minmax_element(degc.begin(), degc.end());
+  const double span_degc = *max - *min;
+  if (span_degc < rules::kMinDoubtedDegc) return "";
+  // Of a short run, too: from its coldest to its warmest sample.
   const double span_s = std::fabs(recording.time_s[static_cast<std::size_t>(min - degc.begin())] -
                                   recording.time_s[static_cast<std::size_t>(max - degc.begin())]);
   const TemperatureChange fastest = fastest_change(recording, std::min(kHoldSeconds, span_s));
-  if (fastest.degc < rules::kMinDoubtedDegc ||
-      fastest.degc_per_min() <= rules::kMaxCoilDegcPerMin) {
-    return "";
+  if (fastest.degc >= rules::kMinDoubtedDegc &&
+      fastest.degc_per_min() > rules::kMaxCoilDegcPerMin) {
+    return format(
+        "the temperature moves by %.3g degC in %.3g s, as no chamber can move a coil: is "
+        "the time in s, or in min or h?",
+        fastest.degc, fastest.length_s);
   }
-  return format(
-      "the temperature moves by %.3g degC in %.3g s, as no chamber can move a coil: is "
-      "the time in s, or in min or h?",
-      fastest.degc, fastest.length_s);
-}
-
-std::string slow_doubt(const Recording& recording) {
-  const auto [min, max] =
-      std::minmax_element(recording.temperature_degc.begin(), recording.temperature_degc.end());
-  const double span_degc = *max - *min;
-  const TemperatureChange fastest = fastest_change(recording, rules::kSlowWindowS);
-  if (span_degc < rules::kMinDoubtedDegc || fastest.degc == 0 ||
-      fastest.degc_per_min() >= rules::kMinChamberDegcPerMin) {
-    return "";
-  }
+  const TemperatureChange slow = fastest_change(recording, rules::kSlowWindowS);
+  if (slow.degc == 0 || slow.degc_per_min() >= rules::kMinChamberDegcPerMin) return "";
   return format(
       "the temperature goes through %.3g degC at %.2g degC/h at most, slower than a day "
       "does: is the time in s, or in ms?",
-      span_degc, fastest.degc_per_min() * 60);
+      span_degc, slow.degc_per_min() * 60);
 }
 
 double mean(const std::vector<double>& values) {
@@ -231,11 +218,9 @@ std::string fault_of_input_rate(const Recording& recording, const CsvHeader& hea
 }
 
 std::string doubt_of_time(const Recording& recording) {
-  for (const std::string& doubt :
-       {length_doubt(recording), fast_doubt(recording), slow_doubt(recording)}) {
-    if (!doubt.empty()) return doubt;
-  }
-  return "";
+  const double length_h = (recording.time_s.back() - recording.time_s.front()) / kSecondsPerHour;
+  if (length_h <= rules::kMaxRunHours) return doubt_of_course(recording);
+  return format("a run of %.0f h: is the time in s, or in ms?", length_h);
 }
 
 std::vector<std::string> doubts(const Recording& recording, double white_noise_dph_rthz) {

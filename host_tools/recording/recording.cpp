@@ -27,20 +27,16 @@ void refuse_false_utf16(std::string_view head, const std::string& path) {
 
 void mask_unknown_flanks(Recording& recording, const ReadWatch& watch) {
   const UnknownFlanks unknown = unknown_flanks(recording);
-  const std::string changes = "at " + counted(unknown.masks.size(), "change");
-  if (unknown.delay_s) {
-    const double delay_s = *unknown.delay_s;
-    mask_unknown_input_rate(recording, unknown.masks,
-                            changes + format(", which it shows %.4g ms ", 1e3 * std::abs(delay_s)) +
-                                (delay_s > 0 ? "later" : "earlier") + " than the gyro",
-                            "correct its clock", watch);
-  } else {
-    mask_unknown_input_rate(recording, unknown.masks,
-                            changes +
-                                ", which the gyro sees otherwise (is it a commanded rate, or one "
-                                "value a sample?)",
-                            "record the mean over each sample of what the table does", watch);
-  }
+  const std::string which =
+      unknown.delay_s
+          ? format("which it shows %.4g ms ", 1e3 * std::abs(*unknown.delay_s)) +
+                (*unknown.delay_s > 0 ? "later" : "earlier") + " than the gyro"
+          : "which the gyro sees otherwise (is it a commanded rate, or one value a sample?)";
+  mask_unknown_input_rate(
+      recording, unknown.masks, "at " + counted(unknown.masks.size(), "change") + ", " + which,
+      unknown.delay_s ? "correct its clock"
+                      : "record the mean over each sample of what the table does",
+      watch);
 }
 
 std::vector<Recording::Label> labels_without(const Recording& recording,

@@ -269,36 +269,27 @@ bool has_filled_zeros(const std::vector<double>& values) {
   return !is_noticeable(others, zeros.ranges);
 }
 
-/// Those after a jump and before one: no reading, but what stands for none.
-std::vector<RowRange> between_jumps(const std::vector<double>& values, std::vector<RowRange> held) {
-  const double usual = usual_step(values);
-  const auto jumps_at = [&](std::size_t row) {
-    return row == 0 || row == values.size() || step_at(values, row) >= usual;
-  };
-  held.erase(std::remove_if(held.begin(), held.end(),
-                            [&](const RowRange& range) {
-                              return !jumps_at(range.first) || !jumps_at(range.end);
-                            }),
-             held.end());
-  return held;
-}
-
-/// Those of a thermometer: a temperature comes to rest by itself, yet goes on with a larger step
-/// than all others only where it has moved on unseen.
-std::vector<RowRange> before_largest_steps(const std::vector<double>& values,
-                                           std::vector<RowRange> held) {
+/// Those after a jump and before one are no reading, but what stands for none. Of a thermometer: a
+/// temperature comes to rest by itself, yet goes on with a larger step than all others only where
+/// it has moved on unseen.
+std::vector<RowRange> stuck_ranges(const std::vector<double>& values, bool is_temperature) {
+  std::vector<RowRange> held = held_ranges(values);
+  if (held.empty()) return held;
   std::vector<bool> is_end(values.size() + 1, false);
   for (const RowRange& range : held) is_end[range.first] = is_end[range.end] = true;
   double largest = 0;
   for (std::size_t row = 1; row < values.size(); ++row) {
     if (!is_end[row]) largest = std::max(largest, step_at(values, row));
   }
-  held.erase(std::remove_if(held.begin(), held.end(),
-                            [&](const RowRange& range) {
-                              return range.end == values.size() ||
-                                     step_at(values, range.end) <= largest;
-                            }),
-             held.end());
+  const double usual = usual_step(values);
+  const auto jumps_at = [&](std::size_t row) {
+    return row == 0 || row == values.size() || step_at(values, row) >= usual;
+  };
+  const auto is_reading = [&](const RowRange& range) {
+    if (!is_temperature) return !jumps_at(range.first) || !jumps_at(range.end);
+    return range.end == values.size() || step_at(values, range.end) <= largest;
+  };
+  held.erase(std::remove_if(held.begin(), held.end(), is_reading), held.end());
   return held;
 }
 
@@ -332,19 +323,9 @@ void name_stuck_columns(const Recording& recording, const Words& words, const Re
                                     "--mask FROM..TO leaves some out");
       continue;
     }
-    const std::vector<RowRange> held = held_ranges(values);
-    const std::vector<RowRange> ranges =
-        is_temperature ? before_largest_steps(values, held) : between_jumps(values, held);
+    const std::vector<RowRange> ranges = stuck_ranges(values, is_temperature);
     if (!ranges.empty()) watch.say(recording.file, words.stuck(info, ranges));
   }
-}
-
-std::vector<std::size_t> rows_refused_for(const std::vector<RefusedRow>& refused, Refusal why) {
-  std::vector<std::size_t> rows;
-  for (const RefusedRow& each : refused) {
-    if (each.why == why) rows.push_back(each.row);
-  }
-  return rows;
 }
 
 const char* likely_cause(const Recording& recording, Refusal why) {
@@ -361,7 +342,10 @@ void name_refused_rows(const Recording& recording, const Words& words,
   for (const Refusal why :
        {Refusal::impossible_temperature, Refusal::power_on_temperature, Refusal::temperature_jump,
         Refusal::rate_beyond_range, Refusal::rate_jump}) {
-    const std::vector<std::size_t> rows = rows_refused_for(refused, why);
+    std::vector<std::size_t> rows;
+    for (const RefusedRow& each : refused) {
+      if (each.why == why) rows.push_back(each.row);
+    }
     if (rows.empty()) continue;
     const std::string fault = words.fault(rows, why);
     if (rows.size() == recording.rows()) {
