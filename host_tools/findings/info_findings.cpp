@@ -8,8 +8,8 @@
 #include "findings/text.hpp"
 #include "noise/outlier_rows.hpp"
 #include "recording/recording.hpp"
-#include "recording/stream_reader.hpp"
 #include "recording/segments.hpp"
+#include "recording/stream_reader.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 

@@ -17,8 +17,6 @@ namespace {
 
 constexpr int kRounds = 5;  // until the counts of lost samples stay
 
-using Ranges = std::vector<RowRange>;
-
 // Spacings of no period: samples are missing, or there before they can have been taken.
 std::size_t uneven_in(const std::vector<double>& time_s, double period_s) {
   std::size_t uneven = 0;
@@ -89,7 +87,11 @@ struct Clock {
 class EvenRows {
  public:
   explicit EvenRows(const std::vector<double>& time_s) : stamp_s_(time_s) {
-    ranges_ = split_at([&](std::size_t row) { return spacing_s(row) > rules::kMaxDropoutS; });
+    std::vector<std::size_t> starts{0};
+    for (std::size_t row = 1; row < time_s.size(); ++row) {
+      if (spacing_s(row) > rules::kMaxDropoutS) starts.push_back(row);
+    }
+    ranges_ = ranges_from(starts, time_s.size());
     double sum_s = 0;
     std::size_t spacings = 0;
     for (const RowRange& range : ranges_) {
@@ -139,17 +141,6 @@ class EvenRows {
   // By how much a row is later than evenly after another one.
   double late_s(std::size_t row, std::size_t from) const {
     return stamp_s_[row] - stamp_s_[from] - static_cast<double>(row - from) * period_s_;
-  }
-
-  template <class IsBreak>
-  Ranges split_at(IsBreak is_break) const {
-    Ranges ranges{{0, stamp_s_.size()}};
-    for (std::size_t row = 1; row < stamp_s_.size(); ++row) {
-      if (!is_break(row)) continue;
-      ranges.back().end = row;
-      ranges.push_back({row, stamp_s_.size()});
-    }
-    return ranges;
   }
 
   // Several times as long as a pause, so that some of its samples came in time.
@@ -251,16 +242,12 @@ class EvenRows {
   void join_caught_up() {
     std::vector<double> time_s = stamp_s_;
     for (const RowRange& range : ranges_) even_out(range, time_s);
-    Ranges joined{ranges_.front()};
+    std::vector<std::size_t> starts{0};
     for (std::size_t i = 1; i < ranges_.size(); ++i) {
       const std::size_t row = ranges_[i].first;
-      if (is_gap(time_s[row] - time_s[row - 1], period_s_)) {
-        joined.push_back(ranges_[i]);
-      } else {
-        joined.back().end = ranges_[i].end;
-      }
+      if (is_gap(time_s[row] - time_s[row - 1], period_s_)) starts.push_back(row);
     }
-    ranges_ = std::move(joined);
+    ranges_ = ranges_from(starts, time_s.size());
   }
 
   void even_out(const RowRange& range, std::vector<double>& time_s) const {
@@ -350,7 +337,7 @@ class EvenRows {
   }
 
   const std::vector<double>& stamp_s_;
-  Ranges ranges_;
+  std::vector<RowRange> ranges_;
   double period_s_ = 0;
   double longest_pause_s_ = 0;
   std::size_t window_ = 0;

@@ -9,7 +9,6 @@
 #include "recording/columns.hpp"
 #include "recording/csv_fields.hpp"
 #include "recording/decision_rules.hpp"
-#include "recording/time_scale.hpp"
 #include "support/evidence.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"

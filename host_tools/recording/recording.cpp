@@ -75,19 +75,12 @@ double without_rounding_error(double period_s) {
 }  // namespace
 
 std::vector<double>& Recording::operator[](Column column) {
-  switch (column) {
-    case Column::time_s:
-      return time_s;
-    case Column::temperature_degc:
-      return temperature_degc;
-    case Column::rate_dph:
-      return rate_dph;
-    case Column::input_rate_dph:
-      return input_rate_dph;
-    case Column::uptime_s:
-      return uptime_s;
-  }
-  return extension[static_cast<std::size_t>(column) - kFirstExtensionColumn];
+  constexpr std::vector<double> Recording::*kMembers[kFirstExtensionColumn] = {
+      &Recording::time_s, &Recording::temperature_degc, &Recording::rate_dph,
+      &Recording::input_rate_dph, &Recording::uptime_s};
+  const auto number = static_cast<std::size_t>(column);
+  return number < kFirstExtensionColumn ? this->*kMembers[number]
+                                        : extension[number - kFirstExtensionColumn];
 }
 
 const std::vector<double>& Recording::operator[](Column column) const {

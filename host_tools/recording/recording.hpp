@@ -175,7 +175,7 @@ void require_varying_rate(const Recording& recording);
 constexpr double kDefaultStreamRateHz = 200;
 
 /// Reads a CSV of any layout (csv_layout.hpp), or a captured sensor stream (recognised by content,
-/// not by name); "-" is standard input. Rows that the board would refuse (row_judge.hpp) are left
+/// not by name); "-" is standard input. Rows that the board would refuse (row_judge.cpp) are left
 /// out. Ignored and left-out data are reported to options.watch. Throws InputError `FILE:LINE: what
 /// is wrong; what to do`.
 Recording read_recording(const std::string& path, const ReadOptions& options);

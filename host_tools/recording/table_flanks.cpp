@@ -57,11 +57,15 @@ class Flanks {
     for (const RowRange& stretch : stretches_of(recording, {0, recording.rows()})) find(stretch);
   }
 
-  // None without noise to measure them by.
+  // Those of which no part is masked. None without noise to measure them by.
   std::vector<Deviation> deviations() const {
+    const std::vector<bool> masked = covered(recording_.masks, recording_.time_s);
     std::vector<Deviation> all;
-    if (!(noise_dph_ > 0)) return all;
-    for (const Flank& flank : flanks_) all.push_back(deviation_of(flank));
+    for (const Flank& flank : flanks_) {
+      if (!(noise_dph_ > 0)) break;
+      const Deviation one = deviation_of(flank);
+      if (!masked[one.rows.first] && !masked[one.rows.end - 1]) all.push_back(one);
+    }
     return all;
   }
 
@@ -195,18 +199,6 @@ struct OneDelay {
   bool explains = false;
 };
 
-// Those of which no part is masked.
-std::vector<Deviation> without(const std::vector<Mask>& masks, const std::vector<double>& time_s,
-                               std::vector<Deviation> deviations) {
-  const std::vector<bool> masked = covered(masks, time_s);
-  const auto is_masked = [&](const Deviation& one) {
-    return masked[one.rows.first] || masked[one.rows.end - 1];
-  };
-  deviations.erase(std::remove_if(deviations.begin(), deviations.end(), is_masked),
-                   deviations.end());
-  return deviations;
-}
-
 // Around each flank, and as long around each end of a movement.
 std::vector<Mask> masks_around(const std::vector<Deviation>& deviations,
                                const std::vector<std::size_t>& movement_ends,
@@ -235,8 +227,7 @@ UnknownFlanks unknown_flanks(const Recording& recording) {
   UnknownFlanks unknown;
   if (recording.input_rate_dph.empty() || !(recording.period_s > 0)) return unknown;
   const Flanks flanks(recording);
-  const std::vector<Deviation> deviations =
-      without(recording.masks, recording.time_s, flanks.deviations());
+  const std::vector<Deviation> deviations = flanks.deviations();
   if (deviations.size() < rules::kMinCases) return unknown;
   const double late_s = delay_s(deviations);
   const OneDelay delay(deviations, late_s);

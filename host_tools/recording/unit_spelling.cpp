@@ -117,9 +117,7 @@ std::string key_of(std::string_view spelling) {
   for (const char c : folded(spelling)) {
     if (c != ' ' && c != '^' && c != '*' && c != '.' && c != '\t') key += c;
   }
-  for (const Replacement& each : {Replacement{"_per_", "/"}, Replacement{"per", "/"}}) {
-    key = replaced(key, each);
-  }
+  key = replaced(replaced(key, {"_per_", "/"}), {"per", "/"});
   std::replace(key.begin(), key.end(), '_', '/');
   constexpr std::string_view kInverse = "-1";
   const std::size_t stem = key.size() < 3 ? 0 : key.size() - 3;

@@ -236,7 +236,7 @@ for command in "add good.model good.csv -o kept" "diagnose good.model good.csv";
   its_expression "^expression 'x': is not finite over these recordings" 'x = T^0.5'
   its_expression "^expression 'x': is 0 all the time on these recordings" 'x = T - T'
   its_expression '^good\.csv: x needs the column magnetic_ut; add it, or leave the effect out' 'x = B*T'
-  its_expression "^expression '': column 1: a name and '=' come first" ''
+  its_expression '--effect-expr is empty; give EXPR, or leave it out' ''
 done
 "$fogcomp" fit good.csv -o own.model --effects bias --effect-expr 'own = T*dTdt' >/dev/null
 taken="^expression 'own = T': has the name of another term; choose another"
