@@ -10,7 +10,7 @@
 #include "cli/board_options.hpp"
 #include "cli/command.hpp"
 #include "cli/watch.hpp"
-#include "recording/decimal.hpp"
+#include "recording/csv_fields.hpp"
 #include "support/json.hpp"
 #include "support/output_file.hpp"
 #include "support/text.hpp"

@@ -80,6 +80,9 @@ class Parser {
       }
       value = words_[next_++];
     }
+    if (value.empty() && !option.value_name.empty()) {
+      command_.fail(dashed(name) + " is empty; give " + option.value_name + ", or leave it out");
+    }
     if (!option.repeatable && option.given()) command_.fail(dashed(name) + " is given twice");
     option.values.push_back(value);
   }
@@ -171,9 +174,6 @@ void check_files(const Command& command) {
   const std::vector<NamedFile> outputs = files(command, ValueUse::output);
   for (const std::vector<NamedFile>* some : {&inputs, &outputs}) {
     for (const NamedFile& file : *some) {
-      if (file.path.empty() && !file.option.empty()) {
-        command.fail(file.option + " is empty; name a file, or leave it out");
-      }
       require_printable_name(file.path);
     }
   }

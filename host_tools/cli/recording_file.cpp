@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "recording/columns.hpp"
-#include "recording/decimal.hpp"
+#include "recording/csv_fields.hpp"
 #include "recording/recording_writer.hpp"
 #include "series/complete_rows.hpp"
 #include "support/progress.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "recording/rate_resolution.hpp"
+#include "recording/recording.hpp"
 #include "series/required_inputs.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"

@@ -7,9 +7,9 @@
 #include "findings/run_plots.hpp"
 #include "findings/text.hpp"
 #include "noise/outlier_rows.hpp"
-#include "recording/rate_resolution.hpp"
+#include "recording/recording.hpp"
+#include "recording/segments.hpp"
 #include "recording/stream_reader.hpp"
-#include "recording/temperature_course.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 

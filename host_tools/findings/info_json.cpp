@@ -1,6 +1,6 @@
 #include "findings/json.hpp"
 
-#include "recording/temperature_course.hpp"
+#include "recording/segments.hpp"
 
 namespace fogcomp::findings {
 namespace {

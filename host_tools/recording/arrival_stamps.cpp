@@ -1,4 +1,4 @@
-#include "recording/arrival_stamps.hpp"
+#include "recording/reading.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "recording/decision_rules.hpp"
-#include "recording/held_rate.hpp"
-#include "recording/reading.hpp"
 #include "recording/row_range.hpp"
 #include "support/distributions.hpp"
 #include "support/evidence.hpp"
@@ -18,8 +16,6 @@ namespace fogcomp::recording {
 namespace {
 
 constexpr int kRounds = 5;  // until the counts of lost samples stay
-
-using Ranges = std::vector<RowRange>;
 
 // Spacings of no period: samples are missing, or there before they can have been taken.
 std::size_t uneven_in(const std::vector<double>& time_s, double period_s) {
@@ -91,7 +87,11 @@ struct Clock {
 class EvenRows {
  public:
   explicit EvenRows(const std::vector<double>& time_s) : stamp_s_(time_s) {
-    ranges_ = split_at([&](std::size_t row) { return spacing_s(row) > rules::kMaxDropoutS; });
+    std::vector<std::size_t> starts{0};
+    for (std::size_t row = 1; row < time_s.size(); ++row) {
+      if (spacing_s(row) > rules::kMaxDropoutS) starts.push_back(row);
+    }
+    ranges_ = ranges_from(starts, time_s.size());
     double sum_s = 0;
     std::size_t spacings = 0;
     for (const RowRange& range : ranges_) {
@@ -141,17 +141,6 @@ class EvenRows {
   // By how much a row is later than evenly after another one.
   double late_s(std::size_t row, std::size_t from) const {
     return stamp_s_[row] - stamp_s_[from] - static_cast<double>(row - from) * period_s_;
-  }
-
-  template <class IsBreak>
-  Ranges split_at(IsBreak is_break) const {
-    Ranges ranges{{0, stamp_s_.size()}};
-    for (std::size_t row = 1; row < stamp_s_.size(); ++row) {
-      if (!is_break(row)) continue;
-      ranges.back().end = row;
-      ranges.push_back({row, stamp_s_.size()});
-    }
-    return ranges;
   }
 
   // Several times as long as a pause, so that some of its samples came in time.
@@ -253,16 +242,12 @@ class EvenRows {
   void join_caught_up() {
     std::vector<double> time_s = stamp_s_;
     for (const RowRange& range : ranges_) even_out(range, time_s);
-    Ranges joined{ranges_.front()};
+    std::vector<std::size_t> starts{0};
     for (std::size_t i = 1; i < ranges_.size(); ++i) {
       const std::size_t row = ranges_[i].first;
-      if (is_gap(time_s[row] - time_s[row - 1], period_s_)) {
-        joined.push_back(ranges_[i]);
-      } else {
-        joined.back().end = ranges_[i].end;
-      }
+      if (is_gap(time_s[row] - time_s[row - 1], period_s_)) starts.push_back(row);
     }
-    ranges_ = std::move(joined);
+    ranges_ = ranges_from(starts, time_s.size());
   }
 
   void even_out(const RowRange& range, std::vector<double>& time_s) const {
@@ -298,58 +283,47 @@ class EvenRows {
     return behind;
   }
 
-  /// Of straight lines of one slope through series of anchors.
-  class Slope {
-   public:
-    // Samples and lateness since the first one.
-    void add(const std::vector<double>& samples, const std::vector<double>& late_s) {
-      const auto count = static_cast<double>(samples.size());
-      const double mean_samples = std::accumulate(samples.begin(), samples.end(), 0.0) / count;
-      const double mean_late_s = std::accumulate(late_s.begin(), late_s.end(), 0.0) / count;
-      for (std::size_t i = 0; i < samples.size(); ++i) {
-        const double x = samples[i] - mean_samples;
-        const double y = late_s[i] - mean_late_s;
-        square_ += x * x;
-        product_ += x * y;
-        late_square_ += y * y;
-      }
-      degrees_of_freedom_ += count - 1;
-    }
-    double value() const { return product_ / square_; }
-    double sigma(double rounding_variance) const {
-      const double left = std::max(late_square_ - product_ * product_ / square_, 0.0);
-      const double variance = left / std::max(degrees_of_freedom_, 1.0) + rounding_variance;
-      return std::sqrt(variance / square_);
-    }
-
-   private:
-    double square_ = 0;
-    double product_ = 0;
-    double late_square_ = 0;
-    double degrees_of_freedom_ = -1;
-  };
-
   // Of a straight line through the anchors of each range, and of its parts between which the count
   // of lost samples may be wrong: its period and the sigma of that.
   std::pair<double, double> fitted_period_s() const {
-    Slope slope;
+    double square = 0;
+    double product = 0;
+    double late_square = 0;
+    double degrees_of_freedom = -1;
+    std::vector<std::pair<double, double>> points;  // samples and lateness since the first one
+    const auto end_line = [&] {
+      const auto count = static_cast<double>(points.size());
+      double samples = 0;
+      double late_s = 0;
+      for (const auto& [x, y] : points) {
+        samples += x;
+        late_s += y;
+      }
+      for (const auto& [x, y] : points) {
+        square += std::pow(x - samples / count, 2);
+        product += (x - samples / count) * (y - late_s / count);
+        late_square += std::pow(y - late_s / count, 2);
+      }
+      degrees_of_freedom += count - 1;
+    };
     for (const RowRange& range : ranges_) {
       const std::vector<std::size_t> anchors = anchors_of(range);
-      std::vector<double> samples{0};
-      std::vector<double> lates_s{0};
+      points = {{0, 0}};
       for (std::size_t i = 1; i < anchors.size(); ++i) {
         const double between = samples_between(anchors[i - 1], anchors[i]);
         const double off_s = stamp_s_[anchors[i]] - stamp_s_[anchors[i - 1]] - between * period_s_;
         if (std::abs(off_s) > period_s_ / 4) {
-          slope.add(std::exchange(samples, {0}), std::exchange(lates_s, {0}));
+          end_line();
+          points = {{0, 0}};
           continue;
         }
-        samples.push_back(samples.back() + between);
-        lates_s.push_back(lates_s.back() + off_s);
+        points.emplace_back(points.back().first + between, points.back().second + off_s);
       }
-      slope.add(samples, lates_s);
+      end_line();
     }
-    return {period_s_ + slope.value(), slope.sigma(rounding_variance())};
+    const double left = std::max(late_square - product * product / square, 0.0);
+    const double variance = left / std::max(degrees_of_freedom, 1.0) + rounding_variance();
+    return {period_s_ + product / square, std::sqrt(variance / square)};
   }
 
   // Of stamps that agree by their rounding: the clock's step is no longer than the shortest time
@@ -363,7 +337,7 @@ class EvenRows {
   }
 
   const std::vector<double>& stamp_s_;
-  Ranges ranges_;
+  std::vector<RowRange> ranges_;
   double period_s_ = 0;
   double longest_pause_s_ = 0;
   std::size_t window_ = 0;

@@ -12,20 +12,14 @@
 namespace fogcomp::recording {
 namespace {
 
-bool is_upper(char c) {
-  return std::isupper(static_cast<unsigned char>(c)) != 0;
-}
-
-bool is_lower(char c) {
-  return std::islower(static_cast<unsigned char>(c)) != 0;
-}
-
 // Splits at a capital after a small letter: "TimeUS", "coilTemp".
 std::string split_camel_case(const std::string& text) {
   std::string result;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (i > 0 && is_upper(text[i]) && is_lower(text[i - 1])) result += '_';
-    result += text[i];
+  char before = 0;
+  for (const char c : text) {
+    const bool is_capital = c >= 'A' && c <= 'Z';
+    if (is_capital && before >= 'a' && before <= 'z') result += '_';
+    result += before = c;
   }
   return result;
 }
@@ -226,13 +220,11 @@ bool ColumnName::has_minus() const {
   const bool is_sign =
       key.size() > 1 && key[0] == '-' && parse_number(key.substr(0, 2)) == std::nullopt;
   const std::string name = folded(text.substr(0, text.find_first_of("[({")));
-  bool is_before_word = false;
   for (std::size_t at = 1; at + 1 < name.size(); ++at) {
     const bool begins = name[at] == '-' && (name[at - 1] == ' ' || name[at - 1] == '_');
-    if (begins && std::isalpha(static_cast<unsigned char>(name[at + 1])) != 0)
-      is_before_word = true;
+    if (begins && std::isalpha(static_cast<unsigned char>(name[at + 1])) != 0) return true;
   }
-  return is_sign || is_before_word || has_word({"minus", "neg", "invert"});
+  return is_sign || has_word({"minus", "neg", "invert"});
 }
 
 bool ColumnName::has_word(const std::vector<std::string_view>& beginnings) const {

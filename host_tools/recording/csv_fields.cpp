@@ -9,7 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "recording/decimal.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::recording {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -40,6 +41,7 @@ struct TimeReading {
   std::int64_t whole = 0;
   double fraction = 0;
 
+  double number() const { return static_cast<double>(whole) + fraction; }
   /// This time less `other`.
   double since(const TimeReading& other) const {
     return static_cast<double>(whole - other.whole) + (fraction - other.fraction);
@@ -62,5 +64,18 @@ std::optional<TimeReading> read_calendar_time(std::string_view field,
 /// What a field has of such a time, in either order of day and month.
 enum class CalendarPart : std::uint8_t { none, date, time_of_day, both };
 CalendarPart calendar_part(std::string_view field);
+
+/// Reads the decimal number that starts at `first` ("-12.5", "+3", ".5", "1e-3") into `value`,
+/// rounded to the nearest double, and returns its end; nullptr if none starts there or it
+/// overflows. `last` must be readable and be neither a digit nor a point. "inf" and "nan" are not
+/// numbers.
+const char* scan_decimal(const char* first, const char* last, double& value);
+
+constexpr std::size_t kLongestDecimal = 32;
+
+/// Prints `value` rounded to `decimals` places (0 to 10), without trailing zeros, at `out`, which
+/// must have kLongestDecimal bytes; returns the end. Values above 2^53 units of the last place are
+/// printed in shortest exact form.
+char* print_fixed(double value, int decimals, char* out);
 
 }  // namespace fogcomp::recording

@@ -178,10 +178,13 @@ class HeaderReader {
         if (!is_read(slot) || (slot == kTimeSlot && columns_[i].unit_alone)) continue;
         if (found[slot] == header_.names.size() && is_known(slot)) continue;
         if (found[slot] < header_.names.size()) {
+          const auto with_unit = [&](std::size_t field) {
+            const std::optional<Unit>& unit = columns_[field].unit;
+            return numbered(slot, field, unit ? "[" + unit->words + "]" : "");
+          };
           fail("column '" + printable(header_.names[i]) + "' stands twice, in fields " +
                std::to_string(found[slot] + 1) + " and " + std::to_string(i + 1) +
-               "; say which: --columns '" + numbered(found[slot], slot) + "' or '" +
-               numbered(i, slot) + "'");
+               "; say which: --columns " + with_unit(found[slot]) + " or " + with_unit(i));
         }
         found[slot] = i;
         take(i, slot, std::nullopt);
@@ -191,10 +194,9 @@ class HeaderReader {
     take_names([&](std::size_t i) { return columns_[i].key; });
   }
 
-  // "rate=3[deg/h]", of a column with a recording's own name.
-  std::string numbered(std::size_t field, std::size_t slot) const {
-    const std::optional<Unit>& unit = columns_[field].unit;
-    return map_key(slot) + "=" + std::to_string(field + 1) + (unit ? "[" + unit->words + "]" : "");
+  // "'rate=3[deg/h]'".
+  static std::string numbered(std::size_t slot, std::size_t field, const std::string& unit) {
+    return "'" + map_key(slot) + "=" + std::to_string(field + 1) + unit + "'";
   }
 
   /// Uses `counts` as rate if there is a scale factor, or no other rate.
@@ -265,14 +267,27 @@ class HeaderReader {
                                  unit->conversion_words());
   }
 
-  Fields likely(std::size_t slot) const {
+  // Of the columns left over those that are so.
+  template <class Is>
+  Fields left_over(Is is) const {
     Fields fields;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
-      if (header_.slots[i] != CsvHeader::kIgnored || columns_[i].key.empty()) continue;
-      const auto meaning = columns_[i].meaning();
-      if (meaning && meaning->slot == slot) fields.push_back(i);
+      if (header_.slots[i] == CsvHeader::kIgnored && is(columns_[i])) fields.push_back(i);
     }
     return fields;
+  }
+
+  std::vector<std::string> names_of(const Fields& fields) const {
+    std::vector<std::string> names;
+    for (const std::size_t field : fields) names.push_back(header_.names[field]);
+    return names;
+  }
+
+  Fields likely(std::size_t slot) const {
+    return left_over([&](const ColumnName& column) {
+      const auto meaning = column.meaning();
+      return !column.key.empty() && meaning && meaning->slot == slot;
+    });
   }
 
   [[noreturn]] void fail_for_several(std::size_t slot, const Fields& fields) const {
@@ -359,10 +374,7 @@ class HeaderReader {
 
   /// Takes the only column of dates and the only one of times of day.
   bool take_date_and_clock() {
-    Fields free;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      if (header_.slots[i] == CsvHeader::kIgnored) free.push_back(i);
-    }
+    const Fields free = left_over([](const ColumnName&) { return true; });
     const Fields dates = columns_with(CalendarPart::date, columns_, free, lines_.first_row);
     const Fields clocks = columns_with(CalendarPart::time_of_day, columns_, free, lines_.first_row);
     if (dates.empty() || clocks.empty()) return false;
@@ -382,15 +394,15 @@ class HeaderReader {
     header_.slots[field] = slot;
     if (slot >= kColumns.size()) return;
     if (!given && !column.contradiction.empty()) {
-      fail(column.contradiction + "; correct one of them, or say which: --columns '" +
-           map_key(slot) + "=" + std::to_string(field + 1) + unit_proposal(slot) + "'");
+      fail(column.contradiction + "; correct one of them, or say which: --columns " +
+           numbered(slot, field, unit_proposal(slot)));
     }
     if (!given && column.factor) fail_for_factor(field, slot);
     if (!given && quantity_of(slot) == Quantity::rate && column.has_minus()) {
-      const std::string choice = map_key(slot) + "=" + std::to_string(field + 1) + "[";
-      const std::string unit = column.unit ? column.unit->words : "deg/s";
-      fail(place(field) + " may have the other sign; say whether: --columns '" + choice + "-" +
-           unit + "]' changes it, '" + choice + unit + "]' does not");
+      const std::string unit = (column.unit ? column.unit->words : "deg/s") + "]";
+      fail(place(field) + " may have the other sign; say whether: --columns " +
+           numbered(slot, field, "[-" + unit) + " changes it, " +
+           numbered(slot, field, "[" + unit) + " does not");
     }
     if (given && column.unit && given->words != column.unit->words) {
       say(place(field) + " is taken in " + given->words + ", as chosen, not in " +
@@ -402,12 +414,11 @@ class HeaderReader {
   // The same number may be multiplied by it or wait to be.
   [[noreturn]] void fail_for_factor(std::size_t field, std::size_t slot) const {
     const ColumnName& column = columns_[field];
-    const std::string choice = map_key(slot) + "=" + std::to_string(field + 1) + "[";
-    const std::string unit = column.unit ? column.unit->words : "UNIT";
-    fail(place(field) + " has a factor, so that a 1 can mean several things; give it: --columns '" +
-         choice + format("%.12g ", 1 / *column.factor) + unit + "]', '" + choice +
-         format("%.12g ", *column.factor) + unit + "]', or '" + choice + unit +
-         "]' if none is meant");
+    const std::string unit = (column.unit ? column.unit->words : "UNIT") + "]";
+    fail(place(field) + " has a factor, so that a 1 can mean several things; give it: --columns " +
+         numbered(slot, field, format("[%.12g ", 1 / *column.factor) + unit) + ", " +
+         numbered(slot, field, format("[%.12g ", *column.factor) + unit) + ", or " +
+         numbered(slot, field, "[" + unit) + " if none is meant");
   }
 
   void use_unit(std::size_t field, std::size_t slot, std::optional<Unit> unit) {
@@ -421,8 +432,8 @@ class HeaderReader {
       unit = counts_unit(place(field), *unit);
     } else if (unit && unit->quantity != quantity_of(slot)) {
       fail(place(field) + " is in " + unit->words + ", which is no unit of " + map_key(slot) +
-           "; if it is, give the right one: --columns '" + map_key(slot) + "=" +
-           std::to_string(field + 1) + unit_proposal(slot) + "'");
+           "; if it is, give the right one: --columns " +
+           numbered(slot, field, unit_proposal(slot)));
     }
     if (unit && unit->words == kSamples && slot == kTimeSlot) {
       if (!options_.stream_rate_hz) fail(place(field) + " counts samples; give --rate (Hz)");
@@ -431,9 +442,9 @@ class HeaderReader {
     }
     if (!unit && !column.unknown_unit.empty()) {
       fail(place(field) + ": unit '" + printable(column.unknown_unit) +
-           "' is not known; give it: --columns '" + map_key(slot) + "=" +
-           std::to_string(field + 1) + "[UNIT]', of " + join(units_of(quantity_of(slot)), ", ") +
-           " or a multiple such as 0.1 " + units_of(quantity_of(slot)).front());
+           "' is not known; give it: --columns " + numbered(slot, field, "[UNIT]") + ", of " +
+           join(units_of(quantity_of(slot)), ", ") + " or a multiple such as 0.1 " +
+           units_of(quantity_of(slot)).front());
     }
     const bool own = column.key == kColumns[slot].name;
     if (!unit && slot == kRateSlot && !own) {
@@ -502,27 +513,16 @@ class HeaderReader {
     return false;
   }
 
-  // Columns left over whose unit is one of the slot's quantity, whatever their names.
-  Fields of_its_unit(std::size_t slot) const {
-    Fields fields;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const std::optional<Unit>& unit = columns_[i].unit;
-      if (header_.slots[i] != CsvHeader::kIgnored || !unit) continue;
-      if (unit->quantity == quantity_of(slot)) fields.push_back(i);
-    }
-    return fields;
-  }
-
   void require(std::size_t slot) const {
     if (is_known(slot)) return;
-    const Fields fields = of_its_unit(slot);
+    const Fields fields = left_over([&](const ColumnName& column) {
+      return column.unit && column.unit->quantity == quantity_of(slot);  // whatever the name
+    });
     if (!fields.empty()) fail_for_several(slot, fields);
     const std::string name(kColumns[slot].name);
-    std::vector<std::string> free;  // fields whose only fault may be the name
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const bool other_unit = columns_[i].unit && columns_[i].unit->quantity != Quantity::other;
-      if (header_.slots[i] == CsvHeader::kIgnored && !other_unit) free.push_back(header_.names[i]);
-    }
+    const std::vector<std::string> free = names_of(left_over([](const ColumnName& column) {
+      return !column.unit || column.unit->quantity == Quantity::other;  // the name may be wrong
+    }));
     fail("no column '" + name + "'" + did_you_mean(name, free) + "; the header has " +
          joined(header_.names) + "; rename or add it, or say which it is: --columns " +
          map_key(slot) + "=NAME" + unit_proposal(slot) + way_without(slot));
@@ -532,13 +532,12 @@ class HeaderReader {
     if (options_.scale_factor && !uses_scale_factor_) {
       say("no column 'counts': --scale-factor has no effect");
     }
-    std::vector<std::string> ignored;
-    for (std::size_t i = 0; i < header_.names.size(); ++i) {
-      if (header_.slots[i] == CsvHeader::kIgnored) ignored.push_back(header_.names[i]);
-    }
+    const std::vector<std::string> ignored =
+        names_of(left_over([](const ColumnName&) { return true; }));
     if (ignored.empty()) return;
     std::string hint;
-    if (ignored.size() == 1) hint = did_you_mean(ignored[0], known_names());
+    if (ignored.size() == 1 && slot_named(ignored[0]) == CsvHeader::kIgnored)
+      hint = did_you_mean(ignored[0], known_names());
     say(std::string("column") + (ignored.size() == 1 ? "" : "s") + " ignored: " + joined(ignored) +
         hint);
   }
@@ -553,6 +552,46 @@ class HeaderReader {
 };
 
 }  // namespace
+
+bool CsvHeader::has(std::size_t slot) const {
+  return std::find(slots.begin(), slots.end(), slot) != slots.end();
+}
+
+bool CsvHeader::is_constant(std::size_t slot) const {
+  return std::any_of(constants.begin(), constants.end(),
+                     [&](const Constant& each) { return each.slot == slot; });
+}
+
+bool CsvHeader::takes_row_of(const std::vector<std::string_view>& fields) const {
+  return fields.size() == slots.size() + empty_behind &&
+         std::all_of(fields.begin() + static_cast<std::ptrdiff_t>(slots.size()), fields.end(),
+                     [](std::string_view field) { return field.empty(); });
+}
+
+std::size_t CsvHeader::field_of(std::size_t slot) const {
+  return static_cast<std::size_t>(std::find(slots.begin(), slots.end(), slot) - slots.begin());
+}
+
+std::string_view CsvHeader::time_of(const std::vector<std::string_view>& fields,
+                                    std::string& both) const {
+  if (calendar.empty()) return fields[field_of(kTimeSlot)];
+  const std::string_view marks = calendar.size() <= 2 ? " " : "-- ::";
+  both.clear();
+  for (std::size_t i = 0; i < calendar.size(); ++i) {
+    if (fields[calendar[i]].empty()) return {};
+    if (i > 0) both += marks[i - 1];
+    both += fields[calendar[i]];
+  }
+  if (calendar.size() == 1) both += " 0:00";
+  return both;
+}
+
+Unit CsvHeader::unit_of(std::size_t slot) const {
+  const auto found = std::find_if(conversions.begin(), conversions.end(),
+                                  [&](const auto& each) { return each.slot == slot; });
+  if (found != conversions.end()) return found->unit;
+  return *find_unit(quantity_of(slot) == Quantity::rate ? "deg/h" : "s");
+}
 
 std::string printable(std::string_view field) {
   constexpr std::size_t kLongest = 40;

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
+#include "recording/column_map.hpp"
 #include "recording/column_name.hpp"
 #include "recording/columns.hpp"
 #include "recording/csv_fields.hpp"
 #include "recording/recording.hpp"
-#include "recording/time_columns.hpp"
 
 namespace fogcomp::recording {
 

@@ -2,21 +2,79 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "recording/column_map.hpp"
 #include "recording/column_name.hpp"
 #include "recording/columns.hpp"
-#include "recording/csv_lines.hpp"
 #include "recording/decision_rules.hpp"
 #include "recording/row_filter.hpp"
+#include "recording/unit_spelling.hpp"
 #include "support/input_error.hpp"
 #include "support/model_title.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::recording {
 namespace {
+
+constexpr std::size_t kRequired = 3;  // time, temperature, rate
+constexpr char kSeparators[] = {',', ';', '\t', '|', ' '};
+
+/// A line that may be the header, parted by `separator`.
+struct LikelyHeader {
+  std::vector<std::string> names{};
+  char separator = ',';
+  std::size_t line = 0;
+  std::size_t found = 0;    ///< required columns among the names
+  bool is_numbers = false;  ///< a first row instead
+
+  std::size_t first_row() const { return is_numbers ? line : line + 1; }
+  /// The larger, the likelier: of lines that have as many of the three the first one that has
+  /// enough fields, parted so that it has most.
+  std::tuple<std::size_t, bool, bool, std::ptrdiff_t, std::size_t> rank() const {
+    return {found, !is_numbers, names.size() >= kRequired, -static_cast<std::ptrdiff_t>(line),
+            names.size()};
+  }
+};
+
+// "tabs", "blanks" or "';'".
+std::string separator_words(char separator) {
+  if (separator == '\t') return "tabs";
+  return separator == ' ' ? "blanks" : std::string("'") + separator + "'";
+}
+
+CsvColumns::Column column_of(const LikelyHeader& likeliest, const CsvHeader* header,
+                             std::size_t field) {
+  const ColumnName name(likeliest.is_numbers ? "" : likeliest.names[field]);
+  const auto meaning = name.meaning();
+  const std::size_t slot = header != nullptr ? header->slots[field]
+                           : meaning         ? meaning->slot
+                                             : CsvHeader::kIgnored;
+  return {displayable(name.text),
+          likeliest.is_numbers ? std::to_string(field + 1) : column_choice(likeliest.names, field),
+          slot < kColumns.size() ? map_key(slot) : "", name.unit ? name.unit->words : ""};
+}
+
+// Columns, first rows and separator. `header`: as understood; nullptr: what the names suggest.
+CsvColumns columns_in(const LikelyHeader& likeliest, const CsvHeader* header,
+                      const std::vector<std::string_view>& lines) {
+  constexpr std::size_t kRowsShown = 3;
+  CsvColumns found;
+  found.separator = separator_words(likeliest.separator);
+  for (std::size_t i = 0; i < likeliest.names.size(); ++i) {
+    found.columns.push_back(column_of(likeliest, header, i));
+  }
+  for (std::size_t i = next_row(lines, likeliest.first_row());
+       i < lines.size() && found.rows.size() < kRowsShown; i = next_row(lines, i + 1)) {
+    std::vector<std::string_view> fields;
+    split_fields(lines[i], likeliest.separator, fields);
+    std::vector<std::string>& row = found.rows.emplace_back();
+    for (const std::string_view field : fields) row.push_back(printable(field));
+  }
+  return found;
+}
 
 /// A possible interpretation of a file, and how well its first rows fit it.
 struct Reading {
@@ -39,7 +97,7 @@ class LayoutFinder {
   CsvLayout find() {
     refuse_other_texts();
     for (const bool in_comments : {false, true}) {
-      for (const char separator : {',', ';', '\t', '|', ' '}) {
+      for (const char separator : kSeparators) {
         look_for_header(separator, in_comments);
         if (is_plain()) return finish(readings_.front());
       }
@@ -67,17 +125,18 @@ class LayoutFinder {
  private:
   static bool fits(const Reading& reading) { return reading.has_values(); }
 
+  std::string place(std::size_t line) const { return head_.path + ":" + std::to_string(line + 1); }
   [[noreturn]] void fail(std::size_t line, const std::string& what) const {
-    throw InputError(head_.path + ":" + std::to_string(line), what);
+    throw InputError(place(line), what);
   }
 
   void refuse_other_texts() const {
     if (lines_.empty()) return;
     if (lines_[0].rfind(kModelTitle, 0) == 0) {
-      fail(1, "a model, where a recording should be; name a recording");
+      fail(0, "a model, where a recording should be; name a recording");
     }
     if (lines_[0].find('\r') != std::string_view::npos) {
-      fail(1, "lines end with CR only; save the file with LF or CRLF");
+      fail(0, "lines end with CR only; save the file with LF or CRLF");
     }
   }
 
@@ -91,8 +150,8 @@ class LayoutFinder {
       std::vector<std::string> names = names_in(text, separator);
       const bool is_data = is_all_numbers(names) || has_numbers_as_names(names);
       const std::size_t found = is_data ? 0 : required_columns_among(names, options_);
-      remember_candidate(i, names, found);
-      note_likeliest(i, separator, names, found);
+      const LikelyHeader one{names, separator, i, found, is_all_numbers(names)};
+      if (likeliest_.names.empty() || one.rank() > likeliest_.rank()) likeliest_ = one;
       if (found < kRequired) continue;
       const std::size_t before = readings_.size();
       i = try_header(i, separator, std::move(names));
@@ -117,29 +176,9 @@ class LayoutFinder {
     return any;
   }
 
-  // Remembers the best line that lacks a column, for the message.
-  void remember_candidate(std::size_t line, const std::vector<std::string>& names,
-                          std::size_t found) {
-    if (found > guess_found_ || (found == guess_found_ && guess_.names.empty()) ||
-        (found == guess_found_ && found == 0 && guess_is_numbers_)) {
-      guess_found_ = found;
-      guess_is_numbers_ = is_all_numbers(names);
-      guess_ = {names, {}, head_.path, head_.path + ":" + std::to_string(line + 1)};
-    }
-  }
-
-  // For somebody who looks at it: of lines that have as many of the three the first one that has
-  // enough fields, parted so that it has most.
-  void note_likeliest(std::size_t line, char separator, const std::vector<std::string>& names,
-                      std::size_t found) {
-    const LikelyHeader one{names, separator, line, found, is_all_numbers(names)};
-    if (one.rank() > likeliest_.rank()) likeliest_ = one;
-  }
-
   // Returns the last line of the header: a row of units belongs to it.
   std::size_t try_header(std::size_t line, char separator, std::vector<std::string> names) {
-    HeaderLines header{
-        std::move(names), {}, head_.path, head_.path + ":" + std::to_string(line + 1)};
+    HeaderLines header{std::move(names), {}, head_.path, place(line)};
     std::size_t last = line;
     const std::size_t below = next_line(line + 1);
     if (below < lines_.size()) {
@@ -207,14 +246,12 @@ class LayoutFinder {
   std::size_t next_line(std::size_t line) const { return next_row(lines_, line); }
 
   void try_rows(Reading& reading) const {
-    std::vector<std::string_view> fields;
-    for (std::size_t i = next_line(reading.layout.lines_before_rows);
-         i < lines_.size() && reading.rows < rules::kMaxRowsLookedAt; i = next_line(i + 1)) {
-      split_fields(lines_[i], reading.layout.dialect.separator, fields);
+    for_each_row(lines_, reading.layout, [&](std::size_t, const auto& fields) {
+      if (reading.rows == rules::kMaxRowsLookedAt) return;
       ++reading.rows;
       if (is_good(fields, reading)) ++reading.good_rows;
       if (reading.rows == 1) reading.first_is_good = reading.good_rows == 1;
-    }
+    });
   }
 
   static bool is_good(const std::vector<std::string_view>& fields, Reading& reading) {
@@ -276,7 +313,7 @@ class LayoutFinder {
     const std::size_t first = next_line(0);
     if (options_.columns.empty() || first == lines_.size()) return;
     std::vector<Reading> with_header = std::exchange(readings_, {});
-    for (const char separator : {',', ';', '\t', '|', ' '}) {
+    for (const char separator : kSeparators) {
       const std::vector<std::string> fields = names_in(lines_[first], separator);
       if (fields.size() < 2) continue;
       const std::vector<std::string> nameless(fields.size());
@@ -296,19 +333,20 @@ class LayoutFinder {
     if (first == lines_.size()) {
       throw InputError(head_.path, "has no header line and no samples; is it the right file?");
     }
-    if (guess_.names.empty()) {
-      const std::string name(trim(lines_[first]));
-      understand_header({{name}, {}, head_.path, head_.path + ":" + std::to_string(first + 1)},
-                        silent_);
-    }
-    if (guess_found_ == 0 && guess_is_numbers_) {
-      fail(first + 1,
+    if (likeliest_.is_numbers) {
+      fail(first,
            "numbers where the column names should be; put a line such as "
            "time_s,temperature_degc,rate_dph before them, or give "
            "--columns 'time=1[s],temperature=2[degC],rate=3[deg/h]'");
     }
-    understand_header(guess_, silent_);
-    throw InputError(guess_.where, "is no header of a recording");
+    const bool any = !likeliest_.names.empty();
+    const std::string where = place(any ? likeliest_.line : first);
+    understand_header({any ? likeliest_.names : std::vector{std::string(trim(lines_[first]))},
+                       {},
+                       head_.path,
+                       where},
+                      silent_);
+    throw InputError(where, "is no header of a recording");
   }
 
   CsvLayout finish(const Reading& chosen) {
@@ -351,16 +389,15 @@ class LayoutFinder {
     const std::size_t last = layout.header.slots.back();
     if (last == kTimeSlot || last == kTemperatureSlot || last == kRateSlot) return;
     std::optional<double> before;
-    std::vector<std::string_view> fields;
-    for (std::size_t i = next_line(layout.lines_before_rows); i < lines_.size();
-         i = next_line(i + 1)) {
-      split_fields(lines_[i], layout.dialect.separator, fields);
+    bool are_numbers = true;
+    for_each_row(lines_, layout, [&](std::size_t, const auto& fields) {
       const std::optional<double> number = parse_number(std::string(fields.front()));
-      if (fields.size() != layout.header.slots.size() + 1 || !number) return;
-      if (before && *number != *before + 1) return;
+      are_numbers = are_numbers && number && fields.size() == layout.header.slots.size() + 1 &&
+                    (!before || *number == *before + 1);
       before = number;
-    }
-    fail(next_line(layout.lines_before_rows) + 1,
+    });
+    if (!are_numbers) return;
+    fail(next_line(layout.lines_before_rows),
          "a field more than the header has names: is the last one empty, or is the first one the "
          "number of the row, without a name? correct the header");
   }
@@ -371,9 +408,6 @@ class LayoutFinder {
   std::vector<std::string_view> lines_;
   std::vector<Reading> readings_;
   std::optional<InputError> refusal_;  // for the first header with all columns
-  HeaderLines guess_;
-  std::size_t guess_found_ = 0;
-  bool guess_is_numbers_ = false;
   LikelyHeader likeliest_;
 };
 
@@ -385,6 +419,85 @@ CsvColumns look_at_columns(const FileHead& head, const ReadOptions& options) {
 
 CsvLayout find_csv_layout(const FileHead& head, const ReadOptions& options) {
   return LayoutFinder(head, options).find();
+}
+
+std::vector<std::string_view> first_lines(const FileHead& head) {
+  std::vector<std::string_view> lines;
+  std::string_view rest = head.text;
+  constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
+  if (rest.substr(0, kUtf8Mark.size()) == kUtf8Mark) {
+    rest.remove_prefix(kUtf8Mark.size());
+  }
+  constexpr std::size_t kMax = rules::kMaxLinesBeforeHeader + rules::kMaxRowsLookedAt;
+  while (!rest.empty() && lines.size() < kMax) {
+    const std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos && !head.whole)
+      break;  // the rest of the line has not been read
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+    // A terminal adds more of them.
+    while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+std::string_view uncommented(std::string_view line) {
+  line = trim(line);
+  while (!line.empty() && (line.front() == '#' || line.front() == '%')) line.remove_prefix(1);
+  return trim(line);
+}
+
+std::vector<std::string> names_in(std::string_view line, char separator) {
+  std::vector<std::string_view> fields;
+  split_fields(line, separator, fields);
+  std::vector<std::string> names;
+  for (const std::string_view field : fields) {
+    // "time [s]" is split at its blank.
+    const bool unit = separator == ' ' && !field.empty() && (field[0] == '[' || field[0] == '(');
+    if (unit && !names.empty()) {
+      names.back() += " " + std::string(field);
+    } else {
+      names.emplace_back(field);
+    }
+  }
+  return names;
+}
+
+bool is_units_row(const std::vector<std::string>& fields) {
+  std::size_t units = 0;
+  for (const std::string& field : fields) {
+    if (field.empty() || field == "-") continue;
+    const std::size_t bracketed = field.front() == '[' || field.front() == '(' ? 1 : 0;
+    if (field.size() < 2 * bracketed + 1 ||
+        !find_unit(std::string_view(field).substr(bracketed, field.size() - 2 * bracketed))) {
+      return false;
+    }
+    ++units;
+  }
+  return units > 0;
+}
+
+bool is_value(std::string_view field) {
+  double value = 0;
+  return read_number(field, {}, value) == FieldKind::number ||
+         read_number(field, {',', true}, value) == FieldKind::number ||
+         calendar_part(field) != CalendarPart::none;
+}
+
+bool is_all_numbers(const std::vector<std::string>& names) {
+  return !names.empty() && std::all_of(names.begin(), names.end(),
+                                       [](const std::string& name) { return is_value(name); });
+}
+
+bool is_comment_or_blank(std::string_view line) {
+  while (!line.empty() && (line.front() == ' ' || line.front() == '\t')) line.remove_prefix(1);
+  return line.empty() || line.front() == '#' || line.front() == '%';
+}
+
+std::size_t next_row(const std::vector<std::string_view>& lines, std::size_t line) {
+  while (line < lines.size() && is_comment_or_blank(lines[line])) ++line;
+  return line;
 }
 
 }  // namespace fogcomp::recording

@@ -5,16 +5,63 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "recording/csv_fields.hpp"
 #include "recording/csv_header.hpp"
 #include "recording/recording.hpp"
-#include "recording/time_scale.hpp"
+#include "recording/unit_spelling.hpp"
 #include "support/input_error.hpp"
 
 namespace fogcomp::recording {
+
+/// A calendar by which loggers write a time as one number.
+struct TimeScale {
+  const char* name;  ///< for messages: "UNIX"
+  const char* unit;  ///< as --columns has it
+  double zero_s;     ///< where it begins, seconds since 1970-01-01
+};
+
+/// The first times of a file, as it writes them.
+struct TimesSeen {
+  double first = 0;
+  /// From row to row, typical and in the mean; 0 if there is one row. Packets and gaps move one of
+  /// them only.
+  double median_spacing = 0;
+  double mean_spacing = 0;
+  bool are_whole = true;  ///< numbers without a fraction
+};
+
+/// What a number in a column of times may mean.
+struct TimeMeaning {
+  Unit unit{};
+  const TimeScale* scale = nullptr;  ///< nullptr: from power-on, or of a calendar not known
+};
+
+/// Whether a time can count from power-on: less than the longest run (rules::kMaxRunHours).
+bool is_since_power_on(double number, const Unit& unit);
+
+/// The calendar of which a number in that unit is a possible date (rules::kMinUnixTimeS to
+/// kMaxUnixTimeS); nullptr if none.
+const TimeScale* scale_of(double number, const Unit& unit);
+
+/// Meanings of times without a unit: those that give a possible date and a usual period
+/// (rules::kMinUsualPeriodS to kMaxUsualPeriodS). Whole numbers that count by more than one may be
+/// seconds or milliseconds. Other times since power-on are in finer units, or
+/// seconds of a calendar that is not known, only if they cannot be in seconds. Empty if nothing
+/// fits.
+std::vector<TimeMeaning> possible_meanings(const TimesSeen& times);
+
+/// Whether times that are taken in seconds may be in milliseconds as well: whole numbers with a
+/// usual period in both.
+bool may_be_milliseconds(const TimesSeen& times);
+
+/// Whether times are those of a clock, written hhmmss: as such they are evenly spaced, as numbers
+/// they jump at each full minute.
+bool are_of_clock(const std::vector<double>& times);
+
+/// "s since power-on, a sample each 0.005 s".
+std::string meaning_words(const TimeMeaning& meaning, const TimesSeen& times);
 
 enum class TimeFormat : std::uint8_t {
   number,
@@ -63,35 +110,10 @@ struct CsvColumns {
 /// understood is told to options.watch.
 CsvColumns look_at_columns(const FileHead& head, const ReadOptions& options);
 
-/// Columns that a recording must have: time, temperature, rate.
-constexpr std::size_t kRequired = 3;
-
-/// A line that may be the header, parted by `separator`.
-struct LikelyHeader {
-  std::vector<std::string> names{};
-  char separator = ',';
-  std::size_t line = 0;
-  std::size_t found = 0;    ///< required columns among the names
-  bool is_numbers = false;  ///< a first row instead
-
-  std::size_t first_row() const { return is_numbers ? line : line + 1; }
-  /// The larger, the likelier.
-  std::tuple<std::size_t, bool, std::ptrdiff_t, std::size_t> rank() const {
-    return {found, names.size() >= kRequired, -static_cast<std::ptrdiff_t>(line), names.size()};
-  }
-};
-
-/// "tabs", "blanks" or "';'".
-std::string separator_words(char separator);
-
-/// Columns, first rows and separator. `header`: as understood; nullptr: what the names suggest.
-CsvColumns columns_in(const LikelyHeader& likeliest, const CsvHeader* header,
-                      const std::vector<std::string_view>& lines);
-
 /// Finds out how the times of a file are written, and sets the layout's format and, if its name has
 /// no unit, that of the column: the only one that gives a possible date or period
-/// (time_scale.hpp). `lines`: the first ones of the file. Throws InputError for times of no known
-/// form and for those that can mean several things, with the --columns that says which.
+/// (possible_meanings()). `lines`: the first ones of the file. Throws InputError for times of no
+/// known form and for those that can mean several things, with the --columns that says which.
 void understand_times(const std::vector<std::string_view>& lines, const std::string& path,
                       CsvLayout& layout);
 
@@ -107,5 +129,40 @@ void refuse_second_times(const std::vector<std::string_view>& lines, const std::
 /// question but for counts, which are whole. `lines`: the first ones of the file.
 std::optional<InputError> refusal_of_marks(const std::vector<std::string_view>& lines,
                                            const std::string& path, const CsvLayout& layout);
+
+/// Lines of a file's beginning, without their ends, as many as a layout is decided by. A last line
+/// that has not been read whole is left out.
+std::vector<std::string_view> first_lines(const FileHead& head);
+
+/// Blank, or a comment ('#', '%').
+bool is_comment_or_blank(std::string_view line);
+
+/// A comment line without its mark: numpy and others write the names there.
+std::string_view uncommented(std::string_view line);
+
+/// The fields of a line; a unit that a blank separates from its name belongs to it.
+std::vector<std::string> names_in(std::string_view line, char separator);
+
+/// Whether all fields are units, in brackets or not, empty or "-", and at least one is a unit.
+bool is_units_row(const std::vector<std::string>& fields);
+
+/// A number, with either decimal mark, or a time of a calendar: no name.
+bool is_value(std::string_view field);
+
+bool is_all_numbers(const std::vector<std::string>& names);
+
+/// The first line from `line` on that is neither a comment nor blank; lines.size() if none is.
+std::size_t next_row(const std::vector<std::string_view>& lines, std::size_t line);
+
+/// Calls take(line, fields) for each row of a layout among a file's first lines.
+template <class Take>
+void for_each_row(const std::vector<std::string_view>& lines, const CsvLayout& layout, Take take) {
+  std::vector<std::string_view> fields;
+  for (std::size_t i = next_row(lines, layout.lines_before_rows); i < lines.size();
+       i = next_row(lines, i + 1)) {
+    split_fields(lines[i], layout.dialect.separator, fields);
+    take(i, fields);
+  }
+}
 
 }  // namespace fogcomp::recording

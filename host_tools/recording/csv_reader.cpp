@@ -8,14 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "recording/arrival_stamps.hpp"
 #include "recording/column_map.hpp"
 #include "recording/columns.hpp"
-#include "recording/csv_lines.hpp"
+#include "recording/csv_layout.hpp"
 #include "recording/csv_row.hpp"
-#include "recording/held_rate.hpp"
 #include "recording/long_recording.hpp"
-#include "recording/plausibility.hpp"
 #include "recording/row_filter.hpp"
 #include "recording/row_range.hpp"
 #include "support/evidence.hpp"
@@ -48,30 +45,19 @@ std::string fault_of_time(double first_s, double previous_s, double time_s, bool
   return format("time_s goes back from %.15g to %.15g", previous_s, time_s);
 }
 
-/// A time counter of 16, 24 or 32 bits, or a clock, that begins again.
-class CounterWrap {
- public:
-  explicit CounterWrap(const CsvLayout& layout) {
-    const Unit unit = layout.header.unit_of(kTimeSlot);
-    if (layout.time == TimeFormat::number) counts_per_s_ = unit.divisor / unit.factor;
+// Seconds that a time counter of 16, 24 or 32 bits, or a clock, lost at `time_s` where it began
+// again, so that the rows go on as before; 0 if it did not.
+double wrapped_s(const CsvLayout& layout, double previous_s, double spacing_s, double time_s) {
+  if (layout.time != TimeFormat::number) return 0;
+  const Unit unit = layout.header.unit_of(kTimeSlot);
+  const double day_s = 24 * kSecondsPerHour;
+  for (const double span_s :
+       {unit.convert(0x1p16), unit.convert(0x1p24), unit.convert(0x1p32), day_s, 7 * day_s}) {
+    const double step_s = time_s + span_s - previous_s;
+    if (step_s > 0 && !is_gap(step_s, spacing_s)) return span_s;
   }
-
-  // Seconds that it lost at `time_s`, so that the rows go on as before; 0 if it did not.
-  double of(double previous_s, double spacing_s, double time_s) const {
-    if (counts_per_s_ == 0) return 0;
-    const double day_s = 24 * kSecondsPerHour;
-    for (const double span_s : {counter_s(16), counter_s(24), counter_s(32), day_s, 7 * day_s}) {
-      const double step_s = time_s + span_s - previous_s;
-      if (step_s > 0 && !is_gap(step_s, spacing_s)) return span_s;
-    }
-    return 0;
-  }
-
- private:
-  double counter_s(int bits) const { return std::ldexp(1.0, bits) / counts_per_s_; }
-
-  double counts_per_s_ = 0;  // 0: times of a calendar
-};
+  return 0;
+}
 
 /// Whether a last line without its end may have been cut within a number.
 class CutLine {
@@ -190,7 +176,6 @@ class RowCollector {
         lines_(lines),
         marks_(marks),
         long_recording_(options, min_rows),
-        wrap_(layout),
         are_counts_(layout.header.unit_of(kRateSlot).quantity == Quantity::counts) {
     recording_.file = file.path();
     recording_.power_on_unknown = layout.time != TimeFormat::number;
@@ -206,13 +191,6 @@ class RowCollector {
       columns_.push_back({each.slot, &(recording_[kColumns[each.slot].column])});
     }
     if (layout.header.is_constant(kTemperatureSlot)) recording_.temperature_period_s = HUGE_VAL;
-    const CsvHeader& header = layout.header;
-    if (header.has(kTimeSlot) && !header.time_has_unit && layout.time == TimeFormat::number &&
-        header.unit_of(kTimeSlot).is_ours()) {
-      const std::string name = column_choice(header.names, header.field_of(kTimeSlot));
-      unit_question_ =
-          "--columns 'time=" + name + "[min]', or '[s]' if it is right, or '[h]' or '[ms]'";
-    }
   }
 
   /// Reserves memory for all rows of a file of `bytes`, estimated from the length of one row:
@@ -242,7 +220,7 @@ class RowCollector {
     }
     double time_s = row.values[kTimeSlot] + wrapped_s_;
     if (!(time_s > previous_s_)) {
-      const double wrap_s = wrap_.of(previous_s_, spacing_s_, time_s);
+      const double wrap_s = wrapped_s(layout_, previous_s_, spacing_s_, time_s);
       time_s += wrap_s;
       wrapped_s_ += wrap_s;
       if (wrap_s > 0) ++wraps_;
@@ -269,34 +247,25 @@ class RowCollector {
     bad_.judge(file_, rows_read_, options_.skip_bad_rows, none);
     recording_.bad_rows = bad_.count();
     if (none) {
-      throw InputError(file_.path(), recording_.empty_rows > 0
-                                         ? "has no sample with a time and a rate"
-                                         : "has a header but no samples");
+      fail(recording_.empty_rows > 0 ? "has no sample with a time and a rate"
+                                     : "has a header but no samples");
     }
-    if (recording_.empty_rows > 0) {
-      options_.watch.say(file_.path(), counted(recording_.empty_rows, "sample") +
-                                           " left out: no time or rate, the first at line " +
-                                           std::to_string(first_empty_));
-    }
-    if (moved_ > 0) {
-      options_.watch.say(file_.path(), counted(moved_, "row") +
-                                           " without a rate: the other values count from the next "
-                                           "sample on");
-    }
-    if (recording_.bad_rows > 0) {
-      options_.watch.say(file_.path(), counted(recording_.bad_rows, "bad row") +
-                                           " left out, the first: " + bad_.first_at_line());
-    }
+    const auto say_of = [&](std::size_t count, const char* what, const std::string& words) {
+      if (count > 0) say(counted(count, what) + words);
+    };
+    say_of(recording_.empty_rows, "sample",
+           " left out: no time or rate, the first at line " + std::to_string(first_empty_));
+    say_of(moved_, "row", " without a rate: the other values count from the next sample on");
+    say_of(recording_.bad_rows, "bad row", " left out, the first: " + bad_.first_at_line());
     if (wraps_ > 0) {
-      options_.watch.say(
-          file_.path(), "its time counter began again " + counted(wraps_, "time") + ": counted on");
+      say("its time counter began again " + counted(wraps_, "time") + ": counted on");
     }
     complete();
     refuse_doubted_units();
     recording_.first_date_s = reader_.first_date_s();
     if (!long_recording_.begun()) return std::move(recording_);
     if (!options_.join.empty()) {
-      throw InputError(file_.path(), "is too long for --join; join parts of it by fogcomp convert");
+      fail("is too long for --join; join parts of it by fogcomp convert");
     }
     hand_over();
     Recording means = long_recording_.finish(file_.path());
@@ -312,22 +281,31 @@ class RowCollector {
     std::vector<double>* values;
   };
 
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(file_.path(), what); }
+  void say(const std::string& what) const { options_.watch.say(file_.path(), what); }
+
   void refuse_doubted_units() {
-    if (!unit_question_.empty() && !long_recording_.begun()) refuse_doubted_time();
+    if (!long_recording_.begun()) refuse_doubted_time();
     const std::string signs = fault_of_signs(recording_.rate_dph, layout_.header);
-    if (!signs.empty()) throw InputError(file_.path(), signs);
+    if (!signs.empty()) fail(signs);
     if (layout_.header.input_rate_is_chosen) return;
     const std::string input = fault_of_input_rate(recording_, layout_.header);
-    if (!input.empty()) throw InputError(file_.path(), input);
+    if (!input.empty()) fail(input);
   }
 
   // A unit that no name gives is asked for if figures speak against seconds.
   void refuse_doubted_time() {
+    const CsvHeader& header = layout_.header;
+    if (!header.has(kTimeSlot) || header.time_has_unit || layout_.time != TimeFormat::number ||
+        !header.unit_of(kTimeSlot).is_ours()) {
+      return;
+    }
     find_stretches(recording_);
     const std::string doubt = doubt_of_time(recording_);
     if (doubt.empty()) return;
-    throw InputError(file_.path(),
-                     "its time has no unit, and in s " + doubt + " Give it: " + unit_question_);
+    fail("its time has no unit, and in s " + doubt +
+         " Give it: --columns 'time=" + column_choice(header.names, header.field_of(kTimeSlot)) +
+         "[min]', or '[s]' if it is right, or '[h]' or '[ms]'");
   }
 
   // Each part of a long recording.
@@ -350,13 +328,12 @@ class RowCollector {
     auto counted_s = is_counted ? counted_times(recording_.time_s, *given_rate_hz())
                                 : std::optional<std::vector<double>>();
     if (counted_s) {
-      options_.watch.say(file_.path(), "times of a coarse clock; samples are counted, " +
-                                           format("%g in a second as given", *given_rate_hz()));
+      say("times of a coarse clock; samples are counted, " +
+          format("%g in a second as given", *given_rate_hz()));
       recording_.time_s = std::move(*counted_s);
       first_repeat_ = {};
     } else if (even && even->is_known) {
-      options_.watch.say(
-          file_.path(),
+      say(
           format("times are those at which samples arrived; taken as even, at %.8g +- %.2g Hz: "
                  "%zu uneven spacings, %s",
                  even->rate_hz, even->rate_sigma_hz, even->uneven_before,
@@ -373,9 +350,7 @@ class RowCollector {
   }
 
   [[noreturn]] void refuse_times() const {
-    throw InputError(file_.path(),
-                     given_rate_hz()
-                         ? format("times do not go with %g samples a second: too many, or too "
+    fail(given_rate_hz() ? format("times do not go with %g samples a second: too many, or too "
                                   "late; give another --rate",
                                   *given_rate_hz())
                          : "times are those at which samples arrived, and do not tell the sample "
@@ -392,25 +367,20 @@ class RowCollector {
 
   // If all rows of one time are: a clock that is too coarse would show different samples.
   void leave_out_doubled() {
-    if (repeats_ > 0 && doubled_.size() == repeats_) {
-      options_.watch.say(file_.path(), counted(repeats_, "row") +
-                                           " left out that repeat the one before, time and values");
-      lines_ = lines_.without(doubled_, recording_.rows());
-      remove_rows(recording_, doubled_);
-      first_repeat_ = {};
-    }
+    if (repeats_ == 0 || doubled_.size() != repeats_) return;
+    say(counted(repeats_, "row") + " left out that repeat the one before, time and values");
+    remove_rows(recording_, lines_, doubled_);
+    first_repeat_ = {};
   }
 
   void leave_out_repeats() {
     const std::vector<std::size_t> repeats = repeated_readings(recording_.rate_dph);
     if (repeats.empty()) return;
-    options_.watch.say(
-        file_.path(),
+    say(
         format("rate_dph repeats each reading until the next one: %zu readings in %zu samples; "
                "repeats are left out",
                recording_.rows() - repeats.size(), recording_.rows()));
-    lines_ = lines_.without(repeats, recording_.rows());
-    remove_rows(recording_, repeats);
+    remove_rows(recording_, lines_, repeats);
     auto even = even_times(recording_.time_s);
     if (even && even->is_known) recording_.time_s = std::move(even->time_s);
   }
@@ -418,12 +388,11 @@ class RowCollector {
   void complete_sparse() {
     Recording& run = recording_;
     const bool is_held = blank_held_readings(run.time_s, run.rate_dph, run.input_rate_dph);
-    const bool is_slow = blank_held_temperatures(run.time_s, run.temperature_degc);
-    const auto say_repeated = [&](const std::string& column) {
-      options_.watch.say(file_.path(), column + " repeats each reading until the next one");
-    };
-    if (is_held) say_repeated("input_rate_dph");
-    if (is_slow) say_repeated("temperature_degc");
+    const bool is_slow = !options_.keep_refused_rows &&  // a board holds it, too
+                         blank_held_temperatures(run.time_s, run.temperature_degc);
+    const char* const repeats = " repeats each reading until the next one";
+    if (is_held) say(std::string("input_rate_dph") + repeats);
+    if (is_slow) say(std::string("temperature_degc") + repeats);
     if (sparse_ || is_held || is_slow) complete_sparse_columns(recording_, lines_, options_.watch);
     sparse_ = false;
   }
@@ -527,8 +496,6 @@ class RowCollector {
   double first_s_ = 0;
   double previous_s_ = -std::numeric_limits<double>::infinity();
   double spacing_s_ = 0;  // of the two rows before
-  CounterWrap wrap_;
-  std::string unit_question_;  // the option that gives the unit of the time, if it has none
   double wrapped_s_ = 0;
   std::size_t wraps_ = 0;
   // The first row with the time of the one before.

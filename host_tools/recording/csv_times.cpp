@@ -1,15 +1,14 @@
 #include "recording/csv_layout.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "recording/column_map.hpp"
 #include "recording/columns.hpp"
 #include "recording/csv_fields.hpp"
-#include "recording/csv_lines.hpp"
 #include "recording/decision_rules.hpp"
-#include "recording/time_scale.hpp"
 #include "support/evidence.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"
@@ -81,17 +80,14 @@ class TimeColumn {
 
   // Empty if the first time is a date, or if there is none.
   std::vector<TimeReading> read_numbers() {
-    std::vector<std::string_view> fields;
     std::vector<TimeReading> numbers;
     const CsvHeader& header = layout_.header;
     std::size_t dates = 0;  // among the numbers: "20240305080000"
     double none = 0;
     std::size_t line_of_text = 0;
     std::string other;
-    for (std::size_t i = next_row(lines_, layout_.lines_before_rows); i < lines_.size();
-         i = next_row(lines_, i + 1)) {
-      split_fields(lines_[i], layout_.dialect.separator, fields);
-      if (fields.size() < header.slots.size()) continue;
+    for_each_row(lines_, layout_, [&](std::size_t line, const auto& fields) {
+      if (layout_.time == TimeFormat::calendar || fields.size() < header.slots.size()) return;
       const std::string_view text = header.time_of(fields, both_);
       const bool is_date = read_calendar_time(text, header.day_order).has_value();
       if (const auto number = read_long_number(text, layout_.dialect)) {
@@ -100,13 +96,17 @@ class TimeColumn {
         check_parts(*number, fields);
       } else if (numbers.empty() && is_date) {
         layout_.time = TimeFormat::calendar;
-        return {};
       } else if (read_number(text, layout_.dialect, none) == FieldKind::text && line_of_text == 0) {
-        line_of_text = i + 1;
+        line_of_text = line + 1;
         other = text;
       }
+    });
+    if (layout_.time == TimeFormat::calendar) return {};
+    if (numbers.empty() && line_of_text > 0) {
+      throw InputError(path_ + ":" + std::to_string(line_of_text),
+                       "time '" + printable(other) +
+                           "' is no date and time; write 2024-03-05T12:30:15.25 or seconds");
     }
-    if (numbers.empty() && line_of_text > 0) refuse_text(other, line_of_text);
     const bool are_dates = dates > 0 && dates == numbers.size();
     if (!are_dates || !header.unit_of(kTimeSlot).is_ours()) return numbers;
     layout_.time = TimeFormat::calendar;
@@ -147,30 +147,24 @@ class TimeColumn {
                                 join(names, "' or 'time=") + "'");
   }
 
-  [[noreturn]] void refuse_text(std::string_view text, std::size_t line) const {
-    throw InputError(path_ + ":" + std::to_string(line),
-                     "time '" + printable(text) +
-                         "' is no date and time; write 2024-03-05T12:30:15.25 or seconds");
-  }
-
   void refuse_clock(const std::vector<TimeReading>& numbers) const {
     std::vector<double> times;
     for (const TimeReading& each : numbers) {
-      times.push_back(static_cast<double>(each.whole) + each.fraction);
+      times.push_back(each.number());
     }
     if (!layout_.header.unit_of(kTimeSlot).is_ours() || !are_of_clock(times)) return;
-    throw InputError(path_, "times such as " + format("%.15g", times.front()) + " (" + column() +
-                                ") are hhmmss of a clock; write 2024-03-05T12:30:15.25 or seconds");
+    throw InputError(path_, times_such_as(times.front()) +
+                                " are hhmmss of a clock; write 2024-03-05T12:30:15.25 or seconds");
   }
 
-  std::string column() const {
-    const CsvHeader& header = layout_.header;
-    const std::size_t field = header.field_of(kTimeSlot);
-    return "column " + std::to_string(field + 1) + " '" + printable(header.names[field]) + "'";
+  std::string times_such_as(double number) const {
+    const std::size_t field = layout_.header.field_of(kTimeSlot);
+    return format("times such as %.15g (column %zu '", number, field + 1) +
+           printable(layout_.header.names[field]) + "')";
   }
 
   static TimesSeen seen(const std::vector<TimeReading>& numbers) {
-    TimesSeen times{static_cast<double>(numbers[0].whole) + numbers[0].fraction};
+    TimesSeen times{numbers[0].number()};
     times.are_whole = std::all_of(numbers.begin(), numbers.end(),
                                   [](const TimeReading& each) { return each.fraction == 0; });
     std::vector<double> spacings;
@@ -204,24 +198,21 @@ class TimeColumn {
 
   [[noreturn]] void refuse(const TimesSeen& times, const std::vector<TimeMeaning>& meanings) const {
     const CsvHeader& header = layout_.header;
-    const std::size_t field = header.field_of(kTimeSlot);
-    const std::string name = column_choice(header.names, field);
+    const std::string name = column_choice(header.names, header.field_of(kTimeSlot));
     std::vector<std::string> words;
     std::vector<std::string> choices;
     for (const TimeMeaning& meaning : meanings) {
       words.push_back(meaning_words(meaning, times));
       choices.push_back("'time=" + name + "[" + meaning.unit.words + "]'");
     }
-    const std::string number = format("%.15g", times.first);
-    if (meanings.empty()) {
-      throw InputError(path_, "times such as " + number + " (" + column() +
-                                  ") give no possible date or period in s, ms, us, ns, 100 ns or "
-                                  "days; give their unit: --columns 'time=" +
-                                  name + "[UNIT]'");
-    }
-    throw InputError(path_, "times such as " + number + " (" + column() + ") can be in " +
-                                join(words, ", or in ") + "; say which: --columns " +
-                                join(choices, " or "));
+    throw InputError(
+        path_, times_such_as(times.first) +
+                   (meanings.empty()
+                        ? " give no possible date or period in s, ms, us, ns, 100 ns or days; give "
+                          "their unit: --columns 'time=" +
+                              name + "[UNIT]'"
+                        : " can be in " + join(words, ", or in ") + "; say which: --columns " +
+                              join(choices, " or ")));
   }
 
   const std::vector<std::string_view>& lines_;
@@ -247,24 +238,24 @@ struct RisingTimes {
   double length_s() const { return last_s - first_s; }
 };
 
-// Over the rows in which both fields have numbers.
-std::pair<RisingTimes, RisingTimes> rising_times(const std::vector<std::string_view>& lines,
-                                                 const CsvLayout& layout, std::size_t other,
-                                                 const Unit& unit) {
+// Of the time, another one and their sum, over the rows in which both fields have numbers.
+std::array<RisingTimes, 3> rising_times(const std::vector<std::string_view>& lines,
+                                        const CsvLayout& layout, std::size_t other,
+                                        const Unit& unit) {
   const std::size_t time = layout.header.field_of(kTimeSlot);
-  std::pair<RisingTimes, RisingTimes> both;
+  std::array<RisingTimes, 3> times;
   for_each_row(lines, layout, [&](std::size_t, const auto& fields) {
     if (fields.size() <= std::max(time, other)) return;
     const auto one = read_long_number(fields[time], layout.dialect);
     const auto two = read_long_number(fields[other], layout.dialect);
     if (!one || !two) return;
-    const auto number = [](const TimeReading& each) {
-      return static_cast<double>(each.whole) + each.fraction;
-    };
-    both.first.add(layout.header.unit_of(kTimeSlot).convert(number(*one)));
-    both.second.add(unit.convert(number(*two)));
+    const double one_s = layout.header.unit_of(kTimeSlot).convert(one->number());
+    const double two_s = unit.convert(two->number());
+    times[0].add(one_s);
+    times[1].add(two_s);
+    times[2].add(one_s + two_s);
   });
-  return both;
+  return times;
 }
 
 }  // namespace
@@ -281,7 +272,16 @@ void refuse_second_times(const std::vector<std::string_view>& lines, const std::
     if (!meaning || meaning->slot != kTimeSlot) continue;
     if (meaning->unit.has_value() != ColumnName(header.names[time]).unit.has_value()) continue;
     const Unit unit = meaning->unit ? *meaning->unit : header.unit_of(kTimeSlot);
-    const auto [own, other] = rising_times(lines, layout, i, unit);
+    const auto [own, other, sum] = rising_times(lines, layout, i, unit);
+    const bool are_parts = !own.is_rising && sum.is_rising && sum.rows >= kFewValues;
+    if (are_parts) {
+      const std::string name = column_choice(header.names, time);
+      const std::string further = column_choice(header.names, i);
+      const bool is_finer = unit.convert(1) < header.unit_of(kTimeSlot).convert(1);
+      throw InputError(path, "its time is in parts, '" + name + "' and '" + further +
+                                 "'; give both: --columns 'time=" +
+                                 (is_finer ? name + "+" + further : further + "+" + name) + "'");
+    }
     if (other.rows < kFewValues || !own.is_rising || !other.is_rising) continue;
     const double ratio = other.length_s() / own.length_s();
     if (std::fabs(ratio - 1) <= kNoticeable) continue;

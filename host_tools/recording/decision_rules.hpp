@@ -85,7 +85,7 @@ constexpr std::size_t kMinCases = 8;
 constexpr double kShareWithoutLoss = 0.05;
 constexpr double kMaxAnchorScatter = 0.12;
 /// Rows for each reading of the gyro from which on repeats are left out: below, they change an
-/// Allan deviation by less than its uncertainty. held_rate_test.
+/// Allan deviation by less than its uncertainty. held_readings_test.
 constexpr double kMinRowsPerReading = 1.05;
 
 // ---- Does a record of the input rate tell the flanks of a rate table? -------------------------

@@ -18,9 +18,10 @@ namespace {
 constexpr std::uint32_t kByteOrderMark = 0xFEFF;
 constexpr std::uint32_t kReplacement = 0xFFFD;
 
-std::uint32_t unit_of(unsigned char first, unsigned char second, ByteOrder order) {
-  return order == ByteOrder::little ? first | (std::uint32_t{second} << 8U)
-                                    : second | (std::uint32_t{first} << 8U);
+std::uint32_t unit_of(std::string_view text, std::size_t at, ByteOrder order) {
+  const std::uint32_t first = static_cast<unsigned char>(text[at]);
+  const std::uint32_t second = static_cast<unsigned char>(text[at + 1]);
+  return order == ByteOrder::little ? first | (second << 8U) : second | (first << 8U);
 }
 
 bool is_latin(std::uint32_t unit) {
@@ -31,8 +32,7 @@ bool is_text_in(std::string_view head, ByteOrder order) {
   const std::size_t units = std::min(head.size() / 2, rules::kUtf16UnitsLookedAt);
   std::size_t latin = 0;
   for (std::size_t i = 0; i < units; ++i) {
-    const std::uint32_t unit = unit_of(static_cast<unsigned char>(head[2 * i]),
-                                       static_cast<unsigned char>(head[2 * i + 1]), order);
+    const std::uint32_t unit = unit_of(head, 2 * i, order);
     if (is_latin(unit) || (i == 0 && unit == kByteOrderMark)) ++latin;
   }
   return units >= rules::kMinUtf16Units &&
@@ -78,33 +78,23 @@ std::optional<ByteOrder> utf16_order(std::string_view head) {
 }  // namespace
 
 char* Utf16Decoder::decode(std::string_view bytes, char* out) {
-  for (const char each : bytes) {
-    const auto byte = static_cast<unsigned char>(each);
-    if (!first_byte_) {
-      first_byte_ = byte;
-      continue;
+  rest_ += bytes;
+  std::size_t at = 0;
+  for (std::size_t end = 2; end <= rest_.size(); at = end, end += 2) {
+    std::uint32_t code = unit_of(rest_, at, order_);
+    const bool is_high = code >= 0xD800U && code < 0xDC00U;
+    if (is_high && end + 2 > rest_.size()) break;
+    const std::uint32_t low = is_high ? unit_of(rest_, end, order_) : 0;
+    if (low >= 0xDC00U && low < 0xE000U) {
+      code = 0x10000U + ((code - 0xD800U) << 10U) + (low - 0xDC00U);
+      end += 2;
+    } else if (code >= 0xD800U && code < 0xE000U) {
+      code = kReplacement;
     }
-    out = take(unit_of(*first_byte_, byte, order_), out);
-    first_byte_.reset();
+    if (code != kByteOrderMark) out = put_utf8(code, out);
   }
+  rest_.erase(0, at);
   return out;
-}
-
-char* Utf16Decoder::take(std::uint32_t unit, char* out) {
-  const bool low = unit >= 0xDC00U && unit < 0xE000U;
-  if (high_surrogate_ != 0) {
-    const std::uint32_t code =
-        low ? 0x10000U + ((high_surrogate_ - 0xD800U) << 10U) + (unit - 0xDC00U) : kReplacement;
-    high_surrogate_ = 0;
-    out = put_utf8(code, out);
-    if (low) return out;
-  }
-  if (unit >= 0xD800U && unit < 0xDC00U) {
-    high_surrogate_ = unit;
-    return out;
-  }
-  if (unit == kByteOrderMark) return out;
-  return put_utf8(low ? kReplacement : unit, out);
 }
 
 InputFile::InputFile(std::string path, std::function<void(const std::string&, double)> progress)

@@ -25,11 +25,8 @@ class Utf16Decoder {
   char* decode(std::string_view bytes, char* out);
 
  private:
-  char* take(std::uint32_t unit, char* out);
-
   ByteOrder order_;
-  std::optional<unsigned char> first_byte_;  // of a unit that the next piece completes
-  std::uint32_t high_surrogate_ = 0;         // waits for its low surrogate; 0: none
+  std::string rest_{};  // of a character that the next piece completes
 };
 
 /// A file or pipe read once from start to end through one buffer, by lines or by blocks. Reports

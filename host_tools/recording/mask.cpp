@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -14,12 +15,22 @@ bool names_file(const std::string& run, const std::string& path) {
 
 namespace {
 
-// Throws InputError if the run of an option is none of the files.
-void require_file_of(const char* option, const std::string& run,
-                     const std::vector<std::string>& files) {
-  const bool known = std::any_of(files.begin(), files.end(),
-                                 [&](const std::string& file) { return names_file(run, file); });
-  if (!known) throw InputError(option, "names " + run + ", which is none of the runs");
+// Throws InputError if the run of one of an option's values is none of the files.
+template <class OfRun>
+void require_runs(const char* option, const std::vector<OfRun>& values,
+                  const std::vector<std::string>& files) {
+  for (const OfRun& each : values) {
+    const auto is_run = [&](const std::string& file) { return names_file(each.run, file); };
+    if (std::any_of(files.begin(), files.end(), is_run)) continue;
+    throw InputError(option, "names " + each.run + ", which is none of the runs");
+  }
+}
+
+// Of "RUN:TIMES", or of TIMES alone.
+std::pair<std::string, std::string> run_and_times(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos) return {"", text};
+  return {text.substr(0, colon), text.substr(colon + 1)};
 }
 
 }  // namespace
@@ -28,19 +39,15 @@ Mask parse_mask(const std::string& text) {
   const auto fail = [&](const std::string& what) {
     throw InputError("--mask '" + text + "'", what);
   };
-  const std::size_t colon = text.rfind(':');
-  const std::string times = colon == std::string::npos ? text : text.substr(colon + 1);
-  const std::size_t dots = times.find("..");
-  const auto number = [&](std::size_t first, std::size_t count) {
-    return parse_number(std::string_view(times).substr(first, count));
-  };
-  const auto from = number(0, dots == std::string::npos ? 0 : dots);
-  const auto to = number(dots == std::string::npos ? times.size() : dots + 2, times.size());
+  const auto [run, times] = run_and_times(text);
+  const std::size_t dots = std::min(times.find(".."), times.size());
+  const auto from = parse_number(times.substr(0, dots));
+  const auto to = parse_number(times.substr(std::min(dots + 2, times.size())));
   if (!from || !to) {
     fail("is not FROM..TO in seconds since power-on, as 3600..7200, nor RUN:FROM..TO");
   }
   if (*from > *to) fail("ends before it begins; swap its ends");
-  return {colon == std::string::npos ? "" : text.substr(0, colon), *from, *to};
+  return {run, *from, *to};
 }
 
 std::vector<Mask> masks_of(const std::vector<Mask>& masks, const std::string& path) {
@@ -68,18 +75,17 @@ double length_s(const std::vector<Mask>& masks) {
 }
 
 void require_masked_runs(const std::vector<Mask>& masks, const std::vector<std::string>& runs) {
-  for (const Mask& mask : masks) require_file_of("--mask", mask.run, runs);
+  require_runs("--mask", masks, runs);
 }
 
 Cut parse_cut(const std::string& text) {
-  const std::size_t colon = text.rfind(':');
-  const std::string time = colon == std::string::npos ? text : text.substr(colon + 1);
+  const auto [run, time] = run_and_times(text);
   const auto at_s = parse_number(time);
   if (!at_s) {
     throw InputError("--cut '" + text + "'",
                      "is not a time in seconds since power-on, as 3600, nor RUN:3600");
   }
-  return {colon == std::string::npos ? "" : text.substr(0, colon), *at_s};
+  return {run, *at_s};
 }
 
 std::string cut_text(const Cut& cut) {
@@ -87,7 +93,7 @@ std::string cut_text(const Cut& cut) {
 }
 
 void require_cut_runs(const std::vector<Cut>& cuts, const std::vector<std::string>& runs) {
-  for (const Cut& cut : cuts) require_file_of("--cut", cut.run, runs);
+  require_runs("--cut", cuts, runs);
 }
 
 }  // namespace fogcomp::recording

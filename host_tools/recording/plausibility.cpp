@@ -1,4 +1,4 @@
-#include "recording/plausibility.hpp"
+#include "recording/reading.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include "recording/row_range.hpp"
 #include "recording/segments.hpp"
 #include "support/evidence.hpp"
+#include "support/median.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 
@@ -61,38 +62,42 @@ std::string noise_doubt(double white_noise_dph_rthz) {
   return "";
 }
 
-std::string length_doubt(const Recording& recording) {
-  const double length_h = (recording.time_s.back() - recording.time_s.front()) / kSecondsPerHour;
-  if (length_h <= rules::kMaxRunHours) return "";
-  return format("a run of %.0f h: is the time in s, or in ms?", length_h);
-}
-
-std::string fast_doubt(const Recording& recording) {
-  const double length_s = recording.time_s.back() - recording.time_s.front();
-  const TemperatureChange fastest = fastest_change(recording, std::min(kHoldSeconds, length_s));
-  if (fastest.degc < rules::kMinDoubtedDegc ||
-      fastest.degc_per_min() <= rules::kMaxCoilDegcPerMin) {
+// Its noise lets no rate grow from each sample to the next.
+std::string growth_doubt(const std::vector<double>& rate_dph) {
+  if (rate_dph.size() < kEnoughValues || rate_dph.front() == rate_dph.back()) return "";
+  if (!std::is_sorted(rate_dph.begin(), rate_dph.end()) &&
+      !std::is_sorted(rate_dph.rbegin(), rate_dph.rend())) {
     return "";
   }
   return format(
-      "the temperature moves by %.3g degC in %.3g s, as no chamber can move a coil: is "
-      "the time in s, or in min?",
-      fastest.degc, fastest.length_s);
+      "the rate never turns back on its way from %.6g to %.6g deg/h: is it an angle that is "
+      "counted on? give its change per second",
+      rate_dph.front(), rate_dph.back());
 }
 
-std::string slow_doubt(const Recording& recording) {
-  const auto [min, max] =
-      std::minmax_element(recording.temperature_degc.begin(), recording.temperature_degc.end());
+// By the course of its temperature.
+std::string doubt_of_course(const Recording& recording) {
+  const auto& degc = recording.temperature_degc;
+  const auto [min, max] = std::minmax_element(degc.begin(), degc.end());
   const double span_degc = *max - *min;
-  const TemperatureChange fastest = fastest_change(recording, rules::kSlowWindowS);
-  if (span_degc < rules::kMinDoubtedDegc || fastest.degc == 0 ||
-      fastest.degc_per_min() >= rules::kMinChamberDegcPerMin) {
-    return "";
+  if (span_degc < rules::kMinDoubtedDegc) return "";
+  // Of a short run, too: from its coldest to its warmest sample.
+  const double span_s = std::fabs(recording.time_s[static_cast<std::size_t>(min - degc.begin())] -
+                                  recording.time_s[static_cast<std::size_t>(max - degc.begin())]);
+  const TemperatureChange fastest = fastest_change(recording, std::min(kHoldSeconds, span_s));
+  if (fastest.degc >= rules::kMinDoubtedDegc &&
+      fastest.degc_per_min() > rules::kMaxCoilDegcPerMin) {
+    return format(
+        "the temperature moves by %.3g degC in %.3g s, as no chamber can move a coil: is "
+        "the time in s, or in min or h?",
+        fastest.degc, fastest.length_s);
   }
+  const TemperatureChange slow = fastest_change(recording, rules::kSlowWindowS);
+  if (slow.degc == 0 || slow.degc_per_min() >= rules::kMinChamberDegcPerMin) return "";
   return format(
       "the temperature goes through %.3g degC at %.2g degC/h at most, slower than a day "
       "does: is the time in s, or in ms?",
-      span_degc, fastest.degc_per_min() * 60);
+      span_degc, slow.degc_per_min() * 60);
 }
 
 double mean(const std::vector<double>& values) {
@@ -103,23 +108,31 @@ bool says_its_sign(const Unit& unit) {
   return unit.quantity == Quantity::counts && unit.words.find("counts") == std::string::npos;
 }
 
-// By two's complement they go on as they were. Few negative ones, or one value, are disturbances.
-bool jump_less_with_signs(const std::vector<double>& counts, double max, double span) {
-  std::size_t negatives = 0;
-  std::size_t largest = 0;
+// Whether the jumps between neighbours are less the other way round a counter of this span. Those
+// of a table may be so by chance, but for a usual width: round it they are not like the others. Few
+// values in one half, or one, are disturbances.
+bool jump_round(const std::vector<double>& counts, double span, bool is_usual_width) {
+  const auto [min, max] = std::minmax_element(counts.begin(), counts.end());
+  const double middle = *min < 0 ? 0 : span / 2;
+  const auto upper =
+      std::count_if(counts.begin(), counts.end(), [&](double count) { return count >= middle; });
+  const auto largest = std::count(counts.begin(), counts.end(), *max);
   double jumps = 0;
-  double with_signs = 0;
-  for (std::size_t row = 0; row < counts.size(); ++row) {
-    const bool is_negative = counts[row] >= span / 2;
-    if (is_negative) ++negatives;
-    if (counts[row] == max) ++largest;
-    if (row == 0) continue;
+  double shorter = 0;
+  double other = 0;
+  std::vector<double> round;
+  for (std::size_t row = 1; row < counts.size(); ++row) {
     const double jump = std::fabs(counts[row] - counts[row - 1]);
-    const bool changes_sign = is_negative != (counts[row - 1] >= span / 2);
     jumps += jump * jump;
-    with_signs += std::pow(changes_sign ? span - jump : jump, 2);
+    shorter += std::pow(std::min(jump, span - jump), 2);
+    if (jump <= span / 2) {
+      other = std::max(other, jump);
+    } else {
+      round.push_back(span - jump);
+    }
   }
-  return negatives >= kFewValues && largest < negatives && with_signs < kMost * jumps;
+  return upper >= static_cast<std::ptrdiff_t>(kFewValues) && largest < upper &&
+         shorter < kMost * jumps && (is_usual_width || kMost * median(std::move(round)) <= other);
 }
 
 // The unit by which values of a rate are nearly `ratio` times as large; "" if none does that.
@@ -141,27 +154,37 @@ std::string choice_of_unit(const CsvHeader& header, std::size_t slot, double rat
 
 std::string fault_of_signs(const std::vector<double>& rate_dph, const CsvHeader& header) {
   const Unit unit = header.unit_of(kRateSlot);
+  const bool are_counts = unit.quantity == Quantity::counts;
   if (says_its_sign(unit) || rate_dph.size() < kFewValues) return "";
   std::vector<double> counts;
   for (const double rate : rate_dph) {
     const double count = std::round(rate / unit.factor * unit.divisor);
-    if (count < 0 || unit.convert(count) != rate) return "";
+    if ((count < 0 && !are_counts) || unit.convert(count) != rate) return "";
     counts.push_back(count);
   }
   const auto [min, max] = std::minmax_element(counts.begin(), counts.end());
-  const int bits = *max < 0x1p16 ? 16 : *max < 0x1p24 ? 24 : 32;
-  const double span = std::ldexp(1.0, bits);
-  if (*max < span / 2 || *max >= span) return "";
+  const bool have_sign = *min < 0;
+  const double size = have_sign ? 2 * std::max(-*min, *max + 1) : *max + 1;
+  const int bits = std::max(kMinConverterBits, static_cast<int>(std::ceil(std::log2(size))));
+  if (bits > kMaxConverterBits) return "";
+  const double span = std::exp2(bits);
   // No gyro rests at half of what it can measure, and no converter has 32 bits.
-  const bool may_rest = unit.quantity != Quantity::counts && bits < 32;
-  const bool is_far = !may_rest && mean(counts) >= kMost * span / 2;
-  if (!is_far && !jump_less_with_signs(counts, *max, span)) return "";
-  const std::string are = format("%.0f to %.0f, as of %d bits without a sign", *min, *max, bits);
-  if (unit.quantity != Quantity::counts) {
-    return "its rate is " + are + format("; subtract %.0f from all from %.0f on", span, span / 2);
-  }
+  const bool is_usual_width = !have_sign && bits % 8 == 0 && bits >= 16;
+  const bool may_rest = !are_counts && bits < 32;
+  const bool is_far = is_usual_width && !may_rest && mean(counts) >= kMost * span / 2;
+  if (!is_far && !jump_round(counts, span, is_usual_width)) return "";
   const std::string choice = "'rate=" + column_choice(header.names, header.field_of(kRateSlot)) +
                              "[" + unit.words.substr(0, unit.words.find("counts"));
+  if (have_sign) {
+    return format("its counts jump by nearly %.0f between neighbours, as of %d bits that overflow",
+                  span, bits) +
+           format("; add or subtract %.0f there, or say that they are right: --columns ", span) +
+           choice + format("int%d]'", bits);
+  }
+  const std::string are = format("%.0f to %.0f, as of %d bits without a sign", *min, *max, bits);
+  if (!are_counts) {
+    return "its rate is " + are + format("; subtract %.0f from all from %.0f on", span, span / 2);
+  }
   return "its counts are " + are + "; say what they are: --columns " + choice +
          format("int%d]' (%.0f is -1), ", bits, span - 1) + choice +
          format("offset%d]' (%.0f is 0) or ", bits, span / 2) + choice +
@@ -195,16 +218,15 @@ std::string fault_of_input_rate(const Recording& recording, const CsvHeader& hea
 }
 
 std::string doubt_of_time(const Recording& recording) {
-  for (const std::string& doubt :
-       {length_doubt(recording), fast_doubt(recording), slow_doubt(recording)}) {
-    if (!doubt.empty()) return doubt;
-  }
-  return "";
+  const double length_h = (recording.time_s.back() - recording.time_s.front()) / kSecondsPerHour;
+  if (length_h <= rules::kMaxRunHours) return doubt_of_course(recording);
+  return format("a run of %.0f h: is the time in s, or in ms?", length_h);
 }
 
 std::vector<std::string> doubts(const Recording& recording, double white_noise_dph_rthz) {
   std::vector<std::string> lines;
-  for (const std::string& doubt : {noise_doubt(white_noise_dph_rthz), doubt_of_time(recording)}) {
+  for (const std::string& doubt : {noise_doubt(white_noise_dph_rthz),
+                                   growth_doubt(recording.rate_dph), doubt_of_time(recording)}) {
     if (!doubt.empty()) lines.push_back(recording.file + ": " + doubt);
   }
   return lines;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "recording/input_file.hpp"
 #include "recording/mask.hpp"
 #include "recording/recording.hpp"
+#include "recording/row_range.hpp"
 
 namespace fogcomp::recording {
 
@@ -76,6 +78,16 @@ Recording read_csv(InputFile& file, const ReadOptions& options, LineNumbers& lin
 /// power-on and the other has dates, and if nothing is joined.
 void join_file(Recording& recording, LineNumbers& lines, const ReadOptions& options);
 
+/// Whether lengths, in rows, scatter less than those between events that come by chance: these have
+/// a geometric distribution, of variance m (m - 1) for a mean m, kurtosis 9 + 1 / (m (m - 1)).
+/// False where there are too few to tell.
+bool are_regular(const std::vector<double>& lengths);
+
+/// Rows that repeat a reading, of a rate that is logged faster than the gyro delivers: it changes
+/// in a rhythm that is slower than the rows. In such a series noise is averaged over time, not over
+/// rows. Empty if the rate changes from row to row, or repeats by chance because it is coarse.
+std::vector<std::size_t> repeated_readings(const std::vector<double>& rate_dph);
+
 /// Completes a column with readings in some rows only (NaN elsewhere): by straight lines between
 /// readings at most `longest_s` apart, or different by at most `step` if that is not 0;
 /// behind the last reading it repeats that for `longest_s`.
@@ -95,8 +107,9 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
 bool blank_held_readings(const std::vector<double>& time_s, const std::vector<double>& rate_dph,
                          std::vector<double>& input_rate);
 
-/// The same for a temperature that repeats each reading, in a steady rhythm, for longer than
-/// kHoldSeconds, as a sensor that is read each few minutes does.
+/// The same for a temperature that repeats each reading for longer than a second, and 10 min at
+/// most. What is held goes on by several steps of its resolution, and not one by one as a coarse
+/// sensor.
 bool blank_held_temperatures(const std::vector<double>& time_s, std::vector<double>& degc);
 
 /// Completes an input rate with readings in some rows only (NaN elsewhere) between readings at most
@@ -154,7 +167,7 @@ UnknownFlanks unknown_flanks(const Recording& recording);
 
 /// Removes rows from every column. `rows`: in rising order. A label without remaining rows is
 /// removed.
-void remove_rows(Recording& recording, const std::vector<std::size_t>& rows);
+void remove_rows(Recording& recording, LineNumbers& lines, const std::vector<std::size_t>& rows);
 
 /// Removes samples whose rate is one exact value that is far from the samples around, time after
 /// time, and hardly stands anywhere else: it stands for no reading. Reports each such value to
@@ -166,7 +179,91 @@ void leave_out_sentinels(Recording& recording, LineNumbers& lines, const ReadWat
 /// lines (without `lines`: with their times), one message per reason. Frozen temperatures, and
 /// stretches in which another column has one value that stands for none, are reported and kept.
 /// Stretches are unchanged. Throws InputError if no sample would be left.
-void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
-                            const GyroLimits& limits, const ReadWatch& watch);
+void leave_out_refused_rows(Recording& recording, LineNumbers lines, const GyroLimits& limits,
+                            const ReadWatch& watch);
+
+/// Reasons for which the board would refuse a row.
+enum class Refusal : std::uint8_t {
+  impossible_temperature,
+  power_on_temperature,  ///< power-on value of a DS18B20
+  temperature_jump,
+  rate_beyond_range,
+  rate_jump,
+};
+
+struct RefusedRow {
+  std::size_t row;
+  Refusal why;
+};
+
+/// The rows of a recording that the board would refuse, in order, each once. Uses the core's own
+/// monitors (firmware/spec/samples.md), with these differences because a recording is
+/// known as a whole:
+///  * Between rows the temperature is assumed on a straight line if that helps: it is refused if it
+///    must have changed by more than 1 degC/s, and exactly 85 degC if it must have been approached
+///    by more than 12 degC/min.
+///  * The first readings are judged backwards from the first one that its successor confirms.
+///  * An excursion that the board would accept in the end is refused from its start if it ends
+///    within 10 min faster than a coil can change.
+/// A recording with 85 degC only is a soak.
+std::vector<RefusedRow> refused_rows(const Recording& recording, const GyroLimits& limits);
+
+/// Whether frozen_temperatures() can tell: readings each second or more often. Between longer ones
+/// the end of a ramp looks the same.
+bool judges_frozen_temperatures(const Recording& recording);
+
+/// Ranges in which the board would call the temperature frozen for longer than it holds a drift.
+std::vector<RowRange> frozen_temperatures(const Recording& recording);
+
+/// Evenly sampled rows whose times are those at which they arrived.
+struct EvenTimes {
+  /// False: too many samples are lost, or delays are too long, for the rest to be known.
+  bool is_known = false;
+  std::vector<double> time_s;  ///< of each row, when it was sampled
+  double rate_hz = 0;
+  double rate_sigma_hz = 0;
+  std::size_t uneven_before = 0;  ///< spacings that are no period, as the rows arrived
+  std::size_t gaps_after = 0;     ///< where samples are lost
+};
+
+/// Times of rows that a coarse clock stamps, several alike (a log with minutes only): samples of
+/// this rate are counted, and lost where the clock is more than a sample ahead. Nothing if there
+/// are more rows than its time allows, samples lost at most of its times, or only one time.
+std::optional<std::vector<double>> counted_times(const std::vector<double>& stamp_s,
+                                                 double rate_hz);
+
+/// Recognises times of arrival: packets, a queue behind a stalled reader, a clock that is read
+/// coarsely. Each sample is late by a delay that comes and goes, so that spacings scatter but their
+/// sums do not: what a pause takes, the next spacings give back, unlike at lost samples. The least
+/// delayed sample of each window is a time that is known; between these the samples are even, and
+/// lost where whole periods are missing.
+///
+/// `time_s`: not falling; rows may have the same time. Nothing if the rows may be there when they
+/// were sampled: next to none comes early, and pauses do not make up for each other, or most are
+/// losses all the same.
+/// Pauses above rules::kMaxDropoutS are gaps unless the rows after them make up for them. Without
+/// `rate_hz` the sample rate is found where enough windows lose nothing (rules::kShareWithoutLoss).
+std::optional<EvenTimes> even_times(const std::vector<double>& time_s,
+                                    const std::optional<double>& rate_hz = std::nullopt);
+
+struct CsvHeader;
+
+/// Questions about a recording with values that no gyro, coil or chamber can have, which suggests
+/// another unit: `FILE: what; what it may be`, one line each. `white_noise_dph_rthz`: of the rate,
+/// deg/h in 1 s; 0 if unknown. Bounds: decision_rules.hpp.
+std::vector<std::string> doubts(const Recording& recording, double white_noise_dph_rthz);
+
+/// The first of them that a wrong unit of the time explains; "" for none.
+std::string doubt_of_time(const Recording& recording);
+
+/// What is wrong with rates in whole numbers that may be counts without a sign, of any width, or
+/// that overflowed, and what decides. "" if their unit says it (int16, offset16, uint16). Else
+/// they jump less round a counter of that width, or lie at half of what a converter of 16, 24 or
+/// 32 bits with a sign has, or above.
+std::string fault_of_signs(const std::vector<double>& rate_dph, const CsvHeader& header);
+
+/// What is wrong with an input rate that the gyro sees, yet with another sign or half as large
+/// again or more: another unit of either, with the options that give it. "" if nothing is.
+std::string fault_of_input_rate(const Recording& recording, const CsvHeader& header);
 
 }  // namespace fogcomp::recording

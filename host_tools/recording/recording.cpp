@@ -1,11 +1,18 @@
 #include "recording/recording.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
+#include "recording/columns.hpp"
+#include "recording/decision_rules.hpp"
 #include "recording/input_file.hpp"
 #include "recording/reading.hpp"
+#include "recording/row_range.hpp"
 #include "recording/stream_reader.hpp"
 #include "support/input_error.hpp"
+#include "support/median.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::recording {
@@ -20,38 +27,60 @@ void refuse_false_utf16(std::string_view head, const std::string& path) {
 
 void mask_unknown_flanks(Recording& recording, const ReadWatch& watch) {
   const UnknownFlanks unknown = unknown_flanks(recording);
-  const std::string changes = "at " + counted(unknown.masks.size(), "change");
-  if (unknown.delay_s) {
-    const double delay_s = *unknown.delay_s;
-    mask_unknown_input_rate(recording, unknown.masks,
-                            changes + format(", which it shows %.4g ms ", 1e3 * std::abs(delay_s)) +
-                                (delay_s > 0 ? "later" : "earlier") + " than the gyro",
-                            "correct its clock", watch);
-  } else {
-    mask_unknown_input_rate(recording, unknown.masks,
-                            changes +
-                                ", which the gyro sees otherwise (is it a commanded rate, or one "
-                                "value a sample?)",
-                            "record the mean over each sample of what the table does", watch);
+  const std::string which =
+      unknown.delay_s
+          ? format("which it shows %.4g ms ", 1e3 * std::abs(*unknown.delay_s)) +
+                (*unknown.delay_s > 0 ? "later" : "earlier") + " than the gyro"
+          : "which the gyro sees otherwise (is it a commanded rate, or one value a sample?)";
+  mask_unknown_input_rate(
+      recording, unknown.masks, "at " + counted(unknown.masks.size(), "change") + ", " + which,
+      unknown.delay_s ? "correct its clock"
+                      : "record the mean over each sample of what the table does",
+      watch);
+}
+
+std::vector<Recording::Label> labels_without(const Recording& recording,
+                                             const std::vector<std::size_t>& removed) {
+  std::vector<Recording::Label> labels;
+  for (const Recording::Label& label : recording.labels) {
+    const auto after = std::lower_bound(removed.begin(), removed.end(), label.first_row);
+    const std::size_t first_row =
+        label.first_row - static_cast<std::size_t>(after - removed.begin());
+    if (!labels.empty() && labels.back().first_row == first_row) labels.pop_back();
+    if (!labels.empty() && labels.back().text == label.text) continue;
+    labels.push_back({first_row, label.text});
   }
+  const std::size_t rows_left = recording.rows() - removed.size();
+  if (!labels.empty() && labels.back().first_row == rows_left) labels.pop_back();
+  return labels;
+}
+
+void remove_from(std::vector<double>& column, const std::vector<std::size_t>& removed) {
+  if (column.empty()) return;
+  std::size_t kept = removed.front();
+  for (std::size_t i = 0; i < removed.size(); ++i) {
+    const std::size_t end = i + 1 < removed.size() ? removed[i + 1] : column.size();
+    for (std::size_t row = removed[i] + 1; row < end; ++row) column[kept++] = column[row];
+  }
+  column.resize(kept);
+}
+
+// Removes rounding errors of differences of printed times: 0.00499999999738 becomes 0.005.
+double without_rounding_error(double period_s) {
+  constexpr double kDigits = 9;
+  const double units_per_s = std::pow(10, kDigits - std::floor(std::log10(period_s)));
+  return std::round(period_s * units_per_s) / units_per_s;
 }
 
 }  // namespace
 
 std::vector<double>& Recording::operator[](Column column) {
-  switch (column) {
-    case Column::time_s:
-      return time_s;
-    case Column::temperature_degc:
-      return temperature_degc;
-    case Column::rate_dph:
-      return rate_dph;
-    case Column::input_rate_dph:
-      return input_rate_dph;
-    case Column::uptime_s:
-      return uptime_s;
-  }
-  return extension[static_cast<std::size_t>(column) - kFirstExtensionColumn];
+  constexpr std::vector<double> Recording::*kMembers[kFirstExtensionColumn] = {
+      &Recording::time_s, &Recording::temperature_degc, &Recording::rate_dph,
+      &Recording::input_rate_dph, &Recording::uptime_s};
+  const auto number = static_cast<std::size_t>(column);
+  return number < kFirstExtensionColumn ? this->*kMembers[number]
+                                        : extension[number - kFirstExtensionColumn];
 }
 
 const std::vector<double>& Recording::operator[](Column column) const {
@@ -72,6 +101,108 @@ std::vector<double> bias_dph(const Recording& recording) {
     bias[row] -= recording.input_rate_dph[row];
   }
   return bias;
+}
+
+void remove_rows(Recording& recording, LineNumbers& lines, const std::vector<std::size_t>& rows) {
+  if (rows.empty()) return;
+  if (!lines.empty()) lines = lines.without(rows, recording.rows());
+  recording.labels = labels_without(recording, rows);
+  for (const ColumnInfo& info : kColumns) remove_from(recording[info.column], rows);
+}
+
+bool RateResolution::varies() const {
+  return range_dph >
+         rules::kRoundings * std::numeric_limits<double>::epsilon() * std::max(size_dph, 1.0);
+}
+
+double RateResolution::rounding_dph() const {
+  const double of_digits = step_dph / std::sqrt(12.0);
+  return std::max(of_digits, rules::kRoundings * std::numeric_limits<double>::epsilon() * size_dph);
+}
+
+RateResolution rate_resolution(const Recording& recording) {
+  RateResolution resolution;
+  const std::vector<double>& rate = recording.rate_dph;
+  if (rate.empty()) return resolution;
+  const auto [min, max] = std::minmax_element(rate.begin(), rate.end());
+  resolution.range_dph = *max - *min;
+  resolution.size_dph = std::max(std::abs(*min), std::abs(*max));
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t row = 1; row < rate.size(); ++row) {
+    const double change = std::abs(rate[row] - rate[row - 1]);
+    if (change > 0 && change < step) step = change;
+  }
+  if (std::isfinite(step)) resolution.step_dph = step;
+  return resolution;
+}
+
+void require_varying_rate(const Recording& recording) {
+  if (recording.rows() < 2 || rate_resolution(recording).varies()) return;
+  throw InputError(recording.file,
+                   format("the rate does not move: %.10g deg/h in all %zu samples; is "
+                          "the gyro on and connected?",
+                          recording.rate_dph[0], recording.rows()));
+}
+
+double median_spacing_s(const std::vector<double>& time_s) {
+  constexpr std::size_t kMaxSpacings = 65536;
+  constexpr std::size_t kScatter = 7919;  // a prime: spacings may have a rhythm, of packets
+  const std::size_t step = time_s.size() / kMaxSpacings + 1;
+  std::vector<double> spacings;
+  for (std::size_t i = 1; i + step <= time_s.size(); i += step) {
+    const std::size_t row = i + i * kScatter % step;
+    spacings.push_back(time_s[row] - time_s[row - 1]);
+  }
+  // Of a clock that jitters while samples are lost, most spacings are long.
+  double period_s = median(spacings);
+  constexpr int kPeriodRounds = 5;  // until the counts of samples stay
+  for (int round = 0; round < kPeriodRounds && period_s > 0; ++round) {
+    double samples = 0;
+    double sum_s = 0;
+    for (const double each_s : spacings) {
+      if (each_s > rules::kMaxDropoutS) continue;
+      samples += std::round(each_s / period_s);
+      sum_s += each_s;
+    }
+    if (samples > 0) period_s = sum_s / samples;
+  }
+  return period_s;
+}
+
+void find_stretches(Recording& recording) {
+  recording.stretch_starts = {0};
+  recording.period_s = 0;
+  const std::vector<double>& time_s = recording.time_s;
+  if (time_s.size() < 2) return;
+  const double typical_s = median_spacing_s(time_s);
+  double spanned_s = 0;
+  std::size_t spacings = 0;
+  for (std::size_t i = 1; i < time_s.size(); ++i) {
+    const double spacing_s = time_s[i] - time_s[i - 1];
+    if (is_gap(spacing_s, typical_s) || recording.restarts_at(i)) {
+      recording.stretch_starts.push_back(i);
+    } else {
+      spanned_s += spacing_s;
+      ++spacings;
+    }
+  }
+  const double period_s = spanned_s / static_cast<double>(spacings);
+  if (period_s < rules::kMinPeriodS || period_s > rules::kMaxPeriodS) {
+    throw InputError(
+        recording.file,
+        format("samples are %g s apart; is the time in s? if not, give --columns time=NAME[us]",
+               period_s));
+  }
+  recording.period_s = without_rounding_error(period_s);
+}
+
+void become_table(Recording& recording) {
+  const double end_s = recording.time_s.back() + kDwellSpacingS;
+  for (double& time_s : recording.time_s) time_s -= end_s;
+  recording.is_table = true;
+  recording.period_s = 0;
+  recording.stretch_starts.resize(recording.rows());
+  std::iota(recording.stretch_starts.begin(), recording.stretch_starts.end(), 0);
 }
 
 Recording read_recording(const std::string& path, const ReadOptions& options) {

@@ -153,10 +153,29 @@ class InputFile;
 /// analysed.
 std::vector<double> bias_dph(const Recording& recording);
 
+/// Resolution of a recording's rate, and whether the rate changes at all.
+struct RateResolution {
+  double step_dph = 0;   ///< smallest non-zero step between rows; 0: none
+  double range_dph = 0;  ///< max - min
+  double size_dph = 0;   ///< largest magnitude
+
+  /// Whether the rate changes by more than the rounding of numbers of its size (at least 1 deg/h).
+  /// A gyro's rate does: its noise is 10^9 times larger.
+  bool varies() const;
+  /// Standard deviation of a row's rounding: uniform within a step, or the rounding of a sum of
+  /// products if such numbers have more digits.
+  double rounding_dph() const;
+};
+RateResolution rate_resolution(const Recording& recording);
+
+/// Throws InputError if a recording of two or more rows has a constant rate: the gyro is off or not
+/// connected.
+void require_varying_rate(const Recording& recording);
+
 constexpr double kDefaultStreamRateHz = 200;
 
 /// Reads a CSV of any layout (csv_layout.hpp), or a captured sensor stream (recognised by content,
-/// not by name); "-" is standard input. Rows that the board would refuse (row_judge.hpp) are left
+/// not by name); "-" is standard input. Rows that the board would refuse (row_judge.cpp) are left
 /// out. Ignored and left-out data are reported to options.watch. Throws InputError `FILE:LINE: what
 /// is wrong; what to do`.
 Recording read_recording(const std::string& path, const ReadOptions& options);

@@ -11,7 +11,7 @@
 
 #include "core/frames/sensor_frame.hpp"
 #include "recording/columns.hpp"
-#include "recording/decimal.hpp"
+#include "recording/csv_fields.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp::recording {

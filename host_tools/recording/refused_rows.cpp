@@ -12,7 +12,6 @@
 #include "recording/board_limits.hpp"
 #include "recording/columns.hpp"
 #include "recording/decision_rules.hpp"
-#include "recording/row_judge.hpp"
 #include "support/evidence.hpp"
 #include "support/input_error.hpp"
 #include "support/median.hpp"
@@ -20,6 +19,11 @@
 
 namespace fogcomp::recording {
 namespace {
+
+std::string place_of(const Recording& recording, const LineNumbers& lines, std::size_t row) {
+  return lines.empty() ? format(" at %.6g s", recording.time_s[row])
+                       : format(" at line %zu", lines.line_of(row));
+}
 
 /// Texts of the messages; made while the rows still exist.
 class Words {
@@ -72,10 +76,7 @@ class Words {
                 : format("temperature %.6g degC", temperature(row));
   }
 
-  std::string place(std::size_t row) const {
-    return lines_.empty() ? format(" at %.6g s", recording_.time_s[row])
-                          : format(" at line %zu", lines_.line_of(row));
-  }
+  std::string place(std::size_t row) const { return place_of(recording_, lines_, row); }
 
   std::string others(const std::vector<std::size_t>& rows) const {
     constexpr std::size_t kMaxNamed = 4;
@@ -268,37 +269,42 @@ bool has_filled_zeros(const std::vector<double>& values) {
   return !is_noticeable(others, zeros.ranges);
 }
 
-/// Those after a jump and before one: no reading, but what stands for none.
-std::vector<RowRange> between_jumps(const std::vector<double>& values, std::vector<RowRange> held) {
-  const double usual = usual_step(values);
-  const auto jumps_at = [&](std::size_t row) {
-    return row == 0 || row == values.size() || step_at(values, row) >= usual;
-  };
-  held.erase(std::remove_if(held.begin(), held.end(),
-                            [&](const RowRange& range) {
-                              return !jumps_at(range.first) || !jumps_at(range.end);
-                            }),
-             held.end());
-  return held;
-}
-
-/// Those of a thermometer: a temperature comes to rest by itself, yet goes on with a larger step
-/// than all others only where it has moved on unseen.
-std::vector<RowRange> before_largest_steps(const std::vector<double>& values,
-                                           std::vector<RowRange> held) {
+/// Those after a jump and before one are no reading, but what stands for none. Of a thermometer: a
+/// temperature comes to rest by itself, yet goes on with a larger step than all others only where
+/// it has moved on unseen.
+std::vector<RowRange> stuck_ranges(const std::vector<double>& values, bool is_temperature) {
+  std::vector<RowRange> held = held_ranges(values);
+  if (held.empty()) return held;
   std::vector<bool> is_end(values.size() + 1, false);
   for (const RowRange& range : held) is_end[range.first] = is_end[range.end] = true;
   double largest = 0;
   for (std::size_t row = 1; row < values.size(); ++row) {
     if (!is_end[row]) largest = std::max(largest, step_at(values, row));
   }
-  held.erase(std::remove_if(held.begin(), held.end(),
-                            [&](const RowRange& range) {
-                              return range.end == values.size() ||
-                                     step_at(values, range.end) <= largest;
-                            }),
-             held.end());
+  const double usual = usual_step(values);
+  const auto jumps_at = [&](std::size_t row) {
+    return row == 0 || row == values.size() || step_at(values, row) >= usual;
+  };
+  const auto is_reading = [&](const RowRange& range) {
+    if (!is_temperature) return !jumps_at(range.first) || !jumps_at(range.end);
+    return range.end == values.size() || step_at(values, range.end) <= largest;
+  };
+  held.erase(std::remove_if(held.begin(), held.end(), is_reading), held.end());
   return held;
+}
+
+/// Its largest and smallest values, if one stands in many rows, time after time, and the value next
+/// to it in few.
+std::string ends_of_scale(const std::vector<double>& rate_dph) {
+  const auto [min, max] = std::minmax_element(rate_dph.begin(), rate_dph.end());
+  std::string ends;
+  for (const double end : {*min, *max}) {
+    const Occurrence found(end, rate_dph);
+    const std::size_t beside = Occurrence(nearest_to(end, rate_dph), rate_dph).rows;
+    if (found.rows < kFewValues || found.ranges < 2 || is_noticeable(beside, found.rows)) continue;
+    ends += format("%s%.6g in %zu", ends.empty() ? "" : ", and ", end, found.rows);
+  }
+  return ends;
 }
 
 void name_stuck_columns(const Recording& recording, const Words& words, const ReadWatch& watch) {
@@ -310,20 +316,16 @@ void name_stuck_columns(const Recording& recording, const Words& words, const Re
                                (is_temperature && (recording.temperature_period_s > 0 ||
                                                    judges_frozen_temperatures(recording)));
     if (has_own_judge || values.empty()) continue;
-    const std::vector<RowRange> held = held_ranges(values);
-    if (held.empty()) continue;
-    const std::vector<RowRange> ranges =
-        is_temperature ? before_largest_steps(values, held) : between_jumps(values, held);
+    const std::string ends = info.column == Column::rate_dph ? ends_of_scale(values) : "";
+    if (!ends.empty()) {
+      watch.say(recording.file, "the rate ends at " + ends +
+                                    " rows, as at the end of a scale; the samples are kept, "
+                                    "--mask FROM..TO leaves some out");
+      continue;
+    }
+    const std::vector<RowRange> ranges = stuck_ranges(values, is_temperature);
     if (!ranges.empty()) watch.say(recording.file, words.stuck(info, ranges));
   }
-}
-
-std::vector<std::size_t> rows_refused_for(const std::vector<RefusedRow>& refused, Refusal why) {
-  std::vector<std::size_t> rows;
-  for (const RefusedRow& each : refused) {
-    if (each.why == why) rows.push_back(each.row);
-  }
-  return rows;
 }
 
 const char* likely_cause(const Recording& recording, Refusal why) {
@@ -340,7 +342,10 @@ void name_refused_rows(const Recording& recording, const Words& words,
   for (const Refusal why :
        {Refusal::impossible_temperature, Refusal::power_on_temperature, Refusal::temperature_jump,
         Refusal::rate_beyond_range, Refusal::rate_jump}) {
-    const std::vector<std::size_t> rows = rows_refused_for(refused, why);
+    std::vector<std::size_t> rows;
+    for (const RefusedRow& each : refused) {
+      if (each.why == why) rows.push_back(each.row);
+    }
     if (rows.empty()) continue;
     const std::string fault = words.fault(rows, why);
     if (rows.size() == recording.rows()) {
@@ -364,15 +369,12 @@ void leave_out_sentinels(Recording& recording, LineNumbers& lines, const ReadWat
     for (std::size_t row = 0; row < recording.rows(); ++row) {
       if (values[row] == value) rows.push_back(row);
     }
-    const std::string place = lines.empty() ? format("at %.6g s", recording.time_s[rows.front()])
-                                            : format("at line %zu", lines.line_of(rows.front()));
     watch.say(recording.file, counted(rows.size(), "sample") + " left out: the " +
                                   (column == Column::rate_dph ? "" : "input ") +
-                                  format("rate is exactly %.6g deg/h, the first ", value) + place +
-                                  why + ": no readings");
+                                  format("rate is exactly %.6g deg/h, the first", value) +
+                                  place_of(recording, lines, rows.front()) + why + ": no readings");
     recording.empty_rows += rows.size();
-    if (!lines.empty()) lines = lines.without(rows, recording.rows());
-    remove_rows(recording, rows);
+    remove_rows(recording, lines, rows);
   };
   const auto each_far = [&](Column column, auto seen) {
     while (const auto value = far_sentinel(recording[column], seen(recording))) {
@@ -387,8 +389,8 @@ void leave_out_sentinels(Recording& recording, LineNumbers& lines, const ReadWat
   }
 }
 
-void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
-                            const GyroLimits& limits, const ReadWatch& watch) {
+void leave_out_refused_rows(Recording& recording, LineNumbers lines, const GyroLimits& limits,
+                            const ReadWatch& watch) {
   const std::vector<RefusedRow> refused = refused_rows(recording, limits);
   const std::vector<RowRange> frozen = frozen_temperatures(recording);
   const Words words(recording, lines, limits, refused);
@@ -399,7 +401,7 @@ void leave_out_refused_rows(Recording& recording, const LineNumbers& lines,
   std::vector<std::size_t> rows(refused.size());
   std::transform(refused.begin(), refused.end(), rows.begin(),
                  [](const RefusedRow& each) { return each.row; });
-  remove_rows(recording, rows);
+  remove_rows(recording, lines, rows);
   recording.refused_rows = refused.size();
 }
 

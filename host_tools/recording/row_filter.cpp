@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "recording/column_map.hpp"
 #include "recording/columns.hpp"
 #include "recording/csv_fields.hpp"
-#include "recording/csv_lines.hpp"
+#include "recording/csv_layout.hpp"
 #include "recording/decision_rules.hpp"
 #include "support/evidence.hpp"
 #include "support/input_error.hpp"
@@ -41,14 +42,15 @@ struct Sensors {
   double rows = 0;
   double changes = 0;
 
-  void add(const std::string& value, const double* rate, const double* temperature) {
+  using Number = std::optional<double>;
+  void add(const std::string& value, const Number& rate, const Number& temperature) {
     if (rows > 0 && value != last) ++changes;
     last = value;
     ++rows;
     Sensor& sensor = sensors[value];
     ++sensor.rows;
-    if (rate != nullptr) sensor.rate.add(*rate);
-    if (temperature != nullptr) sensor.temperature.add(*temperature);
+    if (rate) sensor.rate.add(*rate);
+    if (temperature) sensor.temperature.add(*temperature);
   }
 
   bool take_turns() const {
@@ -87,22 +89,20 @@ std::vector<Sensors> unknown_columns(const std::vector<std::string_view>& lines,
                                      const CsvLayout& layout) {
   const CsvHeader& header = layout.header;
   std::vector<Sensors> columns(std::min(header.slots.size(), rules::kMaxColumnsUnderstood));
-  const std::size_t rate_field = header.field_of(kRateSlot);
-  const std::size_t temperature_field = header.field_of(kTemperatureSlot);
-  const auto number_in = [&](const auto& fields, std::size_t field, double& value) {
-    const bool is_number = field < std::min(fields.size(), header.slots.size()) &&
-                           read_number(fields[field], layout.dialect, value) == FieldKind::number;
-    return is_number ? &value : nullptr;
-  };
   for_each_row(lines, layout, [&](std::size_t, const std::vector<std::string_view>& fields) {
-    double rate = 0;
-    double temperature = 0;
-    const double* const its_rate = number_in(fields, rate_field, rate);
-    const double* const its_temperature = number_in(fields, temperature_field, temperature);
+    const auto number_of = [&](std::size_t slot) {
+      const std::size_t field = header.field_of(slot);
+      double value = 0;
+      const bool is_number = field < std::min(fields.size(), header.slots.size()) &&
+                             read_number(fields[field], layout.dialect, value) == FieldKind::number;
+      return is_number ? std::optional(value) : std::nullopt;
+    };
+    const auto rate = number_of(kRateSlot);
+    const auto temperature = number_of(kTemperatureSlot);
     for (std::size_t field = 0; field < std::min(columns.size(), fields.size()); ++field) {
       const bool is_unknown = header.slots[field] == CsvHeader::kIgnored;
       if (!is_unknown || columns[field].sensors.size() > rules::kMaxSensors) continue;
-      columns[field].add(std::string(fields[field]), its_rate, its_temperature);
+      columns[field].add(std::string(fields[field]), rate, temperature);
     }
   });
   return columns;

@@ -1,4 +1,4 @@
-#include "recording/row_judge.hpp"
+#include "recording/reading.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -126,16 +126,18 @@ class RowJudge {
 
   // `first`: whose temperature is believed; `is_start_wrong`: none before it.
   std::vector<RefusedRow> judge(std::size_t first, bool is_start_wrong) {
-    const std::vector<Status> before_first =
-        is_start_wrong ? wrong_until(first) : judge_backwards_from(first);
+    const std::vector<Status> before_first = judge_backwards_from(first);
     for (std::size_t row = 0; row < time_s_.size(); ++row) {
-      note(row, (row < first ? before_first[row] : judge_temperature(row)) | rate_status(row));
+      const Status status = row >= first     ? judge_temperature(row)
+                            : is_start_wrong ? jump_at(row)
+                                             : before_first[row];
+      note(row, status | rate_status(row));
     }
     return refused_;
   }
 
   // The row from which on temperatures are right if those before it are of a sensor that did not
-  // measure yet: they jumped once and for all, and are all 0 or fewer than the jump cost; or 0.
+  // measure yet: they jumped once and for all, and are one value or fewer than the jump cost; or 0.
   std::size_t end_of_wrong_start() const { return level_; }
 
   // First row whose temperature the next row confirms; without one, the first that the board would
@@ -162,11 +164,14 @@ class RowJudge {
     return fog::is_possible(board_temperature(temperature_degc_[row]));
   }
 
-  // What a variable says before it was set.
+  // One value: what a variable says before it was set is 0, however long, and what a sensor says
+  // before it measures lasts no longer than an excursion.
   bool is_unread_until(std::size_t end) const {
-    return std::all_of(temperature_degc_.begin(),
+    const double said_degc = temperature_degc_[0];
+    return (said_degc == 0 || time_s_[end] - time_s_[0] <= rules::kMaxExcursionS) &&
+           std::all_of(temperature_degc_.begin(),
                        temperature_degc_.begin() + static_cast<std::ptrdiff_t>(end),
-                       [](double degc) { return degc == 0; });
+                       [&](double degc) { return degc == said_degc; });
   }
 
   // Whether one coil can have had these two temperatures.
@@ -177,12 +182,6 @@ class RowJudge {
 
   Status jump_at(std::size_t row) const {
     return is_possible(row) ? Status::temperature_jump : Status::temperature_invalid;
-  }
-
-  std::vector<Status> wrong_until(std::size_t end) const {
-    std::vector<Status> status;
-    for (std::size_t row = 0; row < end; ++row) status.push_back(jump_at(row));
-    return status;
   }
 
   std::vector<Status> judge_backwards_from(std::size_t first) const {
@@ -292,9 +291,6 @@ bool judges_frozen_temperatures(const Recording& recording) {
 std::vector<RowRange> frozen_temperatures(const Recording& recording) {
   std::vector<RowRange> ranges;
   if (!judges_frozen_temperatures(recording)) return ranges;
-  const auto lasts_too_long = [&](RowRange range) {
-    return recording.time_s[range.end - 1] - recording.time_s[range.first] >= kHoldSeconds;
-  };
   fog::TemperatureMonitor monitor(kMonitorPeriodUs);
   for (std::size_t row = 0; row < recording.rows(); ++row) {
     const double passed_s = row == 0 ? 0 : recording.time_s[row] - recording.time_s[row - 1];
@@ -302,13 +298,13 @@ std::vector<RowRange> frozen_temperatures(const Recording& recording) {
     const Status status = monitor.judge(board_temperature(recording.temperature_degc[row]), true,
                                         elapsed_us(passed_s));
     if (!has_any(status, Status::temperature_frozen)) continue;
-    if (ranges.empty() || ranges.back().end != row) {
-      if (!ranges.empty() && !lasts_too_long(ranges.back())) ranges.pop_back();
-      ranges.push_back({row, row});
-    }
+    if (ranges.empty() || ranges.back().end != row) ranges.push_back({row, row});
     ranges.back().end = row + 1;
   }
-  if (!ranges.empty() && !lasts_too_long(ranges.back())) ranges.pop_back();
+  const auto is_short = [&](RowRange range) {
+    return recording.time_s[range.end - 1] - recording.time_s[range.first] < kHoldSeconds;
+  };
+  ranges.erase(std::remove_if(ranges.begin(), ranges.end(), is_short), ranges.end());
   return ranges;
 }
 

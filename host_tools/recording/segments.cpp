@@ -132,18 +132,18 @@ std::vector<Piece> with_equal_neighbours_joined(const std::vector<Piece>& pieces
   return joined;
 }
 
-// A small move is control action or overshoot of the chamber, not a ramp.
-std::vector<Piece> with_small_ramps_flat(std::vector<Piece> pieces, double min_ramp_degc) {
+// A small move is control action or overshoot of the chamber, not a ramp; and when those are
+// joined, neighbours that each stand may move together.
+std::vector<Piece> with_ramps_by_size(std::vector<Piece> pieces, double min_ramp_degc) {
+  const auto is_small = [&](const Piece& piece) {
+    return std::fabs(piece.change_degc()) < min_ramp_degc;
+  };
   for (Piece& piece : pieces) {
-    if (std::fabs(piece.change_degc()) < min_ramp_degc) piece.kind = SegmentKind::soak;
+    if (is_small(piece)) piece.kind = SegmentKind::soak;
   }
-  return with_equal_neighbours_joined(pieces);
-}
-
-// Neighbours that each stand may move together.
-std::vector<Piece> with_slow_ramps(std::vector<Piece> pieces, double min_ramp_degc) {
+  pieces = with_equal_neighbours_joined(pieces);
   for (Piece& piece : pieces) {
-    if (std::fabs(piece.change_degc()) >= min_ramp_degc) piece.kind = ramp_of(piece.change_degc());
+    if (!is_small(piece)) piece.kind = ramp_of(piece.change_degc());
   }
   return with_equal_neighbours_joined(pieces);
 }
@@ -174,8 +174,7 @@ std::vector<ProgrammePart> find_programme_parts(const Recording& recording, RowR
     pieces.push_back({corners[i - 1], corners[i], kind});
   }
   pieces = with_equal_neighbours_joined(pieces);
-  pieces = with_small_ramps_flat(std::move(pieces), min_ramp_degc);
-  pieces = with_slow_ramps(std::move(pieces), min_ramp_degc);
+  pieces = with_ramps_by_size(std::move(pieces), min_ramp_degc);
   pieces = without_short_soaks(std::move(pieces));
 
   std::vector<ProgrammePart> parts;
@@ -261,23 +260,15 @@ SegmentKind kind_of(const Recording& recording, RowRange rows) {
 }
 
 std::vector<Segment> segments_by_label(const Recording& recording) {
-  std::vector<RowRange> ranges;
-  std::vector<std::string> names;
-  if (recording.labels.front().first_row > 0) {
-    ranges.push_back({0, recording.labels.front().first_row});
-    names.emplace_back("unlabelled");
-  }
-  for (std::size_t i = 0; i < recording.labels.size(); ++i) {
-    const bool last = i + 1 == recording.labels.size();
-    ranges.push_back({recording.labels[i].first_row,
-                      last ? recording.rows() : recording.labels[i + 1].first_row});
-    const std::string& text = recording.labels[i].text;
-    names.push_back(text.empty() ? "unlabelled" : text);
-  }
+  std::vector<Recording::Label> labels = recording.labels;
+  if (labels.front().first_row > 0) labels.insert(labels.begin(), {0, ""});
+  labels.push_back({recording.rows(), ""});
   std::vector<Segment> segments;
-  for (std::size_t i = 0; i < ranges.size(); ++i) {
-    for (const RowRange& rows : cut_at_gaps(recording, ranges[i], rules::kMaxDropoutS)) {
-      segments.push_back(segment_of(recording, names[i], kind_of(recording, rows), rows));
+  for (std::size_t i = 0; i + 1 < labels.size(); ++i) {
+    const std::string name = labels[i].text.empty() ? "unlabelled" : labels[i].text;
+    const RowRange range{labels[i].first_row, labels[i + 1].first_row};
+    for (const RowRange& rows : cut_at_gaps(recording, range, rules::kMaxDropoutS)) {
+      segments.push_back(segment_of(recording, name, kind_of(recording, rows), rows));
     }
   }
   return segments;
@@ -290,6 +281,72 @@ std::vector<Segment> with_repeated_names_numbered(std::vector<Segment> segments)
     if (time > 1) segment.name += format(" (%d)", time);
   }
   return segments;
+}
+
+constexpr double kDayS = 24 * kSecondsPerHour;
+
+std::vector<double> slopes_degc_per_s(const TemperaturePolygon& polygon) {
+  std::vector<double> slopes;
+  for (std::size_t i = 1; i < polygon.corners.size(); ++i) {
+    const Point& from = polygon.corners[i - 1];
+    const Point& to = polygon.corners[i];
+    slopes.push_back((to.temperature_degc - from.temperature_degc) / (to.time_s - from.time_s));
+  }
+  return slopes;
+}
+
+bool stands(const TemperaturePolygon& polygon) {
+  const auto [min, max] = std::minmax_element(
+      polygon.corners.begin(), polygon.corners.end(),
+      [](const auto& a, const auto& b) { return a.temperature_degc < b.temperature_degc; });
+  return polygon.corners.empty() ||
+         max->temperature_degc - min->temperature_degc < polygon.min_ramp_degc();
+}
+
+// The last pieces may stand: a change within the tolerance has no direction.
+bool is_settling(const TemperaturePolygon& polygon) {
+  constexpr std::size_t kMinPieces = 3;
+  const std::vector<double> slopes = slopes_degc_per_s(polygon);
+  if (slopes.size() < kMinPieces) return false;
+  for (std::size_t i = 1; i < slopes.size(); ++i) {
+    const double length_s = polygon.corners[i + 1].time_s - polygon.corners[i].time_s;
+    const bool turns = slopes[i] * slopes[0] < 0;
+    if (turns && std::fabs(slopes[i]) * length_s > polygon.tolerance_degc) return false;
+    if (std::fabs(slopes[i]) >= std::fabs(slopes[i - 1])) return false;
+  }
+  return true;
+}
+
+bool goes_both_ways(const std::vector<Segment>& segments) {
+  const auto has = [&](SegmentKind kind) {
+    return std::any_of(segments.begin(), segments.end(),
+                       [kind](const Segment& one) { return one.kind == kind; });
+  };
+  return has(SegmentKind::ramp_up) && has(SegmentKind::ramp_down);
+}
+
+bool is_of_day(const Recording& recording, const std::vector<Segment>& segments,
+               const TemperaturePolygon& polygon) {
+  const auto& degc = recording.temperature_degc;
+  const auto [min, max] = std::minmax_element(degc.begin(), degc.end());
+  double steepest = 0;
+  for (const double slope : slopes_degc_per_s(polygon)) {
+    steepest = std::max(steepest, std::fabs(slope));
+  }
+  return recording.time_s.back() - recording.time_s.front() >= kDayS / 2 &&
+         goes_both_ways(segments) && steepest <= (*max - *min) / (kDayS / 4);
+}
+
+// Ramps of a chamber end at soaks.
+bool ever_stands(const TemperaturePolygon& polygon) {
+  for (std::size_t i = 1; i < polygon.corners.size(); ++i) {
+    const Point& from = polygon.corners[i - 1];
+    const Point& to = polygon.corners[i];
+    const double change_degc = std::fabs(to.temperature_degc - from.temperature_degc);
+    if (change_degc <= polygon.tolerance_degc && to.time_s - from.time_s >= rules::kMinSoakS)
+      return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -353,6 +410,32 @@ TemperaturePolygon temperature_polygon(const Recording& recording, RowRange rows
     polygon.corners.push_back(points[corner]);
   }
   return polygon;
+}
+
+const char* course_name(TemperatureCourse course) {
+  constexpr const char* kNames[] = {"table", "steady", "settling", "day", "free", "programme"};
+  return kNames[static_cast<std::size_t>(course)];
+}
+
+TemperatureCourse temperature_course(const Recording& recording) {
+  if (recording.is_table) return TemperatureCourse::table;
+  const TemperaturePolygon polygon = temperature_polygon(recording, {0, recording.rows()});
+  if (stands(polygon)) return TemperatureCourse::steady;
+  const std::vector<Segment> segments = find_segments(recording);
+  if (is_settling(polygon)) return TemperatureCourse::settling;
+  if (is_of_day(recording, segments, polygon)) return TemperatureCourse::day;
+  const bool is_free = !ever_stands(polygon) && goes_both_ways(segments);
+  return is_free ? TemperatureCourse::free : TemperatureCourse::programme;
+}
+
+double settling_time_s(const Recording& recording) {
+  const auto& degc = recording.temperature_degc;
+  const double way_degc = (1 - std::exp(-1.0)) * (degc.back() - degc.front());
+  const auto there = std::find_if(degc.begin(), degc.end(), [&](double each) {
+    return std::fabs(each - degc.front()) >= std::fabs(way_degc);
+  });
+  return recording.time_s[static_cast<std::size_t>(there - degc.begin())] -
+         recording.time_s.front();
 }
 
 }  // namespace fogcomp::recording

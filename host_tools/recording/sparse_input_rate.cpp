@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "recording/board_limits.hpp"
@@ -56,63 +55,34 @@ class Cubic {
   std::array<double, 4> difference_;
 };
 
-// The curves between two readings.
-class Between {
- public:
-  // `first`: the reading before, of `readings` that are at most a bridge apart.
-  Between(const std::vector<RateReading>& readings, std::ptrdiff_t first)
-      : readings_(readings), first_(first) {}
+// Readings that are at most a bridge apart.
+using Readings = std::vector<RateReading>;
 
-  // Error in the middle of the cubic through the readings from `begin` to begin + 3, from the two
-  // beside them; infinite if there are no readings for it.
-  double error_of(std::ptrdiff_t begin) const {
-    if (begin < 0 || begin + 3 >= size()) return kInfinite;
-    const Cubic cubic(&of(begin));
-    const double middle_s = (of(first_).time_s + of(first_ + 1).time_s) / 2;
-    double error = -1;
-    for (const std::ptrdiff_t further : beside(begin)) {
-      if (further < 0 || further >= size()) continue;
-      error = std::max(error, cubic.change_by(of(further), middle_s));
-    }
-    return error < 0 ? kInfinite : error;
+// Error, in the middle between the reading `first` and the next one, of the cubic through those
+// from `begin` to begin + 3, from the two beside them; infinite if there are no readings for it.
+// Beside a sudden change only readings that are farther from it tell, and one alone may agree by
+// chance: the fifth does where a movement is turned round about the third.
+double error_of(const Readings& readings, std::ptrdiff_t first, std::ptrdiff_t begin) {
+  const auto size = static_cast<std::ptrdiff_t>(readings.size());
+  const auto of = [&](std::ptrdiff_t i) { return readings.begin() + i; };
+  if (begin < 0 || begin + 3 >= size) return kInfinite;
+  const Cubic cubic(&*of(begin));
+  const double middle_s = (of(first)->time_s + of(first + 1)->time_s) / 2;
+  std::array<std::ptrdiff_t, 2> beside{begin - 1, begin + 4};
+  if (begin == first - 2) beside = {begin - 1, begin - 2};
+  if (begin == first) beside = {begin + 4, begin + 5};
+  double error = -1;
+  for (const std::ptrdiff_t further : beside) {
+    if (further < 0 || further >= size) continue;
+    error = std::max(error, cubic.change_by(*of(further), middle_s));
   }
-  double error_of_centre() const { return error_of(first_ - 1); }
-
-  struct Choice {
-    std::optional<Cubic> cubic{};
-    bool is_unknown = false;  // there are curves, and none is good enough
-  };
-  // The first curve that is good enough: through the readings around, before, behind.
-  Choice choose(double max_error) const {
-    Choice choice;
-    for (const std::ptrdiff_t begin : {first_ - 1, first_ - 2, first_}) {
-      const double error = error_of(begin);
-      if (error == kInfinite) continue;
-      if (error <= max_error) return {Cubic(&of(begin)), false};
-      choice.is_unknown = true;
-    }
-    return choice;
-  }
-
- private:
-  std::ptrdiff_t size() const { return static_cast<std::ptrdiff_t>(readings_.size()); }
-  const RateReading& of(std::ptrdiff_t i) const { return readings_[static_cast<std::size_t>(i)]; }
-  // Beside a sudden change only readings that are farther from it tell, and one alone may agree by
-  // chance: the fifth does where a movement is turned round about the third.
-  std::array<std::ptrdiff_t, 2> beside(std::ptrdiff_t begin) const {
-    if (begin == first_ - 2) return {begin - 1, begin - 2};
-    if (begin == first_) return {begin + 4, begin + 5};
-    return {begin - 1, begin + 4};
-  }
-
-  const std::vector<RateReading>& readings_;
-  std::ptrdiff_t first_;
-};
+  return error < 0 ? kInfinite : error;
+}
 
 // Readings without a pause that is not bridged.
-std::vector<std::vector<RateReading>> bridged(const std::vector<double>& time_s,
-                                              const std::vector<double>& column) {
-  std::vector<std::vector<RateReading>> all;
+std::vector<Readings> bridged(const std::vector<double>& time_s,
+                              const std::vector<double>& column) {
+  std::vector<Readings> all;
   for (std::size_t row = 0; row < column.size(); ++row) {
     if (std::isnan(column[row])) continue;
     if (all.empty() || time_s[row] - all.back().back().time_s > kHoldSeconds) {
@@ -136,73 +106,15 @@ double noise_of_sample(const std::vector<double>& rate_dph) {
 
 // Error of a curve that the readings have everywhere: their own noise, or a movement that is
 // always fast. A curve cannot be asked to be better.
-double usual_error(const std::vector<std::vector<RateReading>>& stretches) {
+double usual_error(const std::vector<Readings>& stretches) {
   std::vector<double> errors;
-  for (const std::vector<RateReading>& readings : stretches) {
-    for (std::size_t i = 0; i + 1 < readings.size(); ++i) {
-      const double error = Between(readings, static_cast<std::ptrdiff_t>(i)).error_of_centre();
+  for (const Readings& readings : stretches) {
+    for (std::ptrdiff_t i = 0; i + 1 < static_cast<std::ptrdiff_t>(readings.size()); ++i) {
+      const double error = error_of(readings, i, i - 1);
       if (error < kInfinite) errors.push_back(error);
     }
   }
   return errors.empty() ? kInfinite : median(std::move(errors));
-}
-
-// Rows with a new reading in a column that holds each for two samples or more: those where it
-// changes, and, back from each in the same rhythm, those where it might have. None if it changes
-// from sample to sample.
-std::vector<std::size_t> rows_of_held_readings(const std::vector<double>& column) {
-  std::vector<std::size_t> changes;
-  std::size_t held = column.size();
-  for (std::size_t row = 1; row < column.size(); ++row) {
-    if (std::isnan(column[row - 1])) return {};
-    if (column[row] == column[row - 1]) continue;
-    if (!changes.empty()) held = std::min(held, row - changes.back());
-    if (held < 2) return {};
-    changes.push_back(row);
-  }
-  if (changes.size() < kFewValues) return {};
-  std::vector<std::size_t> rows{0};
-  for (const std::size_t change : changes) {
-    const std::size_t first = rows.back() + held;
-    const std::size_t later = change > first ? (change - first) % held : 0;
-    for (std::size_t row = first + later; row < change; row += held) rows.push_back(row);
-    rows.push_back(change);
-  }
-  for (std::size_t row = changes.back() + held; row < column.size(); row += held) {
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-double on_line(const RateReading& before, const RateReading& after, double time_s) {
-  const double part = (time_s - before.time_s) / (after.time_s - before.time_s);
-  return before.value + part * (after.value - before.value);
-}
-
-// Whether the gyro moves from each reading to the next one rather than with the steps.
-bool gyro_moves_between(const std::vector<std::size_t>& readings, const std::vector<double>& time_s,
-                        const std::vector<double>& rate_dph,
-                        const std::vector<double>& input_rate) {
-  double from_steps = 0;
-  double from_lines = 0;
-  const auto reading_at = [&](std::size_t row) {
-    return RateReading{row, time_s[row], input_rate[row]};
-  };
-  for (std::size_t i = 0; i + 1 < readings.size(); ++i) {
-    const RateReading before = reading_at(readings[i]);
-    const RateReading after = reading_at(readings[i + 1]);
-    for (std::size_t row = before.row; row < after.row; ++row) {
-      from_steps += std::abs(rate_dph[row] - before.value);
-      from_lines += std::abs(rate_dph[row] - on_line(before, after, time_s[row]));
-    }
-  }
-  return from_lines < from_steps;
-}
-
-void blank_between(const std::vector<std::size_t>& readings, std::vector<double>& column) {
-  std::vector<double> values(column.size(), std::numeric_limits<double>::quiet_NaN());
-  for (const std::size_t row : readings) values[row] = column[row];
-  column = std::move(values);
 }
 
 void extend(std::vector<Mask>& masks, double from_s, double to_s) {
@@ -215,55 +127,36 @@ void extend(std::vector<Mask>& masks, double from_s, double to_s) {
 
 }  // namespace
 
-bool blank_held_readings(const std::vector<double>& time_s, const std::vector<double>& rate_dph,
-                         std::vector<double>& input_rate) {
-  const std::vector<std::size_t> readings = rows_of_held_readings(input_rate);
-  if (readings.size() < 2 || !gyro_moves_between(readings, time_s, rate_dph, input_rate)) {
-    return false;
-  }
-  blank_between(readings, input_rate);
-  return true;
-}
-
-bool blank_held_temperatures(const std::vector<double>& time_s, std::vector<double>& degc) {
-  const std::vector<std::size_t> readings = rows_of_held_readings(degc);
-  if (readings.size() < 3) return false;
-  const std::size_t held = readings[2] - readings[1];
-  if (time_s[readings[2]] - time_s[readings[1]] <= kHoldSeconds) return false;
-  const double unit = std::fabs(degc[readings[1]] - degc[readings[0]]);
-  bool is_coarse = true;  // one step at a time, as a sensor of that resolution makes in a ramp
-  for (std::size_t i = 2; i < readings.size(); ++i) {
-    if (i > 2 && readings[i] - readings[i - 1] != held) return false;
-    const double step = std::fabs(degc[readings[i]] - degc[readings[i - 1]]);
-    is_coarse &= step == 0 || std::fabs(step - unit) <= kNoticeable * unit;
-  }
-  if (is_coarse) return false;
-  blank_between(readings, degc);
-  return true;
-}
-
 std::vector<Mask> draw_input_rate(const std::vector<double>& time_s,
                                   const std::vector<double>& rate_dph,
                                   std::vector<double>& input_rate) {
-  const std::vector<std::vector<RateReading>> stretches = bridged(time_s, input_rate);
+  const std::vector<Readings> stretches = bridged(time_s, input_rate);
   const double noise_dph = noise_of_sample(rate_dph);
   const double usual_dph = usual_error(stretches);
   std::vector<Mask> unknown;
-  for (const std::vector<RateReading>& readings : stretches) {
+  for (const Readings& readings : stretches) {
     for (std::size_t i = 0; i + 1 < readings.size(); ++i) {
       const RateReading& before = readings[i];
       const RateReading& after = readings[i + 1];
       if (after.row == before.row + 1) continue;
       const double noise_of_mean =
           noise_dph / std::sqrt(static_cast<double>(after.row - before.row));
-      const Between::Choice choice =
-          Between(readings, static_cast<std::ptrdiff_t>(i))
-              .choose(std::max(noise_of_mean, rules::kMaxUsualErrors * usual_dph));
-      if (choice.is_unknown) extend(unknown, before.time_s, after.time_s);
-      if (!choice.cubic) continue;
-      for (std::size_t row = before.row + 1; row < after.row; ++row) {
-        input_rate[row] = choice.cubic->at(time_s[row]);
+      const double max_error = std::max(noise_of_mean, rules::kMaxUsualErrors * usual_dph);
+      const auto first = static_cast<std::ptrdiff_t>(i);
+      bool is_unknown = false;  // there are curves, and none is good enough
+      // The first one that is: through the readings around, before, behind.
+      for (const std::ptrdiff_t begin : {first - 1, first - 2, first}) {
+        const double error = error_of(readings, first, begin);
+        if (error == kInfinite) continue;
+        is_unknown = error > max_error;
+        if (is_unknown) continue;
+        const Cubic cubic(&readings[static_cast<std::size_t>(begin)]);
+        for (std::size_t row = before.row + 1; row < after.row; ++row) {
+          input_rate[row] = cubic.at(time_s[row]);
+        }
+        break;
       }
+      if (is_unknown) extend(unknown, before.time_s, after.time_s);
     }
   }
   return unknown;

@@ -57,11 +57,15 @@ class Flanks {
     for (const RowRange& stretch : stretches_of(recording, {0, recording.rows()})) find(stretch);
   }
 
-  // None without noise to measure them by.
+  // Those of which no part is masked. None without noise to measure them by.
   std::vector<Deviation> deviations() const {
+    const std::vector<bool> masked = covered(recording_.masks, recording_.time_s);
     std::vector<Deviation> all;
-    if (!(noise_dph_ > 0)) return all;
-    for (const Flank& flank : flanks_) all.push_back(deviation_of(flank));
+    for (const Flank& flank : flanks_) {
+      if (!(noise_dph_ > 0)) break;
+      const Deviation one = deviation_of(flank);
+      if (!masked[one.rows.first] && !masked[one.rows.end - 1]) all.push_back(one);
+    }
     return all;
   }
 
@@ -170,44 +174,30 @@ double delay_s(const std::vector<Deviation>& deviations) {
   return 0;
 }
 
-// What a delay makes of the angles, and what it leaves of them: medians.
-class OneDelay {
- public:
+// Of a delay: whether what it makes of the angles shows beside the noise, and whether it explains
+// them. Medians.
+struct OneDelay {
   OneDelay(const std::vector<Deviation>& deviations, double delay_s) {
-    std::vector<double> made;
-    std::vector<double> left;
-    std::vector<double> made_sigmas;
-    std::vector<double> left_sigmas;
-    for (const Deviation& one : deviations) {
-      made.push_back(std::abs(delay_s * one.step_dph));
-      left.push_back(std::abs(one.angle - delay_s * one.step_dph));
-      made_sigmas.push_back(made.back() / one.sigma);
-      left_sigmas.push_back(left.back() / one.sigma);
-    }
-    shows_ = median(std::move(made_sigmas)) > rules::kMaxFlankScatter;
-    explains_ = median(std::move(left_sigmas)) <= rules::kMaxFlankScatter ||
-                median(std::move(left)) <= kNoticeable * median(std::move(made));
+    const auto median_over = [&](auto value_of) {
+      std::vector<double> values;
+      for (const Deviation& one : deviations) {
+        values.push_back(std::abs(value_of(one, delay_s * one.step_dph)));
+      }
+      return median(std::move(values));
+    };
+    const auto made = [](const Deviation&, double angle) { return angle; };
+    const auto left = [](const Deviation& one, double angle) { return one.angle - angle; };
+    const auto in_sigmas = [](auto value_of) {
+      return [=](const Deviation& one, double angle) { return value_of(one, angle) / one.sigma; };
+    };
+    shows = median_over(in_sigmas(made)) > rules::kMaxFlankScatter;
+    explains = median_over(in_sigmas(left)) <= rules::kMaxFlankScatter ||
+               median_over(left) <= kNoticeable * median_over(made);
   }
 
-  bool shows() const { return shows_; }  // beside the noise
-  bool explains() const { return explains_; }
-
- private:
-  bool shows_ = false;
-  bool explains_ = false;
+  bool shows = false;
+  bool explains = false;
 };
-
-// Those of which no part is masked.
-std::vector<Deviation> without(const std::vector<Mask>& masks, const std::vector<double>& time_s,
-                               std::vector<Deviation> deviations) {
-  const std::vector<bool> masked = covered(masks, time_s);
-  const auto is_masked = [&](const Deviation& one) {
-    return masked[one.rows.first] || masked[one.rows.end - 1];
-  };
-  deviations.erase(std::remove_if(deviations.begin(), deviations.end(), is_masked),
-                   deviations.end());
-  return deviations;
-}
 
 // Around each flank, and as long around each end of a movement.
 std::vector<Mask> masks_around(const std::vector<Deviation>& deviations,
@@ -237,14 +227,13 @@ UnknownFlanks unknown_flanks(const Recording& recording) {
   UnknownFlanks unknown;
   if (recording.input_rate_dph.empty() || !(recording.period_s > 0)) return unknown;
   const Flanks flanks(recording);
-  const std::vector<Deviation> deviations =
-      without(recording.masks, recording.time_s, flanks.deviations());
+  const std::vector<Deviation> deviations = flanks.deviations();
   if (deviations.size() < rules::kMinCases) return unknown;
   const double late_s = delay_s(deviations);
   const OneDelay delay(deviations, late_s);
-  if (delay.explains() && !delay.shows()) return unknown;
+  if (delay.explains && !delay.shows) return unknown;
   unknown.masks = masks_around(deviations, flanks.movement_ends(), recording);
-  if (!delay.explains()) return unknown;
+  if (!delay.explains) return unknown;
   unknown.delay_s = late_s;
   const double rows_s = recording.period_s * static_cast<double>(recording.rows());
   if (length_s(unknown.masks) > kMost * rows_s) unknown.masks.clear();

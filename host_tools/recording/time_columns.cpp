@@ -1,4 +1,4 @@
-#include "recording/time_columns.hpp"
+#include "recording/column_map.hpp"
 
 #include <algorithm>
 #include <array>
@@ -26,6 +26,7 @@ bool may_be_of_calendar(const ColumnName& column, std::string_view value) {
 
 constexpr std::size_t kYear = 0;
 constexpr std::size_t kHour = 3;
+constexpr std::size_t kMinute = 4;
 constexpr std::size_t kEndOfParts = 6;
 
 using PartsOfTime = std::array<std::size_t, kEndOfParts>;
@@ -54,9 +55,11 @@ PartsOfTime parts_of_time(const std::vector<ColumnName>& columns, std::string_vi
 void name_letters(std::vector<ColumnName>& columns) {
   for (const std::string_view before : {"", "time"}) {
     const PartsOfTime parts = parts_of_time(columns, before);
-    if (std::find(parts.begin() + kHour, parts.end(), columns.size()) != parts.end()) continue;
+    const auto missing = std::count(parts.begin() + kHour, parts.end(), columns.size());
+    if (parts[kMinute] == columns.size() || missing > (before.empty() ? 1 : 0)) continue;
     constexpr std::string_view kUnits[] = {"h", "min", "s"};
     for (std::size_t i = kHour; i < kEndOfParts; ++i) {
+      if (parts[i] == columns.size()) continue;
       columns[parts[i]].unit = find_unit(kUnits[i - kHour]);
       columns[parts[i]].unit_alone = true;
     }

@@ -1,4 +1,4 @@
-#include "recording/time_scale.hpp"
+#include "recording/csv_layout.hpp"
 
 #include <algorithm>
 #include <cmath>

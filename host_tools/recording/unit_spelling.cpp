@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 
 #include "support/text.hpp"
@@ -66,15 +67,6 @@ const Spellings kSpellings[] = {
     {{Quantity::voltage, "mV", 1, 1e3}, "mv millivolt millivolts"},
     {{Quantity::vibration, "g rms"}, "grms g/rms"},
     {{Quantity::counts, "counts"}, "count counts lsb raw adc digits"},
-    {{Quantity::counts, "int16", 1, 1, 0, 0x1p16}, "int16"},
-    {{Quantity::counts, "int24", 1, 1, 0, 0x1p24}, "int24"},
-    {{Quantity::counts, "int32", 1, 1, 0, 0x1p32}, "int32"},
-    {{Quantity::counts, "offset16", 1, 1, 0x1p15}, "offset16"},
-    {{Quantity::counts, "offset24", 1, 1, 0x1p23}, "offset24"},
-    {{Quantity::counts, "offset32", 1, 1, 0x1p31}, "offset32"},
-    {{Quantity::counts, "uint16"}, "uint16"},
-    {{Quantity::counts, "uint24"}, "uint24"},
-    {{Quantity::counts, "uint32"}, "uint32"},
     {{Quantity::date, "D/M/Y"}, "d/m/y dd/mm/yyyy ddmmyyyy"},
     {{Quantity::date, "M/D/Y"}, "m/d/y mm/dd/yyyy mmddyyyy"},
     {{Quantity::other, "another unit"},
@@ -92,6 +84,19 @@ const std::map<std::string, Unit>& units_by_key() {
     return by_key;
   }();
   return units;
+}
+
+// Of a converter of so many bits: "int12" has a sign, "offset12" is 0 in its middle, "uint12" is as
+// written.
+std::optional<Unit> converter_unit(const std::string& key) {
+  const std::size_t digits = key.find_first_of("0123456789");
+  const auto bits = digits < key.size() ? parse_number(key.substr(digits)) : std::nullopt;
+  if (!bits || *bits < kMinConverterBits || *bits > kMaxConverterBits) return std::nullopt;
+  const double span = std::exp2(std::floor(*bits));
+  const std::string kind = key.substr(0, digits);
+  if (kind == "int") return Unit{Quantity::counts, key, 1, 1, 0, span};
+  if (kind == "offset") return Unit{Quantity::counts, key, 1, 1, span / 2};
+  return kind == "uint" ? std::optional(Unit{Quantity::counts, key}) : std::nullopt;
 }
 
 struct Replacement {
@@ -112,9 +117,7 @@ std::string key_of(std::string_view spelling) {
   for (const char c : folded(spelling)) {
     if (c != ' ' && c != '^' && c != '*' && c != '.' && c != '\t') key += c;
   }
-  for (const Replacement& each : {Replacement{"_per_", "/"}, Replacement{"per", "/"}}) {
-    key = replaced(key, each);
-  }
+  key = replaced(replaced(key, {"_per_", "/"}), {"per", "/"});
   std::replace(key.begin(), key.end(), '_', '/');
   constexpr std::string_view kInverse = "-1";
   const std::size_t stem = key.size() < 3 ? 0 : key.size() - 3;
@@ -164,13 +167,14 @@ std::optional<Unit> find_unit(std::string_view spelling) {
   const std::string key = key_of(spelling);
   // A dash before a blank separates.
   const bool is_negative = key.size() > 1 && key[0] == '-' && folded(spelling)[1] == key[1];
-  const auto found = units_by_key().find(is_negative ? key.substr(1) : key);
-  if (found == units_by_key().end()) return std::nullopt;
-  Unit unit = found->second;
-  if (!is_negative) return unit;
-  if (unit.quantity != Quantity::rate && unit.quantity != Quantity::counts) return std::nullopt;
-  unit.words = "-" + unit.words;
-  unit.factor = -unit.factor;
+  const std::string name = is_negative ? key.substr(1) : key;
+  const auto found = units_by_key().find(name);
+  std::optional<Unit> unit =
+      found == units_by_key().end() ? converter_unit(name) : std::optional(found->second);
+  if (!unit || !is_negative) return unit;
+  if (unit->quantity != Quantity::rate && unit->quantity != Quantity::counts) return std::nullopt;
+  unit->words = "-" + unit->words;
+  unit->factor = -unit->factor;
   return unit;
 }
 

@@ -40,6 +40,10 @@ struct Unit {
   std::string conversion_words() const;
 };
 
+/// Bits of a gyro's converter or register, at least and at most.
+constexpr int kMinConverterBits = 8;
+constexpr int kMaxConverterBits = 32;
+
 /// The unit that `spelling` denotes, ignoring case: "deg/s", "°/s", "dps", "deg s^-1", "degrees per
 /// second"; "-deg/s" for rates of the other sign. Nothing if unknown.
 std::optional<Unit> find_unit(std::string_view spelling);

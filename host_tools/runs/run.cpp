@@ -5,7 +5,7 @@
 
 #include "noise/noise_floor.hpp"
 #include "recording/data_hash.hpp"
-#include "recording/rate_resolution.hpp"
+#include "recording/recording.hpp"
 #include "runs/decision_rules.hpp"
 #include "series/measured_temperature.hpp"
 #include "series/rows.hpp"

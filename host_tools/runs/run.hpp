@@ -34,7 +34,7 @@ struct Run {
 };
 
 /// `row_lengths_s`: those whose noise floors will be asked for, seconds, > 0. Throws InputError for
-/// a constant rate (recording/rate_resolution.hpp).
+/// a constant rate (recording/recording.hpp).
 Run run_of(const recording::Recording& recording, const std::vector<double>& row_lengths_s);
 
 /// Notes if rows of this length average ramps and soaks together, and if they have another one.

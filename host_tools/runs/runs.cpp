@@ -10,7 +10,7 @@
 #include "core/bytes/crc.hpp"
 #include "noise/white_noise.hpp"
 #include "recording/data_hash.hpp"
-#include "recording/plausibility.hpp"
+#include "recording/reading.hpp"
 #include "runs/decision_rules.hpp"
 #include "runs/joined_runs.hpp"
 #include "support/input_error.hpp"

@@ -19,7 +19,7 @@ struct Runs {
   double noise_dph_rthz = 0;    ///< white noise density, rms over the training runs
   std::string read_with{};      ///< masks and cuts, as a model's history has them: " --cut 3600"
   /// One line per excluded or joined file, faults of its rows, and values that no gyro has
-  /// (recording/plausibility.hpp).
+  /// (recording/reading.hpp).
   std::vector<std::string> notes;
 
   /// Of a row of the training runs, rms over them weighted by length; nothing if no run shows one.

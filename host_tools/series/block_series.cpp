@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "recording/data_hash.hpp"
-#include "recording/rate_resolution.hpp"
+#include "recording/recording.hpp"
 #include "recording/row_range.hpp"
 #include "series/decision_rules.hpp"
 #include "series/edge_values.hpp"

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "recording/decimal.hpp"
+#include "recording/csv_fields.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::simulation {

@@ -6,7 +6,7 @@
 #include "denoise/denoise_parts.hpp"
 #include "diagnosis/decision_rules.hpp"
 #include "noise/white_noise.hpp"
-#include "recording/plausibility.hpp"
+#include "recording/reading.hpp"
 #include "recording/segments.hpp"
 #include "runs/row_length.hpp"
 #include "support/input_error.hpp"

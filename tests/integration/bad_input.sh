@@ -236,7 +236,7 @@ for command in "add good.model good.csv -o kept" "diagnose good.model good.csv";
   its_expression "^expression 'x': is not finite over these recordings" 'x = T^0.5'
   its_expression "^expression 'x': is 0 all the time on these recordings" 'x = T - T'
   its_expression '^good\.csv: x needs the column magnetic_ut; add it, or leave the effect out' 'x = B*T'
-  its_expression "^expression '': column 1: a name and '=' come first" ''
+  its_expression '--effect-expr is empty; give EXPR, or leave it out' ''
 done
 "$fogcomp" fit good.csv -o own.model --effects bias --effect-expr 'own = T*dTdt' >/dev/null
 taken="^expression 'own = T': has the name of another term; choose another"
@@ -457,9 +457,10 @@ clash --hours beside --compare plan --compare paper --hours 3
 clash --chamber beside --compare plan good.model --compare paper --chamber T:0..20
 for command in "diagnose good.model good.csv --holdout" "diagnose good.model good.csv --static" \
   "add good.model shupe good.csv -o kept --holdout" "fit good.csv -o kept --prior" "fit good.csv -o kept --lot" \
-  "compare good.model good.csv --model" "info good.csv --report" "simulate -o kept --profile"; do
+  "compare good.model good.csv --model" "info good.csv --report" "simulate -o kept --profile" \
+  "info good.csv --columns" "info good.csv --where"; do
   read -ra words <<<"$command"
-  refuses "^fogcomp ${words[0]}: ${words[-1]} is empty; name a file, or leave it out" "${words[@]}" ''
+  refuses "^fogcomp ${words[0]}: ${words[-1]} is empty; give .*, or leave it out" "${words[@]}" ''
 done
 refuses '^in\.model: -o would overwrite a model' plan --hours 1 -o in.model
 refuses '^in\.model: -o would overwrite a model' denoise good.csv -o in.model

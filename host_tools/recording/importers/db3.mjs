@@ -6,7 +6,6 @@ import { ros2humble } from "@foxglove/rosmsg-msgs-common";
 import ros2 from "@foxglove/rosmsg2-serialization";
 import initSqlJs from "sql.js";
 
-import { gyroTable } from "./messages.mjs";
 import { Refusal } from "./refusal.mjs";
 import { ifUnderstood, meaning, timeOf } from "./ros.mjs";
 
@@ -70,10 +69,9 @@ export async function open(path) {
     const all = (topics.get(name)?.count ?? 0) + Number(count);
     topics.set(name, { name, type, count: all, ...has });
   }
-  const log = {
+  return {
     topics: [...topics.values()],
     timeName: "time [s]",
-    table: (topic, temperature) => gyroTable(log, topic, temperature),
     *messages(names) {
       const ids = [...readers.keys()].filter((id) => names.includes(readers.get(id).name));
       const chosen = `SELECT topic_id, timestamp, data FROM messages WHERE topic_id IN (${ids}) ORDER BY timestamp, id`;
@@ -84,5 +82,4 @@ export async function open(path) {
       }
     },
   };
-  return log;
 }

@@ -1,13 +1,15 @@
 // import.mjs FORMAT FILE [TOPIC[,TEMPERATURE]]: prints a number of rows, then the table of FILE as CSV. FORMAT names the
 // module that reads it. The last line on stderr says what was taken or, with exit code 2, what is wrong and what to do.
 //
-// Such a module exports open(path), which gives the file's topics and a table of one:
+// Such a module exports open(path), which gives the file's topics and either a table of one or its messages:
 //   topics    [{ name, type, count, rate, temperature }]; the last two are true if its messages have them
-//   table(topic, temperature)   { header: [names], rows: an iterable of lines }; `temperature` may be undefined
+//   table(topic)   { header: [names], rows: an iterable of lines }
+//   timeName, messages(names)   as gyroTable() takes them
 import fs from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
+import { gyroTable } from "./messages.mjs";
 import { Refusal } from "./refusal.mjs";
 
 const MAX_LISTED = 12;
@@ -66,7 +68,7 @@ async function importFile(format, file, chosen) {
   const [rateName, temperatureName] = chosen.split(",");
   const topic = chooseRate(rateName, log.topics);
   const temperature = chooseTemperature(temperatureName, topic, log.topics);
-  await print(topic.count, log.table(topic, temperature));
+  await print(topic.count, log.table?.(topic) ?? gyroTable(log, topic, temperature));
   if (!temperature) console.error(`taken: ${listed([topic])}; there is no temperature`);
   else if (temperature === topic) console.error(`taken: ${listed([topic])}`);
   else console.error(`taken: ${listed([topic])}, temperature of ${listed([temperature])}`);

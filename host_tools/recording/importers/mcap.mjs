@@ -8,7 +8,6 @@ import ros1 from "@foxglove/rosmsg-serialization";
 import ros2 from "@foxglove/rosmsg2-serialization";
 import { McapIndexedReader } from "@mcap/core";
 
-import { gyroTable } from "./messages.mjs";
 import { Refusal } from "./refusal.mjs";
 import { ifUnderstood, meaning, timeOf } from "./ros.mjs";
 
@@ -78,10 +77,9 @@ export async function open(path) {
     });
     if (messageReader) readers.set(channel.id, messageReader);
   }
-  const log = {
+  return {
     topics: [...topics.values()],
     timeName: "time [s]",
-    table: (topic, temperature) => gyroTable(log, topic, temperature),
     async *messages(names) {
       for await (const { channelId, logTime, data } of reader.readMessages({ topics: names })) {
         const message = readers.get(channelId).readMessage(data);
@@ -89,5 +87,4 @@ export async function open(path) {
       }
     },
   };
-  return log;
 }

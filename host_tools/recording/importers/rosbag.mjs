@@ -5,7 +5,6 @@ import { parse } from "@foxglove/rosmsg";
 import Bzip2 from "@foxglove/wasm-bz2";
 import lz4 from "@foxglove/wasm-lz4";
 
-import { gyroTable } from "./messages.mjs";
 import { Refusal } from "./refusal.mjs";
 import { ifUnderstood, meaning, timeOf } from "./ros.mjs";
 
@@ -40,10 +39,9 @@ function topicsOf(bag) {
 /** See import.mjs. */
 export async function open(path) {
   const bag = await openBag(path);
-  const log = {
+  return {
     topics: topicsOf(bag),
     timeName: "time [s]",
-    table: (topic, temperature) => gyroTable(log, topic, temperature),
     async *messages(topics) {
       for await (const { topic, timestamp, message } of bag.messageIterator({ topics })) {
         const logged = BigInt(timestamp.sec) * 1_000_000_000n + BigInt(timestamp.nsec);
@@ -51,5 +49,4 @@ export async function open(path) {
       }
     },
   };
-  return log;
 }

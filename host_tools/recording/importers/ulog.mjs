@@ -2,7 +2,7 @@
 import { ULog } from "@foxglove/ulog";
 import { FileReader } from "@foxglove/ulog/node.js";
 
-import { gyroTable, seconds } from "./messages.mjs";
+import { seconds } from "./messages.mjs";
 
 // What the messages of PX4 have of a gyro. vehicle_angular_velocity is left out: it is filtered, less estimated biases.
 const MEANINGS = {
@@ -24,10 +24,9 @@ export async function open(path) {
   const ulog = new ULog(new FileReader(path));
   await ulog.open();
   const topics = topicsOf(ulog);
-  const log = {
+  return {
     topics,
     timeName: "time_s",
-    table: (topic, temperature) => gyroTable(log, topic, temperature),
     async *messages(names) {
       const chosen = new Map(topics.filter(({ name }) => names.includes(name)).map(({ id, name }) => [id, name]));
       for await (const { msgId, value } of ulog.readMessages({ msgIds: new Set(chosen.keys()), includeLogs: false })) {
@@ -36,5 +35,4 @@ export async function open(path) {
       }
     },
   };
-  return log;
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "recording/row_judge.hpp"
+#include "recording/reading.hpp"
 #include "unit/simulation/run_helper.hpp"
 
 namespace fogcomp::simulation {

@@ -1,4 +1,4 @@
-#include "recording/arrival_stamps.hpp"
+#include "recording/reading.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,6 @@
 #include <functional>
 #include <random>
 
-#include "recording/reading.hpp"
 #include "recording/recording.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"

@@ -1,4 +1,4 @@
-#include "recording/decimal.hpp"
+#include "recording/csv_fields.hpp"
 
 #include <gtest/gtest.h>
 

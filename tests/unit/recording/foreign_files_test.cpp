@@ -893,6 +893,41 @@ TEST(ForeignFiles, TemperatureEachFewMinutes_NoSampleLost) {
   }
 }
 
+// A gyro that follows its temperature at once, as a slow sensor shows that: none of the lag is
+// left. One of coarse steps that is read in each row shows them one by one, whatever the lengths
+// are.
+TEST(ForeignFiles, TemperatureHeldForAnyTime_KnownBetween) {
+  std::mt19937_64 random(3);
+  const auto held = [&](int least_s, int most_s, double step_degc) {
+    std::string content = "time_s,temperature_degc,rate_dph\n";
+    double degc = 0;
+    for (int row = 0, next = 0; row < 9000; ++row) {
+      if (row == next) {
+        degc = step_degc * std::round((20 + 40 * std::sin(row / 1500.0)) / step_degc);
+        next += std::uniform_int_distribution<int>(least_s, most_s)(random);
+      }
+      content += format("%d,%.4f,%d\n", row, degc, row * row % 101);
+    }
+    std::string said;
+    const Recording recording = read_recording(temporary_file("slow.csv", content), heard_in(said));
+    EXPECT_EQ(recording.rows(), 9000U) << said;
+    double off_degc = 0;
+    for (std::size_t row = 0; row + 300 < recording.rows(); ++row) {
+      off_degc +=
+          recording.temperature_degc[row] - (20 + 40 * std::sin(static_cast<double>(row) / 1500));
+    }
+    EXPECT_LT(std::fabs(off_degc / 9000), 0.1) << said;
+    return said.find("temperature_degc repeats each reading") != std::string::npos;
+  };
+  for (const int held_s : {10, 20, 45, 60, 61, 90, 300}) {
+    EXPECT_TRUE(held(held_s, held_s, 0.0625)) << held_s;
+  }
+  EXPECT_TRUE(held(20, 90, 0.0625));
+  EXPECT_TRUE(held(2, 30, 0.01));
+  EXPECT_TRUE(held(90, 90, 1));
+  for (const double step_degc : {1.0, 0.5, 0.1}) EXPECT_FALSE(held(1, 1, step_degc)) << step_degc;
+}
+
 // Two readings at a peak may be equal, and a coarse one is no line of exact temperatures.
 TEST(ForeignFiles, CoarseTemperatureEachFewMinutes_StepsKept) {
   for (const bool is_repeated : {false, true}) {

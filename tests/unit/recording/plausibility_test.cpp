@@ -1,4 +1,4 @@
-#include "recording/plausibility.hpp"
+#include "recording/reading.hpp"
 
 #include <gtest/gtest.h>
 
@@ -45,6 +45,20 @@ TEST(Plausibility, OfARateInAnotherUnitIsDoubted) {
   EXPECT_NE(doubts_of(chamber_run(1), 1e5).find("is more than any gyro has"), std::string::npos);
 }
 
+TEST(Plausibility, OfARateThatOnlyGrowsIsDoubted) {
+  for (const double sign : {1.0, -1.0}) {
+    Recording run = chamber_run(1);
+    run.rate_dph.assign(run.rows(), 0.5);
+    EXPECT_EQ(doubts_of(run), "");
+    for (std::size_t row = 0; row < run.rows(); ++row) {
+      run.rate_dph[row] = sign * static_cast<double>(row + row % 2);
+    }
+    EXPECT_NE(doubts_of(run).find("is it an angle that is counted on?"), std::string::npos);
+    run.rate_dph[100] = 0;
+    EXPECT_EQ(doubts_of(run), "");
+  }
+}
+
 TEST(Plausibility, OfATimeInAnotherUnitIsDoubted) {
   const std::string ms = doubts_of(chamber_run(1000));
   EXPECT_NE(ms.find("is the time in s, or in ms?"), std::string::npos) << ms;
@@ -52,7 +66,7 @@ TEST(Plausibility, OfATimeInAnotherUnitIsDoubted) {
             std::string::npos)
       << ms;
   const std::string min = doubts_of(chamber_run(1.0 / 60));
-  EXPECT_NE(min.find("as no chamber can move a coil: is the time in s, or in min?"),
+  EXPECT_NE(min.find("as no chamber can move a coil: is the time in s, or in min or h?"),
             std::string::npos)
       << min;
   EXPECT_NE(doubts_of(chamber_run(1.0 / 3600)).find("as no chamber can move a coil"),

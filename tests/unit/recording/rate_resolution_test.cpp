@@ -1,4 +1,4 @@
-#include "recording/rate_resolution.hpp"
+#include "recording/recording.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/frames/sensor_frame.hpp"
-#include "recording/decimal.hpp"
+#include "recording/csv_fields.hpp"
 #include "support/output_file.hpp"
 #include "temporary_file.hpp"
 

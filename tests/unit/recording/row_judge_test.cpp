@@ -1,4 +1,4 @@
-#include "recording/row_judge.hpp"
+#include "recording/reading.hpp"
 
 #include <gtest/gtest.h>
 
@@ -148,20 +148,25 @@ TEST(RowJudge, AnExcursionIsRefusedFromItsBeginningAndNotWhatFollows) {
   }
 }
 
-// It says 0 degC before it measures, however long.
+// It says one value before it measures: 0 degC however long, another one for minutes.
 TEST(RowJudge, SensorThatBeginsLate_RefusedUntilThen) {
-  for (const int wrong : {1, 5, 18, 20, 60, 900}) {
-    const Rows rows = refused(with_temperature(1, 3000, [&](double time_s) {
-      return time_s < wrong ? 0.0 : 18 + std::round(time_s / 8) / 16;
-    }));
-    ASSERT_EQ(rows.size(), static_cast<std::size_t>(wrong));
-    EXPECT_EQ(rows.back(), static_cast<std::size_t>(wrong - 1));
+  for (const double said_degc : {0.0, -40.0, 60.0, -50.0, 125.0}) {
+    for (const int wrong : {1, 5, 18, 20, 60, 90, 300, 900}) {
+      if (said_degc != 0 && wrong > 300) continue;
+      const Rows rows = refused(with_temperature(1, 3000, [&](double time_s) {
+        return time_s < wrong ? said_degc : 18 + std::round(time_s / 8) / 16;
+      }));
+      ASSERT_EQ(rows.size(), static_cast<std::size_t>(wrong)) << said_degc;
+      EXPECT_EQ(rows.back(), static_cast<std::size_t>(wrong - 1));
+    }
   }
 }
 
 // Soaks that were joined without a gap.
 TEST(RowJudge, ANewLevelIsBelievedAsTheBoardBelievesIt) {
-  const auto steps = [](double time_s) { return time_s < 300 ? 20.0 : time_s < 700 ? 60.0 : 0.0; };
+  const auto steps = [](double time_s) {
+    return time_s < 300 ? 20 + time_s / 1000 : time_s < 700 ? 60.0 : 0.0;
+  };
   EXPECT_EQ(refused(with_temperature(10, 200, steps)), (Rows{30, 31, 32, 70, 71, 72, 73, 74}));
   const auto joined = [](double time_s) { return time_s < 3000 || time_s >= 6000 ? 20.0 : 60.0; };
   const Rows rows = refused(with_temperature(10, 900, joined));
@@ -316,6 +321,28 @@ TEST(RefusedRows, OneValueBetweenJumps_Said) {
   EXPECT_EQ(said_of([&](int) { return std::round(noise(random)); }), "") << "coarse";
   EXPECT_EQ(said_of([](int i) { return std::round(1e3 * std::sin(i / 60.0)); }), "") << "smooth";
   EXPECT_EQ(said_of([](int i) { return i < 300 ? 0.0 : 1.0; }), "");
+}
+
+// Of a gyro that turns further than its converter goes.
+TEST(RefusedRows, EndOfTheScale_Said) {
+  const auto said_of = [](double amplitude, double end) {
+    std::mt19937 random(2);
+    std::normal_distribution<double> noise(0, 1);
+    std::string text = header();
+    for (int i = 0; i < 2000; ++i) {
+      const double rate = amplitude * std::sin(i / 20.0) + noise(random);
+      text += format("%d,20,%.2f\n", i, std::max(-end, std::min(end - 1, rate)));
+    }
+    std::string said;
+    read_recording(temporary_file("scale.csv", text), heard_in(said));
+    return said;
+  };
+  for (const double end : {2048.0, 32768.0}) {
+    const std::string said = said_of(1.0005 * end, end);
+    EXPECT_NE(said.find(format("the rate ends at %g in ", -end)), std::string::npos) << said;
+    EXPECT_NE(said.find(format("and %g in ", end - 1)), std::string::npos) << said;
+    EXPECT_EQ(said_of(0.9 * end, end), "");
+  }
 }
 
 // A thermometer that stands still while the coil goes on is seen by the step after it. One that

@@ -1,5 +1,5 @@
 // What moves the temperature of a recording.
-#include "recording/temperature_course.hpp"
+#include "recording/segments.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,6 @@
 #include <string>
 
 #include "recording/recording.hpp"
-#include "recording/segments.hpp"
 
 namespace fogcomp::recording {
 namespace {

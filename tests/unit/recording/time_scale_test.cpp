@@ -1,4 +1,4 @@
-#include "recording/time_scale.hpp"
+#include "recording/csv_layout.hpp"
 
 #include <gtest/gtest.h>
 
@@ -201,6 +201,12 @@ TEST(TimeOfSeveralColumns, HoursMinutesSeconds_Added) {
     EXPECT_EQ(times_of(names + rest + rows), expected) << names;
   }
   EXPECT_EQ(times_of("a,b,c" + rest + rows, "time=a[h]+b[min]+c[s]"), expected);
+  for (const char* names : {"m,s", "min,s", "minute,second", "Time [min],Time [s]"}) {
+    EXPECT_EQ(times_of(names + rest + "59,59.5,20,1\n60,0,20,2\n"), (std::vector{3599.5, 3600.0}))
+        << names;
+  }
+  EXPECT_EQ(times_of("h,m" + rest + "1,59,20,1\n2,0,20,2\n"), (std::vector{7140.0, 7200.0}));
+  EXPECT_EQ(times_of("second,ms" + rest + "1,999,20,1\n2,0,20,2\n"), (std::vector{1.999, 2.0}));
   EXPECT_EQ(times_of("s,m,h" + rest + "59.5,59,0,20,1\n0,0,1,20,2\n"),
             (std::vector<double>{3599.5, 3600}));
 }
@@ -329,6 +335,27 @@ TEST(TimeColumn, SecondTimes_RefusedIfTheyRunOtherwise) {
       << read(text(5)).said;
   EXPECT_EQ(read(text(5), "time=Time [s]").period_s, 1);
   EXPECT_EQ(read(text(1.0001)).period_s, 1);
+}
+
+// Beside a column with a recording's own name: in parts, or the same once more.
+TEST(TimeColumn, PartOfTheTimeInAnother_AskedFor) {
+  const auto text = [](const char* names, bool are_parts, double finer) {
+    std::string rows = names + std::string(",temperature_degc,rate_dph\n");
+    for (int row = 0; row < 200; ++row) {
+      const double coarse = row / 5.0;
+      rows += are_parts ? format("%g,%g,20,%d\n", std::floor(coarse), row % 5 * finer / 5, row % 7)
+                        : format("%g,%g,20,%d\n", coarse, coarse * finer, row % 7);
+    }
+    return rows;
+  };
+  EXPECT_NE(read(text("time_min,time_s", true, 60))
+                .said.find("its time is in parts, 'time_s' and 'time_min'; give both: --columns "
+                           "'time=time_min+time_s'"),
+            std::string::npos);
+  EXPECT_NE(read(text("time_s,time_ms", true, 1000)).said.find("'time=time_s+time_ms'"),
+            std::string::npos);
+  EXPECT_EQ(read(text("time_min,time_s", false, 60)).period_s, 12);
+  EXPECT_EQ(read(text("time_s,time_ms", false, 1000)).period_s, 0.2);
 }
 
 TEST(TimeCounter, ThatBeginsAgain_CountedOn) {

@@ -1,4 +1,4 @@
-#include "recording/held_rate.hpp"
+#include "recording/reading.hpp"
 
 #include <gtest/gtest.h>
 
