@@ -97,7 +97,7 @@ std::string headline(const Summary& summary) {
 
 void require_own_table(const std::string& file) {
   std::error_code error;
-  if (!std::filesystem::exists(file, error) || read_file(file).rfind(kTableTitle, 0) == 0) return;
+  if (!std::filesystem::exists(file, error) || file_begins_with(file, kTableTitle)) return;
   throw InputError(file,
                    "is no table of fogcomp batch, which would replace it; name another folder");
 }

@@ -6,7 +6,6 @@
 #include "cli/loop_commands.hpp"
 #include "cli/page_bench.hpp"
 #include "cli/watch.hpp"
-#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "findings/text.hpp"
 #include "model/model_file.hpp"
@@ -19,9 +18,7 @@ namespace fogcomp::cli {
 workflow::AddRequest AddCommand::request() const {
   workflow::AddRequest request;
   request.model = arguments[0];
-  const auto is_effect = [&](const std::string& word) {
-    return std::find(words.begin(), words.end(), word.substr(0, word.find(':'))) != words.end();
-  };
+  const auto is_effect = [&](const std::string& word) { return takes_word(word); };
   auto first_run = arguments.begin() + 1;
   request.only_cuts = recording.cuts.given() && !expression.given() && !is_effect(*first_run);
   if (!expression.given() && !request.only_cuts) {

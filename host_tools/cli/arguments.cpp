@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
+#include "recording/csv_layout.hpp"
+#include "recording/input_file.hpp"
+#include "recording/stream_reader.hpp"
 #include "support/input_error.hpp"
 #include "support/model_title.hpp"
 #include "support/output_file.hpp"
@@ -11,22 +13,8 @@
 
 namespace fogcomp::cli {
 
-namespace {
-
-// A pipe, which can be read only once, is not examined.
-bool begins_with(const std::string& path, std::string_view title) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return false;
-  std::ifstream file(path, std::ios::binary);
-  std::string head(title.size(), '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  return head == title;
-}
-
-}  // namespace
-
 bool is_model_or_header(const std::string& path) {
-  return begins_with(path, kModelTitle) || begins_with(path, kHeaderTitle);
+  return file_begins_with(path, kModelTitle) || file_begins_with(path, kHeaderTitle);
 }
 
 namespace {
@@ -133,12 +121,6 @@ std::vector<NamedFile> files(const Command& command, ValueUse use) {
   return files;
 }
 
-// Whether a positional is a word of the command, such as an effect with parameters.
-bool is_word(const Command& command, const std::string& word) {
-  const auto& words = command.words;
-  return std::find(words.begin(), words.end(), word.substr(0, word.find(':'))) != words.end();
-}
-
 bool has_replacement(const Command& command) {
   const auto& replacing = command.stand_for_positional;
   return std::any_of(replacing.begin(), replacing.end(),
@@ -151,7 +133,7 @@ std::vector<Fault> order_faults(const Command& command) {
   const bool model_first = usage.rfind("MODEL", 0) == 0 || usage.rfind("[MODEL]", 0) == 0;
   const auto rank = [&](const std::string& word) {
     if (is_model_or_header(word)) return 0;
-    return is_word(command, word) ? 1 : 2;
+    return command.takes_word(word) ? 1 : 2;
   };
   std::vector<std::string> sorted = command.arguments;
   std::stable_sort(sorted.begin(), sorted.end(),
@@ -167,6 +149,34 @@ std::vector<Fault> order_faults(const Command& command) {
   }
   if (!model_first || models == 0 || sorted == command.arguments) return {};
   return {{"", "the arguments look swapped: fogcomp " + command.name() + " " + join(sorted, " ")}};
+}
+
+// As far as its first lines or bytes tell.
+bool is_recording(const std::string& path) {
+  try {
+    recording::InputFile file(path);
+    const std::string_view head = file.peek();
+    if (recording::is_sensor_stream(head)) return true;
+    recording::find_csv_layout({head, file.at_end(), file.is_utf16(), path}, {});
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+// A model, a lot or a recording is replaced by another one only.
+void refuse_another_kind(const NamedFile& output) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(output.path, error)) return;
+  const bool is_model = output.value_name == "MODEL";
+  const bool may_be_recording = output.value_name == "OUT" || output.value_name == "FILE";
+  const char* const kind = !is_model && file_begins_with(output.path, kModelTitle) ? "model"
+                           : file_begins_with(output.path, kLotTitle)              ? "lot"
+                           : !may_be_recording && is_recording(output.path)        ? "recording"
+                                                                                   : nullptr;
+  if (kind == nullptr) return;
+  throw InputError(output.path,
+                   output.option + " would overwrite a " + kind + "; name another file");
 }
 
 void check_files(const Command& command) {
@@ -186,9 +196,7 @@ void check_files(const Command& command) {
       throw InputError(path,
                        option + " would overwrite the input " + input.path + "; name another file");
     }
-    if (value_name != "MODEL" && begins_with(path, kModelTitle)) {
-      throw InputError(path, option + " would overwrite a model; name another file");
-    }
+    refuse_another_kind(outputs[i]);
     for (std::size_t j = 0; j < i; ++j) {
       if (!same_file(path, outputs[j].path)) continue;
       throw InputError(
@@ -220,9 +228,10 @@ std::vector<Fault> absent_inputs(const Command& command) {
   for (std::size_t i = 0; i < command.arguments.size(); ++i) {
     const std::string& word = command.arguments[i];
     const bool effect =
-        !command.words.empty() && i == 1 && (!has_replacement(command) || is_word(command, word));
+        !command.words.empty() && i == 1 && (!has_replacement(command) || command.takes_word(word));
     std::error_code error;
-    if (!reads_positionals(command) || effect || is_word(command, word) || is_standard_input(word))
+    if (!reads_positionals(command) || effect || command.takes_word(word) ||
+        is_standard_input(word))
       continue;
     if (!std::filesystem::exists(word, error)) absent.push_back({word, "does not exist"});
   }

@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "cli/report_option.hpp"
-#include "findings/findings.hpp"
 #include "report/report.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
@@ -55,6 +54,17 @@ std::vector<ReportOption*> report_options(const std::vector<CommandPointer>& com
     if (option != nullptr) options.push_back(option);
   }
   return options;
+}
+
+// The axes side by side: what was found of each.
+findings::Document table_of(const std::string& subject, const std::vector<std::string>& axes,
+                            const std::vector<findings::Document>& documents) {
+  findings::Table table;
+  table.columns = {"axis", "found"};
+  for (std::size_t i = 0; i < documents.size(); ++i) {
+    table.rows.push_back({findings::verbatim(axes[i]), documents[i].found});
+  }
+  return {subject, findings::words(format("%zu axes", documents.size())), {}, {}, table};
 }
 
 }  // namespace
@@ -113,11 +123,13 @@ AxesReport::AxesReport(const std::vector<AxisCall>& calls,
 
 void AxesReport::finish() {
   if (axes_.empty()) return;
-  std::vector<findings::AxisFindings> found;
-  for (std::size_t i = 0; i < documents_.size(); ++i) found.push_back({axes_[i], documents_[i]});
-  std::printf("\n%s", report::terminal(findings::axes_table(subject_, found)).c_str());
+  findings::Document document = table_of(subject_, axes_, documents_);
+  std::printf("\n%s", report::terminal(document).c_str());
   if (!page_) return;
-  page_->write(report::page(findings::axes_findings(subject_, found)));
+  for (std::size_t i = 0; i < documents_.size(); ++i) {
+    document.parts += findings::Heading{findings::verbatim(axes_[i])} + documents_[i].as_parts();
+  }
+  page_->write(report::page(document));
   page_->commit();
   std::fprintf(stderr, "report: %s\n", page_->path().c_str());
 }

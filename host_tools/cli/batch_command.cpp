@@ -10,10 +10,8 @@
 #include "batch/tables.hpp"
 #include "cli/command.hpp"
 #include "cli/gyro_calibration.hpp"
-#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "fit/lot_file.hpp"
-#include "model/effect_list.hpp"
 #include "report/report.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
@@ -52,9 +50,7 @@ struct BatchCommand : Command {
       : Command("batch", {"DIR", 1, 1},
                 "fit, compare, export every gyro of a folder; one table and page",
                 "fogcomp batch gyros -o results --effects bias,temperature_rate") {
-    const CalibrationOptions& own = common.calibration;
-    needs = {{&common.output},
-             {&own.fit.effects, {&own.fit.model, &own.prior_lot}, model::kFirstEffects}};
+    needs = common.needs();
   }
   int run() const override;
 

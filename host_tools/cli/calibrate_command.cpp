@@ -5,7 +5,6 @@
 #include "batch/summary.hpp"
 #include "cli/command.hpp"
 #include "cli/gyro_calibration.hpp"
-#include "model/effect_list.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"
 #include "support/parallel.hpp"
@@ -22,9 +21,7 @@ struct CalibrateCommand : Command {
       : Command("calibrate", {"DIR/SERIAL", 1, 1},
                 "fit, compare, export one gyro of a folder; why it fails",
                 "fogcomp calibrate gyros/G1 -o results --effects bias,temperature_rate") {
-    const CalibrationOptions& own = common.calibration;
-    needs = {{&common.output},
-             {&own.fit.effects, {&own.fit.model, &own.prior_lot}, model::kFirstEffects}};
+    needs = common.needs();
   }
   int run() const override;
 };

@@ -1,5 +1,7 @@
 #include "cli/command.hpp"
 
+#include <algorithm>
+
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -64,6 +66,10 @@ CommandPointer find_command(const std::string& name) {
   }
   throw InputError("fogcomp", "no command '" + name + "'" + did_you_mean(name, names) +
                                   "; fogcomp --help lists them");
+}
+
+bool Command::takes_word(const std::string& word) const {
+  return std::find(words.begin(), words.end(), word.substr(0, word.find(':'))) != words.end();
 }
 
 bool reads_positionals(const Command& command) {

@@ -36,6 +36,8 @@ class Command : public OptionGroup {
   };
   std::vector<Need> needs;
   std::vector<std::string> words;  ///< positionals that are not files
+  /// Whether it is one of these, such as an effect, perhaps with parameters.
+  bool takes_word(const std::string& word) const;
   /// -o may name the first positional: a model may replace the original. Any other output that is
   /// an input is refused.
   bool may_replace_first = false;

@@ -3,7 +3,6 @@
 #include "cli/loop_commands.hpp"
 #include "cli/page_bench.hpp"
 #include "cli/watch.hpp"
-#include "findings/findings.hpp"
 #include "findings/json.hpp"
 
 namespace fogcomp::cli {

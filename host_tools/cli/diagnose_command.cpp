@@ -5,7 +5,6 @@
 #include "cli/loop_commands.hpp"
 #include "cli/page_bench.hpp"
 #include "cli/watch.hpp"
-#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "findings/next_step_words.hpp"
 #include "model/model_file.hpp"

@@ -6,7 +6,6 @@
 #include "cli/loop_commands.hpp"
 #include "cli/page_bench.hpp"
 #include "cli/watch.hpp"
-#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "model/model_file.hpp"
 #include "support/output_file.hpp"

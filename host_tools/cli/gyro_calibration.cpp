@@ -8,6 +8,7 @@
 #include "findings/compare_words.hpp"
 #include "findings/diagnosis_words.hpp"
 #include "findings/findings.hpp"
+#include "model/effect_list.hpp"
 #include "model/model.hpp"
 #include "model/model_file.hpp"
 #include "report/report.hpp"
@@ -34,6 +35,11 @@ void require_apart(const std::string& gyros, const std::string& output) {
 LotOptions::LotOptions(OptionGroup* parent) : OptionGroup(parent) {
   calibration.make_rare();
   calibration.fit.effects.rare = calibration.fit.training.network.rare = false;
+}
+
+std::vector<Command::Need> LotOptions::needs() const {
+  const FitOptions& fit = calibration.fit;
+  return {{&output}, {&fit.effects, {&fit.model, &calibration.prior_lot}, model::kFirstEffects}};
 }
 
 GyroCalibration::GyroCalibration(const LotOptions& options, const std::string& gyros)

@@ -6,6 +6,7 @@
 #include "batch/gyro_folders.hpp"
 #include "batch/gyro_result.hpp"
 #include "cli/board_options.hpp"
+#include "cli/command.hpp"
 #include "cli/fit_options.hpp"
 #include "cli/recording_options.hpp"
 #include "workflow/calibrate.hpp"
@@ -27,6 +28,7 @@ struct CalibrationOptions : OptionGroup {
 /// The options of `calibrate`, which `batch` hands on to it.
 struct LotOptions : OptionGroup {
   explicit LotOptions(OptionGroup* parent);
+  std::vector<Command::Need> needs() const;
   batch::FilePatterns patterns() const { return {runs.value(), holdouts.value()}; }
 
   Text output{this, {"o", "OUT", "results: a folder a gyro; gyros.csv, index.html"}};

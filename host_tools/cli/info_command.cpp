@@ -3,7 +3,6 @@
 #include "cli/recording_options.hpp"
 #include "cli/report_option.hpp"
 #include "cli/watch.hpp"
-#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "workflow/recordings.hpp"
 

@@ -143,4 +143,7 @@ struct AddCommand : Command {
                                               const fit::Addition& addition, bool written) const;
 };
 
+/// All data of an entry of the catalogue, as `fogcomp effects --json` has it.
+Json effect_json(const model::CatalogueEntry& entry);
+
 }  // namespace fogcomp::cli

@@ -14,9 +14,10 @@ Option* OptionGroup::find_option(const std::string& name) const {
   return found == options_.end() ? nullptr : *found;
 }
 
-std::vector<std::string> OptionGroup::given_words() const {
+std::vector<std::string> OptionGroup::given_words(const std::vector<std::string>& without) const {
   std::vector<std::string> words;
   for (const Option* option : options_) {
+    if (std::find(without.begin(), without.end(), option->name) != without.end()) continue;
     for (const std::string& value : option->values) {
       words.push_back(dashed(option->name));
       if (!option->value_name.empty()) words.push_back(value);
@@ -50,16 +51,12 @@ void OptionGroup::refuse_clashes() const {
 Clash::Clash(OptionGroup* group, std::vector<const Option*> which, When with_or_without,
              const Option* another)
     : options(std::move(which)), when(with_or_without), other(another) {
-  for (OptionGroup* owner = group; owner != nullptr; owner = owner->parent_) {
-    owner->clashes_.push_back(this);
-  }
+  group->take<const Clash>(this, &OptionGroup::clashes_);
 }
 
 Option::Option(OptionGroup* group, OptionText text, std::vector<std::string> value_words)
     : OptionText(std::move(text)), words(std::move(value_words)), group_(group) {
-  for (OptionGroup* owner = group; owner != nullptr; owner = owner->parent_) {
-    owner->options_.push_back(this);
-  }
+  group->take(this, &OptionGroup::options_);
 }
 
 std::size_t Option::chosen_word() const {

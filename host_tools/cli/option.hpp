@@ -26,8 +26,8 @@ class OptionGroup {
   Option* find_option(const std::string& name) const;
   /// Throws InputError for a given option that means nothing beside the others.
   void refuse_clashes() const;
-  /// The given options, as words of a command line.
-  std::vector<std::string> given_words() const;
+  /// The given options, as words of a command line, but for those of these names.
+  std::vector<std::string> given_words(const std::vector<std::string>& without = {}) const;
   /// Omits all of them from --help, which should fit a screen.
   void make_rare();
   /// Throws the error of a word on the command line, with a reference to --help.
@@ -41,6 +41,13 @@ class OptionGroup {
  private:
   friend struct Clash;
   friend class Option;
+  // Puts a member of this group into a list of it and of the groups around it.
+  template <class Part>
+  void take(Part* part, std::vector<Part*> OptionGroup::*list) {
+    for (OptionGroup* owner = this; owner != nullptr; owner = owner->parent_) {
+      (owner->*list).push_back(part);
+    }
+  }
   OptionGroup* parent_ = nullptr;
   std::string command_;
   std::vector<Option*> options_;

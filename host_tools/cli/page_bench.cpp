@@ -104,13 +104,8 @@ std::optional<WorkbenchSetup> report_bench(const BenchInput& input,
 
 std::vector<std::string> given_command(const Command& command) {
   std::vector<std::string> words{command.name()};
-  words.insert(words.end(), command.arguments.begin(), command.arguments.end());
-  for (const Option* option : command.options()) {
-    if (option->name == "report" || option->name == "json") continue;
-    for (const std::string& value : option->values) {
-      words.push_back(dashed(option->name));
-      if (!option->value_name.empty()) words.push_back(value);
-    }
+  for (const auto& some : {command.arguments, command.given_words({"report", "json"})}) {
+    words.insert(words.end(), some.begin(), some.end());
   }
   return words;
 }

@@ -3,7 +3,6 @@
 #include "cli/command.hpp"
 #include "cli/report_option.hpp"
 #include "cli/watch.hpp"
-#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "research/figures.hpp"
 #include "support/output_file.hpp"

@@ -3,7 +3,6 @@
 #include "cli/command.hpp"
 #include "cli/report_option.hpp"
 #include "cli/watch.hpp"
-#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "model/effect_list.hpp"
 #include "simulation/embedded_files.hpp"
@@ -31,7 +30,7 @@ struct PlanCommand : Command {
   Integer<std::uint64_t> seed{this, {"seed", "N", "of the search", "1"}, 0, 1LL << 53};
   ReportOption report{this};
   Flag json{this, "json", "one JSON object on stdout"};
-  Clash only_to_plan{this, {&output, &hours, &chamber}, Clash::When::with, &compare};
+  Clash only_to_plan{this, {&output, &hours, &chamber, &seed}, Clash::When::with, &compare};
 
   PlanCommand()
       : Command("plan", {"[MODEL] [--compare PROGRAMME...]", 0, kAnyNumber},

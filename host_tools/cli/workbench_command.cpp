@@ -1,7 +1,6 @@
 // fogcomp workbench: the loop as an interactive page.
 
 #include <cstdio>
-#include <fstream>
 
 #include "cli/command.hpp"
 #include "cli/page_bench.hpp"
@@ -32,17 +31,10 @@ struct WorkbenchCommand : Command {
   BenchInput input() const;
 };
 
-bool is_model(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string head(kModelTitle.size(), '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  return head == kModelTitle;
-}
-
 BenchInput WorkbenchCommand::input() const {
   BenchInput input{arguments, holdouts.value(), {}, {}};
   std::vector<std::string>& runs = input.runs;
-  if (!runs.empty() && is_model(runs[0])) {
+  if (!runs.empty() && file_begins_with(runs[0], kModelTitle)) {
     input.states.push_back({runs[0], runs[0], {}, "", true});
     runs.erase(runs.begin());
   }

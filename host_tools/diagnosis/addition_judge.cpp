@@ -126,6 +126,7 @@ TriedAddition AdditionJudge::tried(AdditionRequest request, const runs::Runs& ru
     addition = judged(model_, trial.request, runs, &*refitted_);
     trial.accepted = addition->accepted;
     trial.reason = addition->reason;
+    trial.needless = addition->needless;
     trial.fitted_before_dph = addition->fitted_before_dph;
     trial.fitted_after_dph = addition->fitted_after_dph;
     if (addition->whole) {

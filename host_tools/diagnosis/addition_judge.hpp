@@ -30,6 +30,7 @@ struct TriedAddition {
   AdditionRequest request;
   bool accepted = false;
   std::string reason;        ///< one line: why it is accepted or not
+  std::string needless{};    ///< as fit::AdditionVerdict has it
   double rms_after_dph = 0;  ///< out of sample; both 0 if it could not be judged
   double rms_before_dph = 0;
   double fitted_before_dph = 0;  ///< as fit::AdditionVerdict has them

@@ -109,7 +109,10 @@ std::vector<Description> rivals_of(const Diagnosis& diagnosis,
     const bool is_event = model::is_event(finding.term());
     if (finding.probability < rules::kNamed || finding.is_expression() || is_event) continue;
     if (named == std::vector<std::string>{finding.effect}) continue;
-    descriptions.push_back({*request_of(diagnosis, {finding.effect}), finding.explained_fraction});
+    descriptions.push_back({*request_of(diagnosis, {finding.effect}),
+                            finding.explained_fraction,
+                            false,
+                            {finding.effect}});
   }
   std::set<std::vector<std::string>> seen{{}, named};
   for (const Diagnosis::Explanation& set : diagnosis.explanations) {

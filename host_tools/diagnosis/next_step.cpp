@@ -86,7 +86,7 @@ class StepSearch {
   bool explains() {
     if (!is_unknown_ && is_named(named_)) return true;
     const bool has_rivals = diagnosis_.is_led_by_catalogue() && !diagnosis_.may_be_noise();
-    if (has_rivals && is_one_of(rivals_of(diagnosis_, named_))) return true;
+    if (has_rivals && is_one_of(first_few(rivals_of(diagnosis_, named_)))) return true;
     return is_named(events_) || is_described_by(possible_descriptions());
   }
 
@@ -101,20 +101,30 @@ class StepSearch {
     return accepted;
   }
 
-  bool is_named(const std::vector<std::string>& effects) {
-    if (effects.empty() || !keep(judge_(*request_of(diagnosis_, effects)))) return false;
+  bool was_refused(const AdditionRequest& request) const {
+    return std::any_of(next_.refused.begin(), next_.refused.end(), [&](const TriedAddition& tried) {
+      return !request.effects.empty() && tried.request.effects == request.effects;
+    });
+  }
+
+  // All of them or, if one brings nothing beside the others, these.
+  bool is_named(std::vector<std::string> effects) {
+    while (!effects.empty()) {
+      const std::optional<AdditionRequest> request = request_of(diagnosis_, effects);
+      if (!request || was_refused(*request)) return false;
+      if (keep(judge_(*request))) break;
+      const std::string& needless = next_.refused.back().needless;
+      if (needless.empty()) return false;
+      effects.erase(std::remove(effects.begin(), effects.end(), needless), effects.end());
+    }
     if (effects.size() > 1) next_.together = effects;
-    return true;
+    return !effects.empty();
   }
 
   // What is named was refused: tries its rivals.
-  bool is_one_of(std::vector<Description> rivals) {
-    for (Description& rival : first_few(std::move(rivals))) {
-      if (!keep(judge_(std::move(rival.request)))) continue;
-      if (rival.effects.size() > 1) next_.together = std::move(rival.effects);
-      return true;
-    }
-    return false;
+  bool is_one_of(const std::vector<Description>& rivals) {
+    return std::any_of(rivals.begin(), rivals.end(),
+                       [&](const Description& rival) { return is_named(rival.effects); });
   }
 
   // Whether no other description could leave clearly less than this one.

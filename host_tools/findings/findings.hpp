@@ -63,18 +63,6 @@ Document batch_findings(const batch::Summary& summary, const std::string& input,
 /// printed values, and medians over all gyros. Throws InputError if the study lacks bp or pso-bp.
 Document paper_findings(const std::vector<research::Study>& studies);
 
-/// What a command found of one axis.
-struct AxisFindings {
-  std::string axis;
-  Document document;
-};
-
-/// The axes of one call side by side: a table of what was found of each.
-Document axes_table(const std::string& subject, const std::vector<AxisFindings>& axes);
-
-/// That, and then all that was found of each axis.
-Document axes_findings(const std::string& subject, const std::vector<AxisFindings>& axes);
-
 /// What each step of a model left on the data of its last fit. The model has a history.
 Table error_ladder(const model::Model& model);
 

@@ -1,4 +1,3 @@
-#include "findings/findings.hpp"
 #include "findings/json.hpp"
 
 namespace fogcomp::findings {

@@ -5,17 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "batch/summary.hpp"
-#include "compare/model_on_runs.hpp"
-#include "compare/run_summary.hpp"
-#include "diagnosis/ladder.hpp"
-#include "findings/diagnosis_words.hpp"
-#include "fit/add_effect.hpp"
-#include "planning/first_model.hpp"
-#include "research/study.hpp"
+#include "findings/findings.hpp"
 #include "support/json.hpp"
-#include "workflow/fit.hpp"
-#include "workflow/plan.hpp"
 
 /// Output of `--json`: every value of a finding, by stable names.
 namespace fogcomp::findings {

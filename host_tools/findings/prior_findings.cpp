@@ -1,4 +1,3 @@
-#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "findings/text.hpp"
 #include "fit/prior_update.hpp"

@@ -58,6 +58,8 @@ struct AdditionVerdict {
   std::vector<OutOfSample> far;
   bool accepted = false;
   std::string reason;  ///< one line: why it is accepted or not
+  std::string
+      needless{};  ///< part of a set for which it is refused: brings nothing beside the others
 };
 
 /// A model with added or changed effects, and the verdict on them.

@@ -239,6 +239,7 @@ void decide(Addition& after) {
   } else if (harm != nullptr) {
     after.reason = "it raises the error far from the rows fitted: " + out_of_sample_words(*harm);
   } else if (needless != after.parts.end()) {
+    after.needless = needless->effect;
     after.reason = needless->effect +
                    " brings nothing beside the others: " + out_of_sample_words(*needless->beside);
   } else {

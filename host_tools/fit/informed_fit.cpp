@@ -72,6 +72,17 @@ noise::NoiseModel noise_in(const KnownRegressors& known, const Prior& prior,
   return noise_model(levels, rows);
 }
 
+// Each power-on has its own bias, which its rows tell. Slow noise as large as beforehand is
+// expected would leave it between theirs and the prior's.
+Eigen::MatrixXd with_any_bias(const Prior& prior, Eigen::MatrixXd covariance) {
+  Eigen::Index at = 0;
+  for (const model::EffectTerm& term : prior.terms) {
+    if (term.name == "bias") covariance(at, at) *= kWide * kWide;
+    at += static_cast<Eigen::Index>(term.coefficients_dph.size());
+  }
+  return covariance;
+}
+
 }  // namespace
 
 InformedFit fit_with_prior(const KnownRegressors& known, const Prior& prior,
@@ -97,7 +108,7 @@ InformedFit fit_with_prior(const KnownRegressors& known, const Prior& prior,
     found.board_less_gyro = unknowns_of(found.fit, prior) - unknowns_of(own, prior);
     const Eigen::VectorXd before = std::exchange(wider, widening(prior.covariance, found.seen));
     found.departures = departures(prior.covariance, found.seen, wider);
-    now.covariance = with_departures(prior.covariance, wider);
+    now.covariance = with_any_bias(prior, with_departures(prior.covariance, wider));
     if (round > 1 && wider == before) break;
   }
   found.fit = fit_rows(known, prior.terms, nuisance, settings);

@@ -141,6 +141,7 @@ Lot learn_lot(const std::vector<OwnModel>& gyros, const Refit& refit) {
   lot.model = gyros.front().model;
   lot.model.serial.clear();
   lot.model.history.clear();
+  lot.model.samples.clear();
   lot.model.uncertain.reset();
   lot.model.uncertainty.reset();
   Prior prior = first_prior(gyros);

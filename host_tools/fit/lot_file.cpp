@@ -3,12 +3,13 @@
 #include "model/model_file.hpp"
 #include "model/model_lines.hpp"
 #include "support/input_error.hpp"
+#include "support/model_title.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::fit {
 namespace {
 
-constexpr const char* kLotTitle = "fogcomp-lot 1";
+const std::string kTitleLine = std::string(kLotTitle) + "1";
 constexpr const char* kGyro = "gyro";
 constexpr const char* kNoSerial = "-";
 constexpr std::size_t kMaxRecordings = 1000;
@@ -59,7 +60,7 @@ Sister read_sister(model::ModelReader& in, Eigen::Index unknowns) {
 
 std::string lot_text(const Lot& lot) {
   model::ModelWriter out;
-  out.word(kLotTitle).end_line();
+  out.word(kTitleLine).end_line();
   for (const Sister& sister : lot.sisters) write_sister(out, sister);
   const std::string sisters = std::move(out.text());
   return sisters + crc_line(sisters) + model::model_text(lot.model);
@@ -69,7 +70,7 @@ Lot parse_lot(const std::string& text, const std::string& file) {
   if (model::looks_like_model(text)) {
     throw InputError(file, "is a model, not a lot; --prior takes an older model of this gyro");
   }
-  const std::string title = std::string(kLotTitle) + "\n";
+  const std::string title = kTitleLine + "\n";
   if (text.rfind(title, 0) != 0) {
     throw InputError(file, "is not a fogcomp lot; fogcomp batch --lot makes one");
   }

@@ -12,6 +12,7 @@
 #include "model/expression_effect.hpp"
 #include "model/network.hpp"
 #include "recording/board_limits.hpp"
+#include "recording/mask.hpp"
 
 namespace fogcomp::model {
 
@@ -150,6 +151,9 @@ struct Model {
   std::string columns{};
   /// The same of the decimal mark (recording::ReadOptions::decimal_comma).
   std::optional<bool> decimal_comma{};
+  std::vector<recording::Cut> cuts{};  ///< of the recordings to which it was fitted last
+  /// Hashes of some samples of these, and of its prior's (runs::samples_of); missing in old files.
+  std::vector<std::uint64_t> samples{};
   double derivative_tau_s = 0;  ///< time constant of each of the two lags of dT/dt
   double min_degc = 0;          ///< trained range; the board clamps to it
   double max_degc = 0;

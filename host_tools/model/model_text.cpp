@@ -79,6 +79,14 @@ void write_input_ranges(ModelWriter& out, const InputRanges& ranges) {
   }
 }
 
+void write_recordings(ModelWriter& out, const Model& model) {
+  for (const recording::Cut& cut : model.cuts) out.word("cut").word(cut_text(cut)).end_line();
+  if (model.samples.empty()) return;
+  out.word("samples");
+  for (const std::uint64_t sample : model.samples) out.hash(sample);
+  out.end_line();
+}
+
 void write_uncertainty(ModelWriter& out, const Model::Uncertainty& known) {
   out.word("uncertainty").number(known.white_dph).number(known.flicker_dph);
   out.number(known.walk_dph_per_rth).number(known.turn_on_dph);
@@ -113,6 +121,7 @@ std::string model_text(const Model& model) {
   if (model.decimal_comma) {
     out.word("decimal_mark").word(*model.decimal_comma ? "comma" : "point").end_line();
   }
+  write_recordings(out, model);
   out.word("derivative_tau_s").number(model.derivative_tau_s).end_line();
   out.word("range_degc").number(model.min_degc).number(model.max_degc).end_line();
   if (const auto& rate = model.rate_range_degc_per_min) {

@@ -7,7 +7,6 @@
 #include "judge/prediction.hpp"
 #include "planning/operating_box.hpp"
 #include "planning/typical_gyro.hpp"
-#include "planning/weighted_rows.hpp"
 #include "support/decompositions.hpp"
 #include "support/least_squares.hpp"
 

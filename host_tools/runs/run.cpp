@@ -109,6 +109,18 @@ bool names_run(const std::string& name, const Run& run) {
                      [&](const std::string& file) { return recording::names_file(name, file); });
 }
 
+std::vector<std::uint64_t> samples_of(const std::vector<Run>& runs) {
+  constexpr std::size_t kSamples = 16;
+  std::vector<std::uint64_t> all;
+  for (const Run& run : runs) {
+    std::vector<std::uint64_t> own = run.marks;
+    std::sort(own.begin(), own.end());
+    own.resize(std::min(own.size(), kSamples));
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
 bool set_cut(Run& run, const recording::Cut& cut, bool made) {
   return names_run(cut.run, run) && series::set_cut(run.blocks, cut.at_s, made);
 }

@@ -45,6 +45,10 @@ bool have_several_power_ons(const std::vector<Run>& runs);
 /// Whether there are several biases: of power-ons, or parts of a cut run.
 bool have_several_biases(const std::vector<Run>& runs);
 
+/// Hashes of some samples of each, by which a model's file knows them again: of a run that has a
+/// quarter of another's samples one is the same in 99 of 100 cases.
+std::vector<std::uint64_t> samples_of(const std::vector<Run>& runs);
+
 /// Whether the run of a mask or a cut, "" for all, is this one.
 bool names_run(const std::string& name, const Run& run);
 

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <mutex>
 #include <optional>
 #include <random>
@@ -281,6 +282,15 @@ void write_file(const std::string& path, std::string_view text) {
   OutputFile file(path);
   file.write(text);
   file.commit();
+}
+
+bool file_begins_with(const std::string& path, std::string_view text) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  std::ifstream file(path, std::ios::binary);
+  std::string head(text.size(), '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  return head == text;
 }
 
 int open_input(const std::string& path) {

@@ -64,6 +64,10 @@ void make_folder(const std::string& folder);
 /// Writes `text` to `path`, completely or not at all.
 void write_file(const std::string& path, std::string_view text);
 
+/// Whether a file has this text at its beginning. A pipe, which can be read only once, is not
+/// looked at.
+bool file_begins_with(const std::string& path, std::string_view text);
+
 /// Opens a file, pipe or terminal for reading and returns its descriptor. Throws InputError for a
 /// missing file, a directory, and an endless device such as /dev/zero.
 int open_input(const std::string& path);

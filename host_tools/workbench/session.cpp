@@ -5,11 +5,9 @@
 #include <new>
 
 #include "cli/command.hpp"
-#include "cli/effects_text.hpp"
 #include "cli/loop_commands.hpp"
 #include "cli/recording_file.hpp"
 #include "findings/diagnosis_words.hpp"
-#include "findings/findings.hpp"
 #include "findings/json.hpp"
 #include "findings/run_section.hpp"
 #include "findings/text.hpp"
@@ -281,8 +279,7 @@ Json Session::diagnose(const Words& words) {
                                [](const recording::Cut& cut) {
                                  return Json::object().set("run", cut.run).set("at_s", cut.at_s);
                                }))
-               .set("run_offsets", request_to_add.run_offsets)
-               .set("describes", ladder.next.describes);
+               .set("run_offsets", request_to_add.run_offsets);
   }
   return Json::object()
       .set("diagnosis", findings::diagnosis_json(ladder.first, ladder.next, files))
@@ -304,7 +301,7 @@ Json Session::preview(const Words& words) {
   const fit::KnownRegressors known(with, runs.training);
   fit::FitSettings physics_alone;
   physics_alone.network.hidden = 0;
-  const fit::FitResult found = fit::fit_model(with, known, physics_alone);
+  fit::fit_model(with, known, physics_alone);
   columns_.resize(std::max(columns_.size(), runs.training.size()));
   for (std::size_t i = 0; i < runs.training.size(); ++i) {
     const runs::Run& run = runs.training[i];
@@ -312,11 +309,7 @@ Json Session::preview(const Words& words) {
                                     compare::compare_with(model, run, model.average_s).modelled_dph;
     columns_[i]["preview"] = {brought.begin(), brought.end()};
   }
-  return Json::object()
-      .set("rms_before_dph", model.residual_rms_dph)
-      .set("rms_after_dph", with.residual_rms_dph)
-      .set("terms", terms_json(with))
-      .set("notes", found.identified.warnings);
+  return Json::object().set("rms_after_dph", with.residual_rms_dph);
 }
 
 Json Session::formula(const Words& words) {

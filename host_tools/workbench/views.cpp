@@ -76,14 +76,15 @@ Json coefficients_json(const model::EffectTerm& term, const model::TermInfo& inf
   return coefficients;
 }
 
-Json history_json(const std::vector<model::HistoryEntry>& history) {
-  return json_array(history, [](const model::HistoryEntry& entry) {
+Json terms_json(const model::Model& model) {
+  return json_array(model.terms, [](const model::EffectTerm& term) {
+    const model::TermInfo info = model::info_of(term);
     Json one = Json::object();
-    one.set("action", entry.action).set("forced", entry.forced);
-    one.set("rms_before_dph", entry.rms_before_dph).set("rms_after_dph", entry.rms_after_dph);
-    one.set("noise_floor_dph", entry.noise_floor_dph);
-    one.set("holdout_before_dph", entry.holdout ? Json(entry.holdout->rms_before_dph) : Json());
-    one.set("holdout_after_dph", entry.holdout ? Json(entry.holdout->rms_after_dph) : Json());
+    one.set("effect", term.name);
+    one.set("words", effect_words(term)).set("is_expression", term.expression.has_value());
+    one.set("parameters", parameters_json(term, info));
+    one.set("coefficients", coefficients_json(term, info));
+    one.set("doubt", findings::words(model::coefficient_doubt(term)).sentence());
     return one;
   });
 }
@@ -172,23 +173,9 @@ std::vector<double> gaps_of(const series::Rows& rows) {
 
 }  // namespace
 
-Json terms_json(const model::Model& model) {
-  return json_array(model.terms, [](const model::EffectTerm& term) {
-    const model::TermInfo info = model::info_of(term);
-    Json one = Json::object();
-    one.set("effect", term.name).set("title", info.title).set("equation", info.equation);
-    one.set("words", effect_words(term)).set("is_expression", term.expression.has_value());
-    one.set("parameters", parameters_json(term, info));
-    one.set("coefficients", coefficients_json(term, info));
-    one.set("doubt", findings::words(model::coefficient_doubt(term)).sentence());
-    return one;
-  });
-}
-
 Json model_json(const model::Model& model) {
   Json json = Json::object();
   json.set("text", model::model_text(model)).set("terms", terms_json(model));
-  json.set("network", model.network.present()).set("history", history_json(model.history));
   json.set("correlations", correlations_json(model));
   json.set("residual_rms_dph", model.residual_rms_dph);
   json.set("average_s", model.average_s).set("derivative_tau_s", model.derivative_tau_s);

@@ -11,11 +11,9 @@
 /// What the page shows: a model, and a recording under it.
 namespace fogcomp::workbench {
 
-/// The terms of a model: coefficients and shape parameters with standard deviations in their
-/// natural units, and the bounds of each shape parameter.
-Json terms_json(const model::Model& model);
-
-/// A model: its file ("text"), terms, history and options of its rows.
+/// A model: its file ("text"), options of its rows, and its terms: coefficients and shape
+/// parameters with standard deviations in their natural units, and the bounds of each shape
+/// parameter.
 Json model_json(const model::Model& model);
 
 /// The sentences of `compare`, the segments to be shaded, and the columns that the residual can be

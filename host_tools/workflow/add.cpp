@@ -8,25 +8,36 @@
 namespace fogcomp::workflow {
 namespace {
 
-// Those with which no step of the model was made.
-std::vector<recording::Cut> new_cuts(std::vector<recording::Cut> cuts, const model::Model& model) {
+// Those with which the model was not made, in runs to which it is fitted.
+std::vector<recording::Cut> new_cuts(std::vector<recording::Cut> cuts, const model::Model& model,
+                                     const runs::Runs& runs) {
   const auto is_known = [&](const recording::Cut& cut) {
-    const std::string words = " --cut " + cut_text(cut) + " ";
-    return std::any_of(model.history.begin(), model.history.end(), [&](const auto& step) {
-      return (step.action + " ").find(words) != std::string::npos;
+    return std::any_of(model.cuts.begin(), model.cuts.end(), [&](const recording::Cut& known) {
+      return cut_text(known) == cut_text(cut);
     });
+  };
+  const auto only_judges = [&](const recording::Cut& cut) {
+    return std::none_of(runs.training.begin(), runs.training.end(),
+                        [&](runs::Run run) { return runs::set_cut(run, cut, true); });
   };
   cuts.erase(std::remove_if(cuts.begin(), cuts.end(), is_known), cuts.end());
   if (cuts.empty()) {
     throw InputError("--cut", "the model has been made with it; give another one, or an effect");
   }
+  cuts.erase(std::remove_if(cuts.begin(), cuts.end(), only_judges), cuts.end());
+  if (cuts.empty()) {
+    throw InputError("--cut",
+                     "lies in a holdout alone, where nothing is fitted; give an effect to "
+                     "add, or a cut of a run");
+  }
   return cuts;
 }
 
-fit::EffectChange change_of(const AddRequest& request, const model::Model& model) {
+fit::EffectChange change_of(const AddRequest& request, const model::Model& model,
+                            const runs::Runs& runs) {
   if (request.expression) return fit::change_expression(model.terms, *request.expression);
   if (request.only_cuts) {
-    return fit::change_cuts(model.terms, new_cuts(request.reading.cuts, model));
+    return fit::change_cuts(model.terms, new_cuts(request.reading.cuts, model, runs));
   }
   return fit::change_effects(model.terms, request.effects);
 }
@@ -40,8 +51,9 @@ fit::Addition add(const AddRequest& request, const Observer& observer) {
 fit::Addition add(const AddRequest& request, const runs::Runs& runs, const Observer& observer) {
   model::Model model = model::load_model(request.model);
   observer.say(model::leave_out_events(model.terms));
-  const fit::EffectChange change = change_of(request, model);
+  const fit::EffectChange change = change_of(request, model, runs);
   remember_reading(request.reading, model);
+  model.samples = runs::samples_of(runs.training);
   observer.say(runs.notes);
   observer.tell(kTraining, 0);
   return fit::add_effect(model, change, runs,

@@ -73,6 +73,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const runs::Runs& judgi
   observer.say(model::leave_out_events(model.terms));
   const recording::ReadOptions reading = reading_for(model, request.reading, observer);
   remember_reading(reading, model);
+  model.samples = runs::samples_of(judging.training);
   observer.say(judging.notes);
 
   const runs::RowLength rows = runs::row_length(judging.training, model.average_s);
@@ -100,6 +101,7 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const runs::Runs& judgi
   }
   outcome.ladder =
       diagnosis::stepwise_selection(model, outcome.data, judging, request.max_steps, settings);
+  for (const recording::Cut& cut : outcome.ladder.cuts()) outcome.ladder.model.cuts.push_back(cut);
   outcome.ladder.first.as_given = as_given;
   for (const auto& note : {why_own, rows_note(request, rows, model)}) {
     if (note) outcome.ladder.first.notes.push_back(*note);

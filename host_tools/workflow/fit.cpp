@@ -51,6 +51,7 @@ Plan plan_of(const FitRequest& request) {
   plan.before = known_before(request);
   const model::Model before = plan.before ? plan.before->model : model::Model();
   plan.model.history = before.history;
+  plan.model.samples = before.samples;  // a lot has none
   plan.model.serial = request.serial.empty() ? before.serial : request.serial;
   plan.model.terms = plan.before ? before.terms : wanted_terms(request);
   plan.model.average_s = request.average_s;
@@ -69,6 +70,12 @@ Plan plan_of(const FitRequest& request) {
   plan.model.scale_factor = plan.reading.scale_factor.value_or(recording::kDefaultScaleFactor);
   std::swap(plan.reading.scale_factor, plan.reading.model_scale_factor);
   return plan;
+}
+
+// Beside those of its prior.
+void count_samples(const std::vector<runs::Run>& training, model::Model& model) {
+  const std::vector<std::uint64_t> own = runs::samples_of(training);
+  model.samples.insert(model.samples.end(), own.begin(), own.end());
 }
 
 // The actions and their results: the effects, then the network.
@@ -165,6 +172,7 @@ FitOutcome fit(const FitRequest& request, runs::Runs runs, const Observer& obser
   FitOutcome outcome;
   model::Model& model = outcome.model;
   model = std::move(wanted_terms);
+  count_samples(runs.training, model);
   observer.say(runs.notes);
   model.noise_dph_rthz = runs.noise_dph_rthz;
   const std::vector<runs::Run>& training = runs.training;

@@ -29,6 +29,16 @@ void refuse_gyro_of(const model::Model& older, const FitRequest& request) {
                                        "; give the older model of this gyro");
 }
 
+void refuse_samples_of(const model::Model& older, const runs::Run& run) {
+  if (std::find_first_of(run.marks.begin(), run.marks.end(), older.samples.begin(),
+                         older.samples.end()) == run.marks.end()) {
+    return;
+  }
+  throw InputError(run.file,
+                   "has samples to which the older model was fitted, which would count "
+                   "twice; give newer recordings, or fit without --prior");
+}
+
 std::optional<model::Range> united(const std::optional<model::Range>& older,
                                    const std::optional<model::Range>& range) {
   if (!older || !range) return range;
@@ -49,7 +59,10 @@ std::vector<std::uint64_t> hashes_of(const std::vector<runs::Run>& runs) {
 
 fit::Prior KnownBefore::prior(const FitRequest& request,
                               const std::vector<runs::Run>& recordings) const {
-  if (!lot) return fit::prior_of(model, *request.prior);
+  if (!lot) {
+    for (const runs::Run& run : recordings) refuse_samples_of(model, run);
+    return fit::prior_of(model, *request.prior);
+  }
   return fit::prior_of(fit::without_gyro(*lot, request.serial, hashes_of(recordings)),
                        *request.lot);
 }

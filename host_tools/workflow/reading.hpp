@@ -29,6 +29,7 @@ inline recording::ReadOptions reading_for(const model::Model& model,
 inline void remember_reading(const recording::ReadOptions& options, model::Model& model) {
   if (!options.columns.empty()) model.columns = options.columns;
   if (options.decimal_comma) model.decimal_comma = options.decimal_comma;
+  model.cuts = options.cuts;
 }
 
 /// Runs for fitting a model anew, and runs that judge it.

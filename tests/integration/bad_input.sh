@@ -176,7 +176,9 @@ refuses '^good\.csv: a --cut leaves no row' "${fit[@]}" good.csv --cut 50 --mask
 refuses '^--cut: the model has been made with it; give another one' add cut_here.model good.csv --cut 26000 -o kept
 "$fogcomp" add good.model thermal_lag good.csv --cut 26000 --force -o cut_here.model >/dev/null
 refuses '^--cut: the model has been made with it' add cut_here.model good.csv --cut 26000.0 -o kept
-rm cut_early.model cut_here.model
+"$fogcomp" simulate -o judge.csv --seed 7 >/dev/null
+refuses '^--cut: lies in a holdout alone' add good.model good.csv --holdout judge.csv --cut judge.csv:26000 -o kept
+rm cut_early.model cut_here.model judge.csv
 refuses '^good\.model: -o would overwrite the input good\.model; ' diagnose good.model good.csv --max-effects 2 \
   -o good.model
 add "^effect: is not named" ''
@@ -455,6 +457,7 @@ clash -o without --max-effects diagnose good.model good.csv -o kept
 clash -o beside --compare plan --compare paper -o kept
 clash --hours beside --compare plan --compare paper --hours 3
 clash --chamber beside --compare plan good.model --compare paper --chamber T:0..20
+clash --seed beside --compare plan --compare paper --seed 2
 for command in "diagnose good.model good.csv --holdout" "diagnose good.model good.csv --static" \
   "add good.model shupe good.csv -o kept --holdout" "fit good.csv -o kept --prior" "fit good.csv -o kept --lot" \
   "compare good.model good.csv --model" "info good.csv --report" "simulate -o kept --profile" \
@@ -466,6 +469,16 @@ refuses '^in\.model: -o would overwrite a model' plan --hours 1 -o in.model
 refuses '^in\.model: -o would overwrite a model' denoise good.csv -o in.model
 refuses '^in\.model: --report would overwrite a model' info good.csv --report in.model
 refuses '^in\.model: --hide would overwrite a model' simulate -o kept --hide in.model
+cp good.csv other.csv
+"$fogcomp" stream good.model good.csv -o other.bin >/dev/null
+printf 'fogcomp-lot 1\n' >other.lot
+for other in 'csv recording' 'bin recording' 'lot lot'; do
+  refuses "^other\.${other% *}: -o would overwrite a ${other#* }" fit good.csv --effects bias -o "other.${other% *}"
+  refuses "^other\.${other% *}: --report would overwrite a ${other#* }" info good.csv --report "other.${other% *}"
+  refuses "^other\.${other% *}: -o would overwrite a ${other#* }" plan --hours 1 -o "other.${other% *}"
+done
+refuses '^other\.lot: -o would overwrite a lot' convert good.csv -o other.lot
+"$fogcomp" convert good.csv -o other.csv >/dev/null || fail 'a recording is not replaced by a recording'
 refuses "unknown option --lot \(did you mean '--prior-lot'" calibrate lot/G1 -o results --lot gyros.lot
 
 # Near misses of an effect's name; blanks in a list; a mean longer than the run.

@@ -27,7 +27,9 @@ gyro unseen.csv 3 0.1 3e-4 --profile reversed
 "$fogcomp" fit year_ago.csv -o old.model --effects $effects --serial G1 >said.txt
 "$fogcomp" fit now.csv -o alone.model --effects $effects >said.txt
 "$fogcomp" fit now.csv -o new.model --prior old.model --json >new.json
-below "$(error new.model unseen.csv)" "$(error alone.model unseen.csv)" 'with the older model'
+# The bias is the short run's own in both.
+shape() { "$fogcomp" compare "$1" "$2" --json | jq -r '.runs[0].residual_std_dph'; }
+below "$(shape new.model unseen.csv)" "$(shape alone.model unseen.csv)" 'with the older model'
 holds new.json '.prior.file == "old.model"'
 holds new.json '.prior.unknowns | all(.moved | not)'
 "$fogcomp" history new.model >history.txt
@@ -45,6 +47,20 @@ says history.txt 'temperature_rate.K by [+][0-9.]* sigma'
 below "$(error repaired.model unseen_repaired.csv)" \
   "$(awk -v e="$(error alone.model unseen_repaired.csv)" 'BEGIN { print 1.1 * e }')" 'after a repair'
 
+# A model that lacked effects had them for slow noise: the bias of another gyro is not drawn towards the older one.
+"$fogcomp" fit year_ago.csv -o poor.model --effects bias,bias_temperature >said.txt
+for bias in 0.55 0.7; do
+  gyro other.csv 5 0.001 6e-4 "${noise[@]}" --effect "bias:value_dph=$bias"
+  "$fogcomp" fit other.csv -o other.model --prior poor.model --json >other.json
+  "$fogcomp" fit other.csv -o alone.model --effects bias,bias_temperature --json >alone.json
+  below "$(value other.json .residual_rms_dph)" "$(value alone.json '1.1 * .residual_rms_dph')" "bias $bias, not 0.5"
+done
+
+# No recording counts twice, nor a part of it.
+refuses_fit year_ago.csv '^year_ago.csv: has samples to which the older model was fitted' --prior old.model
+refuses_fit year_ago.csv '^year_ago.csv: has samples to which' --prior new.model
+(head -n 1 year_ago.csv && sed -n 2000,4000p year_ago.csv) >part.csv
+refuses_fit part.csv '^part.csv: has samples to which' --prior old.model
 refuses_fit now.csv 'determined by old.model' --prior old.model --effects bias
 refuses_fit now.csv 'determined by old.model' --prior old.model --derivative-tau 60
 refuses_fit now.csv 'is of gyro G1, not of G2' --prior old.model --serial G2
