@@ -12,7 +12,6 @@
 #include "model/expression_effect.hpp"
 #include "model/network.hpp"
 #include "recording/board_limits.hpp"
-#include "recording/mask.hpp"
 
 namespace fogcomp::model {
 
@@ -151,7 +150,8 @@ struct Model {
   std::string columns{};
   /// The same of the decimal mark (recording::ReadOptions::decimal_comma).
   std::optional<bool> decimal_comma{};
-  std::vector<recording::Cut> cuts{};  ///< of the recordings to which it was fitted last
+  /// As given to --cut, of the recordings to which it was fitted last.
+  std::vector<std::string> cuts{};
   /// Hashes of some samples of these, and of its prior's (runs::samples_of); missing in old files.
   std::vector<std::uint64_t> samples{};
   double derivative_tau_s = 0;  ///< time constant of each of the two lags of dT/dt

@@ -280,10 +280,6 @@ void read_serial(ModelReader& in, Model& model) {
   if (!is_serial_number(model.serial)) in.fail("no board holds this serial number");
 }
 
-void read_cut(ModelReader& in, Model& model) {
-  model.cuts.push_back(recording::parse_cut(displayable(in.rest_of_line())));
-}
-
 void read_samples(ModelReader& in, Model& model) {
   while (!in.at_end_of_line()) model.samples.push_back(in.hash());
 }
@@ -308,7 +304,7 @@ const std::map<std::string, LineReader> kLines{
      [](ModelReader& in, Model& m) { m.limits.max_acceleration_dps2 = in.number(1e-3, 1e9); }},
     {"columns", [](ModelReader& in, Model& m) { m.columns = displayable(in.rest_of_line()); }},
     {"decimal_mark", [](ModelReader& in, Model& m) { m.decimal_comma = in.word() == "comma"; }},
-    {"cut", read_cut},
+    {"cut", [](ModelReader& in, Model& m) { m.cuts.push_back(displayable(in.rest_of_line())); }},
     {"samples", read_samples},
     {"derivative_tau_s",
      [](ModelReader& in, Model& m) { m.derivative_tau_s = in.number(1e-3, 1e5); }},

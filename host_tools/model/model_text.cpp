@@ -80,7 +80,7 @@ void write_input_ranges(ModelWriter& out, const InputRanges& ranges) {
 }
 
 void write_recordings(ModelWriter& out, const Model& model) {
-  for (const recording::Cut& cut : model.cuts) out.word("cut").word(cut_text(cut)).end_line();
+  for (const std::string& cut : model.cuts) out.word("cut").word(cut).end_line();
   if (model.samples.empty()) return;
   out.word("samples");
   for (const std::uint64_t sample : model.samples) out.hash(sample);

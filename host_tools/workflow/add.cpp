@@ -12,9 +12,7 @@ namespace {
 std::vector<recording::Cut> new_cuts(std::vector<recording::Cut> cuts, const model::Model& model,
                                      const runs::Runs& runs) {
   const auto is_known = [&](const recording::Cut& cut) {
-    return std::any_of(model.cuts.begin(), model.cuts.end(), [&](const recording::Cut& known) {
-      return cut_text(known) == cut_text(cut);
-    });
+    return std::find(model.cuts.begin(), model.cuts.end(), cut_text(cut)) != model.cuts.end();
   };
   const auto only_judges = [&](const recording::Cut& cut) {
     return std::none_of(runs.training.begin(), runs.training.end(),

@@ -101,7 +101,9 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const runs::Runs& judgi
   }
   outcome.ladder =
       diagnosis::stepwise_selection(model, outcome.data, judging, request.max_steps, settings);
-  for (const recording::Cut& cut : outcome.ladder.cuts()) outcome.ladder.model.cuts.push_back(cut);
+  for (const recording::Cut& cut : outcome.ladder.cuts()) {
+    outcome.ladder.model.cuts.push_back(cut_text(cut));
+  }
   outcome.ladder.first.as_given = as_given;
   for (const auto& note : {why_own, rows_note(request, rows, model)}) {
     if (note) outcome.ladder.first.notes.push_back(*note);

@@ -29,7 +29,8 @@ inline recording::ReadOptions reading_for(const model::Model& model,
 inline void remember_reading(const recording::ReadOptions& options, model::Model& model) {
   if (!options.columns.empty()) model.columns = options.columns;
   if (options.decimal_comma) model.decimal_comma = options.decimal_comma;
-  model.cuts = options.cuts;
+  model.cuts.clear();
+  for (const recording::Cut& cut : options.cuts) model.cuts.push_back(cut_text(cut));
 }
 
 /// Runs for fitting a model anew, and runs that judge it.
