@@ -38,8 +38,7 @@ everything = read("*/*.cpp", "*/*.hpp")
 writers = {"add": ["findings/add_json.cpp"], "batch": ["findings/batch_json.cpp"], "fit": ["findings/fit_json.cpp"],
            "compare": ["findings/compare_json.cpp"], "info": ["findings/info_json.cpp"],
            "diagnose": ["findings/diagnosis_json.cpp"], "paper": ["findings/paper_json.cpp"],
-           "plan": ["findings/plan_json.cpp"],
-           "effects": ["cli/effects_command.cpp", "cli/effects_text.cpp"]}
+           "plan": ["findings/plan_json.cpp"]}
 for command in commands:
     section = sections.get(command, "")
     code = read(*writers.get(command, [f"cli/{command}_command.cpp"]))
