@@ -245,6 +245,13 @@ struct BothFits {
   NoiseWeightedFit gyro;
 };
 
+// A board's coefficients are those of a derivative that has settled.
+Eigen::VectorXd settled_or_all(const series::SignalSeries& series) {
+  const Eigen::VectorXd& settled = series.settled();
+  const bool any = settled.cwiseProduct(series.rows().weights).maxCoeff() > 0;
+  return any ? settled : Eigen::VectorXd::Ones(settled.size());
+}
+
 // Shapes are searched with the gyro's own temperature, which takes a fifth of the time. With what a
 // board reads they are near the same minimum.
 BothFits fit_without_prior(const KnownRegressors& known,
@@ -256,6 +263,7 @@ BothFits fit_without_prior(const KnownRegressors& known,
   both.gyro = fit_rows(known.of(series::Reading::of_gyro), terms, offsets, search);
   RowSettings found;
   found.shapes_found = true;
+  found.kept = settled_or_all(known.series());
   both.board = fit_determined(known, both.gyro.terms, offsets, found);
   return both;
 }

@@ -115,9 +115,13 @@ compare::TurnOn turn_on_biases(const model::Model& model, const std::vector<runs
   const series::Rows& rows = series.rows();
   const std::vector<recording::RowRange> power_ons = rows.bias_ranges();
   if (power_ons.size() < 2) return found;
-  const std::vector<model::EffectTerm> terms = model::with_fixed_shapes(series.acting(model.terms));
+  // A board's derivative begins at rest at each power-on: of a ramp that is a bias, too.
+  const KnownRegressors known = KnownRegressors(series).of(series::Reading::of_gyro);
+  std::vector<model::EffectTerm> terms = series.acting(model.terms);
+  for (model::EffectTerm& term : terms) term = model::of_gyro(term);
+  terms = model::with_fixed_shapes(std::move(terms));
   const Eigen::MatrixXd columns = run_offset_columns(rows);
-  const NoiseWeightedFit fit = fit_rows(series, terms, columns);
+  const NoiseWeightedFit fit = fit_rows(known, terms, columns);
   const Offsets offsets = offsets_of(rows, fit, columns.cols());
   const Eigen::Index effects = fit.linear() - columns.cols();
   const TurnOnRepeatability repeatability =
@@ -130,7 +134,7 @@ compare::TurnOn turn_on_biases(const model::Model& model, const std::vector<runs
   if (any) {
     const Eigen::MatrixXd smooth = smooth_drift(rows, fit.columns.leftCols(effects));
     const std::vector<bool> too = certain_ones(
-        offsets_of(rows, fit_rows(series, terms, side_by_side({smooth, columns}, rows.size())),
+        offsets_of(rows, fit_rows(known, terms, side_by_side({smooth, columns}, rows.size())),
                    columns.cols())
             .each);
     for (std::size_t i = 0; i < certain.size(); ++i)

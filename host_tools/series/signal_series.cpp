@@ -9,6 +9,7 @@
 #include "model/catalogue.hpp"
 #include "model/drift_model.hpp"
 #include "model/input_value.hpp"
+#include "recording/decision_rules.hpp"
 #include "series/block_walk.hpp"
 #include "series/required_inputs.hpp"
 #include "support/parallel.hpp"
@@ -133,6 +134,8 @@ void SignalSeries::add(const BlockSeries& series) {
   rows.finish();
   keep_own(series, *own, row_of, run.gyro);
   samples_.conservativeResizeLike(Eigen::VectorXd::Zero(rows_.size()));
+  settled_.conservativeResizeLike(Eigen::VectorXd::Ones(rows_.size()));
+  if (phase_ == Phase::board) see_ramps_at_start(series, *own, row_of);
   for (const Block& block : run.gyro.blocks) {
     if (block.row != kNoRow) samples_[block.row] += block.samples;
   }
@@ -246,6 +249,20 @@ void SignalSeries::keep_own(const BlockSeries& series, const MeasuredTemperature
                 std::exchange(is_first, false));
       gyro.blocks.back().row = counted.row;
       gyro.blocks.back().samples = std::exchange(counted, {}).samples;
+    }
+  });
+}
+
+void SignalSeries::see_ramps_at_start(const BlockSeries& series, const MeasuredTemperature& own,
+                                      const std::vector<std::int32_t>& row_of) {
+  constexpr double kForgotten = 5;  // time constants: less than 1 % is left
+  const double settling = kForgotten * model_.derivative_tau_s / series.block_s;
+  each_part(series, [&](std::size_t first, std::size_t end) {
+    const std::int64_t start = series.blocks[first].number;
+    if (std::abs(own.at(start).degc_per_min) <= recording::rules::kMinRampDegcPerMin) return;
+    for (std::size_t i = first; i < end; ++i) {
+      if (static_cast<double>(series.blocks[i].number - start) >= settling) return;
+      if (row_of[i] != kNoRow) settled_[row_of[i]] = 0;
     }
   });
 }

@@ -45,8 +45,9 @@ class SignalSeries {
   void add(const BlockSeries& series);
 
   const Rows& rows() const { return rows_; }
-  /// Time constant of the board's derivative, which begins at rest.
-  double derivative_tau_s() const { return model_.derivative_tau_s; }
+  /// 1 in each row; 0 in those in which the board's derivative forgets that it began at rest, in a
+  /// ramp: after a power-on, or a gap that is not bridged. As a board flags them.
+  const Eigen::VectorXd& settled() const { return settled_; }
   /// What has one bias in Rows::bias_ranges(); at first each power-on.
   void share_bias(BiasOf of) { rows_.bias_of = of; }
   /// Those of the terms that act on one of the runs: not the events of other recordings.
@@ -137,6 +138,8 @@ class SignalSeries {
   static std::vector<std::int32_t> add_without_delay(const BlockSeries& series,
                                                      const MeasuredTemperature& own,
                                                      RowAverager& rows);
+  void see_ramps_at_start(const BlockSeries& series, const MeasuredTemperature& own,
+                          const std::vector<std::int32_t>& row_of);
   void keep_own(const BlockSeries& series, const MeasuredTemperature& own,
                 const std::vector<std::int32_t>& row_of, Track& gyro) const;
   void see_thermometer(const Thermometer& thermometer);
@@ -151,6 +154,7 @@ class SignalSeries {
   std::vector<Run> runs_;
   Rows rows_;
   Eigen::VectorXd samples_;  // of each row
+  Eigen::VectorXd settled_;
   Thermometer thermometer_;
 };
 
