@@ -73,10 +73,12 @@ Headline unknown_words(const diagnosis::Diagnosis& diagnosis, bool main_part_hol
   const bool offered = std::any_of(
       diagnosis.candidates.begin(), diagnosis.candidates.end(),
       [](const diagnosis::CandidateFinding& finding) { return finding.is_expression(); });
-  return {"something is missing that no three effects of the catalogue" +
-              std::string(offered ? " and no expression offered" : "") + " explain (" +
-              percent(diagnosis.unexplained_fraction) + " of it is left unexplained)",
-          ""};
+  return {
+      "something is missing, which these recordings do not name: the best three effects of the "
+      "catalogue" +
+          std::string(offered ? " and the expressions offered" : "") + " leave " +
+          percent(diagnosis.unexplained_fraction) + " of it unexplained",
+      ""};
 }
 
 // One name alone, where several further ones share what is left of the probability.

@@ -223,7 +223,11 @@ void decide(Addition& after) {
   const bool is_better = after.is_network() ? helps(judged) : judged.score.improves();
   after.reason =
       after.cuts.empty()
-          ? format("%s out of sample: %s %s", is_better ? "helps" : "does not help",
+          ? format("%s out of sample: %s %s",
+                   !is_better ? "does not help"
+                   : judged.rms_after_dph <= judged.rms_before_dph
+                       ? "helps"
+                       : "makes rows more probable, although their error rises,",
                    after.is_network() ? "it takes the residual" : "the effects alone leave",
                    out_of_sample_words(judged).c_str())
           // says nothing of other rows
