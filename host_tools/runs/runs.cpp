@@ -37,14 +37,13 @@ std::vector<std::string> notes_on(const recording::Recording& recording, double 
   return notes;
 }
 
-void refuse_samples_of(const Run& run, const std::vector<Run>& fitted) {
-  for (const Run& other : fitted) {
+void refuse_samples_of(const Run& run, const std::vector<Run>& others, const char* why) {
+  for (const Run& other : others) {
     if (std::find_first_of(run.marks.begin(), run.marks.end(), other.marks.begin(),
                            other.marks.end()) == run.marks.end()) {
       continue;
     }
-    throw InputError(run.file, "has samples of " + other.file +
-                                   ", which is fitted to; a holdout must be another run");
+    throw InputError(run.file, "has samples of " + other.file + why);
   }
 }
 
@@ -127,12 +126,13 @@ NotedRuns read_each(const std::vector<std::string>& files, const recording::Read
     const recording::Recording recording = recording::read_recording(file, options);
     Run run = run_of(recording, row_lengths_s);
     const std::uint64_t hash = run.blocks.recordings[0];
-    refuse_samples_of(run, fitted);
+    refuse_samples_of(run, fitted, ", which is fitted to; a holdout must be another run");
     const std::string twice = known.file_with(hash);
     if (!twice.empty()) {
       read.notes.push_back(recording::same_rows_words(file, twice));
       continue;
     }
+    refuse_samples_of(run, read.runs, ", which would count twice; leave one of them out");
     known.add(hash, file);
     const double noise_dph_rthz = noise::white_noise_dph_rthz(recording);
     read.notes = joined(std::move(read.notes),
