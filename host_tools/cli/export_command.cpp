@@ -65,7 +65,7 @@ void print_text(const ExportOutcome& header, const std::string& output) {
 }
 
 struct ExportCommand : Command {
-  Text output{this, {"o", "FILE", "header or table to write"}};
+  Text output{this, {"o", "HEADER", "header or table to write"}};
   Choice<Format> format{this,
                         {"format", "KIND",
                          "header, to build an image with; table, to load into the generic image: "
