@@ -27,11 +27,22 @@ std::vector<double> held_rows(const std::vector<double>& values) {
   return held;
 }
 
+// Rows from reading to reading if all changes lie on one grid, and not by chance; else 0.
+std::size_t grid_of(const std::vector<double>& held) {
+  std::size_t grid = 0;
+  for (std::size_t i = 1; i < held.size(); ++i) {
+    grid = std::gcd(grid, static_cast<std::size_t>(held[i]));
+  }
+  const double others = static_cast<double>(held.size()) - 2;
+  return std::pow(static_cast<double>(grid), others) * kFalseAlarm > 1 ? grid : 0;
+}
+
 // Rows with a reading: those where the value changes and, as two readings that happen to be equal
 // look like one that is held for twice as long, evenly between. The last one goes on at the usual
 // rhythm.
 Rows reading_rows(const std::vector<double>& held, std::size_t rows) {
-  const double typical = median(held);
+  const std::size_t grid = grid_of(held);
+  const double typical = grid > 0 ? static_cast<double>(grid) : median(held);
   Rows readings;
   double first = 0;
   const auto add = [&](double each, double end) {
@@ -76,7 +87,7 @@ bool gyro_moves_between(const Rows& readings, const std::vector<double>& time_s,
 }
 
 // A sensor that is read in each row goes through a movement one step of its resolution after the
-// other.
+// other, at any row.
 bool skips_steps(const Rows& readings, const std::vector<double>& column) {
   std::vector<double> changes;
   for (std::size_t i = 1; i < readings.size(); ++i) {
@@ -139,7 +150,8 @@ bool blank_held_readings(const std::vector<double>& time_s, const std::vector<do
 
 bool blank_held_temperatures(const std::vector<double>& time_s, std::vector<double>& degc) {
   const Rows readings = rows_of_held_readings(degc);
-  if (readings.empty() || !skips_steps(readings, degc)) return false;
+  if (readings.empty()) return false;
+  if (grid_of(held_rows(degc)) == 0 && !skips_steps(readings, degc)) return false;
   const double held_s = median_spacing_s(time_s) * static_cast<double>(degc.size()) /
                         static_cast<double>(readings.size());
   if (held_s <= rules::kMaxFrozenSampleS || held_s > rules::kMaxUsualPeriodS) return false;
