@@ -19,7 +19,7 @@ board::ByteSink to(OutputFile& file) {
 }
 
 struct ReplayCommand : Command {
-  Text output{this, {"o", "FRAMES", "output stream to write"}};
+  Text output{this, {"o", "OUT", "output stream to write"}};
   Flag json{this, "json", "one JSON object on stdout"};
   BoardRunOptions run_options{this, "replay a model even if its integers differ too much"};
 

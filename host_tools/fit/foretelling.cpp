@@ -27,6 +27,20 @@ std::pair<Eigen::Index, Eigen::Index> place_of(const recording::RowRange& range)
   return {static_cast<Eigen::Index>(range.first), static_cast<Eigen::Index>(range.size())};
 }
 
+// Without the rows in which the board's derivative forgets that it began at rest, as a board flags
+// them: a recording may begin in a ramp.
+Eigen::VectorXd settled(const series::SignalSeries& series, Eigen::VectorXd weights) {
+  constexpr double kForgotten = 5;  // time constants: less than 1 % is left
+  const series::Rows& rows = series.rows();
+  for (const recording::RowRange& power_on : rows.power_ons()) {
+    const double from_s = rows.time_s[power_on.first] + kForgotten * series.derivative_tau_s();
+    for (std::size_t row = power_on.first; row < power_on.end && rows.time_s[row] < from_s; ++row) {
+      weights[static_cast<Eigen::Index>(row)] = 0;
+    }
+  }
+  return weights;
+}
+
 double rms(const Eigen::VectorXd& values) {
   return values.norm() / std::sqrt(static_cast<double>(values.size()));
 }
@@ -36,7 +50,7 @@ double rms(const Eigen::VectorXd& values) {
 Foretelling::Foretelling(const KnownRegressors& known, const JudgedEffects& effects,
                          const JudgedWith& with)
     : drift_dph_(known.series().rows().drift_dph),
-      weights_(with.row_weights.cwiseProduct(known.series().settled())) {
+      weights_(settled(known.series(), with.row_weights)) {
   const series::Rows& rows = known.series().rows();
   const Eigen::VectorXd coefficients = take_columns(known, effects, with);
   const Eigen::Index linear = coefficients.size();

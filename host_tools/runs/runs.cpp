@@ -13,6 +13,7 @@
 #include "recording/reading.hpp"
 #include "runs/decision_rules.hpp"
 #include "runs/joined_runs.hpp"
+#include "series/block_walk.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 
@@ -25,6 +26,15 @@ std::vector<std::string> joined(std::vector<std::string> notes,
   return notes;
 }
 
+// Gaps after which nothing is known of the temperatures before, although the power was on.
+std::size_t long_gaps(const series::BlockSeries& blocks) {
+  std::size_t parts = 0;
+  series::each_part(blocks, [&](std::size_t, std::size_t) { ++parts; });
+  const auto power_ons = std::count_if(blocks.blocks.begin(), blocks.blocks.end(),
+                                       [](const auto& block) { return block.restarts; });
+  return blocks.is_table ? 0 : parts - 1 - static_cast<std::size_t>(power_ons);
+}
+
 std::vector<std::string> notes_on(const recording::Recording& recording, double noise_dph_rthz,
                                   const Run& run, double row_s) {
   std::vector<std::string> notes =
@@ -33,6 +43,10 @@ std::vector<std::string> notes_on(const recording::Recording& recording, double 
     notes.push_back(recording.file +
                     ": power-on is not known: effects of the time since then (warm_up, aging) "
                     "count from its first sample");
+  }
+  if (const std::size_t gaps = long_gaps(run.blocks); gaps > 0) {
+    notes.push_back(recording.file + ": " + counted(gaps, "gap") +
+                    " of more than 30 min: what an effect remembers begins anew after it");
   }
   return notes;
 }
