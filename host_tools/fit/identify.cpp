@@ -245,11 +245,11 @@ struct BothFits {
   NoiseWeightedFit gyro;
 };
 
-// A board's coefficients are those of a derivative that has settled.
-Eigen::VectorXd settled_or_all(const series::SignalSeries& series) {
+// A bias of its own for each power-on would be what the derivative lacks until it has settled.
+Eigen::VectorXd beside_biases(const series::SignalSeries& series, const Eigen::MatrixXd& offsets) {
   const Eigen::VectorXd& settled = series.settled();
   const bool any = settled.cwiseProduct(series.rows().weights).maxCoeff() > 0;
-  return any ? settled : Eigen::VectorXd::Ones(settled.size());
+  return any && offsets.cols() > 0 ? settled : Eigen::VectorXd::Ones(settled.size());
 }
 
 // Shapes are searched with the gyro's own temperature, which takes a fifth of the time. With what a
@@ -263,7 +263,7 @@ BothFits fit_without_prior(const KnownRegressors& known,
   both.gyro = fit_rows(known.of(series::Reading::of_gyro), terms, offsets, search);
   RowSettings found;
   found.shapes_found = true;
-  found.kept = settled_or_all(known.series());
+  found.kept = beside_biases(known.series(), offsets);
   both.board = fit_determined(known, both.gyro.terms, offsets, found);
   return both;
 }

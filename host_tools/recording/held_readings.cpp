@@ -27,13 +27,15 @@ std::vector<double> held_rows(const std::vector<double>& values) {
   return held;
 }
 
-// Rows from reading to reading if all changes lie on one grid, and not by chance; else 0.
+// Rows from reading to reading if all changes lie on one grid, and not by chance; else 0. On a
+// steady ramp one length follows from the one before.
 std::size_t grid_of(const std::vector<double>& held) {
   std::size_t grid = 0;
+  int others = 0;
   for (std::size_t i = 1; i < held.size(); ++i) {
     grid = std::gcd(grid, static_cast<std::size_t>(held[i]));
+    if (i > 1 && std::abs(held[i] - held[i - 1]) > 1) ++others;
   }
-  const double others = static_cast<double>(held.size()) - 2;
   return std::pow(static_cast<double>(grid), others) * kFalseAlarm > 1 ? grid : 0;
 }
 

@@ -43,6 +43,37 @@ TEST(Identify, ReturnsTheTruthExactlyWithoutNoise) {
   }
 }
 
+// Ramps of 0.5 degC/min up and down, and the power on for 20 of every 40 min.
+recording::Recording powered_on_in_ramps() {
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0, 0.05);
+  recording::Recording recording;
+  recording.file = "ramps.csv";
+  recording.period_s = 1;
+  for (int second = 0; second < 12 * 3600; ++second) {
+    if (second % 2400 >= 1200) continue;
+    const double in_ramp_min = second % 7200 / 60.0;
+    const bool is_up = second / 7200 % 2 == 0;
+    recording.time_s.push_back(second);
+    recording.uptime_s.push_back(second % 2400);
+    recording.temperature_degc.push_back(is_up ? 0.5 * in_ramp_min : 60 - 0.5 * in_ramp_min);
+    recording.rate_dph.push_back(0.5 + (is_up ? 0.1 : -0.1) + noise(random));
+  }
+  recording.stretch_starts = {0};
+  return recording;
+}
+
+TEST(Identify, PoweredOnInRamps_TheBoardsCoefficientsAreThoseOfASettledDerivative) {
+  Model model = fog::test::model_of(model::parse_effects("bias,temperature_rate"));
+  series::SignalSeries series(model);
+  series.add(series::make_blocks(powered_on_in_ramps()));
+  IdentifySettings settings;
+  settings.run_offsets = true;
+  identify(model, series, settings);
+  const model::EffectTerm& rate = model.terms[1];
+  EXPECT_NEAR(rate.coefficients_dph[0].value / rate.gyro->coefficients_dph[0].value, 1, 0.1);
+}
+
 // Nothing is known about the time of a gap.
 TEST(Identify, KeepsWhatTheRecordingsCoverOfTheirInputs) {
   Model model = unknown();
