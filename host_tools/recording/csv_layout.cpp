@@ -45,8 +45,8 @@ std::string separator_words(char separator) {
   return separator == ' ' ? "blanks" : std::string("'") + separator + "'";
 }
 
-CsvColumns::Column column_of(const LikelyHeader& likeliest, const CsvHeader* header,
-                             std::size_t field) {
+CsvColumns::Column described_column(const LikelyHeader& likeliest, const CsvHeader* header,
+                                    std::size_t field) {
   const ColumnName name(likeliest.is_numbers ? "" : likeliest.names[field]);
   const auto meaning = name.meaning();
   const std::size_t slot = header != nullptr ? header->slots[field]
@@ -64,7 +64,7 @@ CsvColumns columns_in(const LikelyHeader& likeliest, const CsvHeader* header,
   CsvColumns found;
   found.separator = separator_words(likeliest.separator);
   for (std::size_t i = 0; i < likeliest.names.size(); ++i) {
-    found.columns.push_back(column_of(likeliest, header, i));
+    found.columns.push_back(described_column(likeliest, header, i));
   }
   for (std::size_t i = next_row(lines, likeliest.first_row());
        i < lines.size() && found.rows.size() < kRowsShown; i = next_row(lines, i + 1)) {
