@@ -90,7 +90,9 @@ void set_noise_and_residual(const series::Rows& rows, const NoiseWeightedFit& fi
   result.noise = fit.noise;
   result.birge_ratio = fit.birge_ratio();
   result.masked = static_cast<std::size_t>((rows.weights.array() <= 0).count());
-  result.row_weights = fit.row_weights;
+  // What is left is stated of all rows, as in a comparison, in which a derivative settles, too.
+  result.row_weights = rows.weights.cwiseProduct(noise::counted_rows(rows))
+                           .cwiseQuotient(fit.noise_scale.cwiseAbs2());
   result.outliers = fit.outliers;
 }
 
@@ -215,7 +217,7 @@ void judge_model(model::Model& model, const NoiseWeightedFit& fit,
   const Eigen::MatrixXd of_noise = std::pow(std::max(1.0, result.birge_ratio), 2) * fit.covariance;
   judge_uncertainty(model, fit, of_noise, rows, result);
   set_expression_scales(model, series);
-  const Eigen::VectorXd counted = noise::counted_weights(rows, fit.row_weights);
+  const Eigen::VectorXd counted = noise::counted_weights(rows, result.row_weights);
   model.residual_rms_dph = std::sqrt(result.residual_dph.cwiseAbs2().dot(counted) / counted.sum());
 }
 
@@ -248,8 +250,10 @@ struct BothFits {
 // A bias of its own for each power-on would be what the derivative lacks until it has settled.
 Eigen::VectorXd beside_biases(const series::SignalSeries& series, const Eigen::MatrixXd& offsets) {
   const Eigen::VectorXd& settled = series.settled();
-  const bool any = settled.cwiseProduct(series.rows().weights).maxCoeff() > 0;
-  return any && offsets.cols() > 0 ? settled : Eigen::VectorXd::Ones(settled.size());
+  const series::Rows& rows = series.rows();
+  const bool any = settled.cwiseProduct(rows.weights).maxCoeff() > 0;
+  const bool have_biases = offsets.cols() > 0 && rows.power_ons().size() > 1;
+  return any && have_biases ? settled : Eigen::VectorXd::Ones(settled.size());
 }
 
 // Shapes are searched with the gyro's own temperature, which takes a fifth of the time. With what a
