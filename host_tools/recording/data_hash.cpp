@@ -49,12 +49,26 @@ std::uint64_t rows_hash(const Recording& recording) {
   return hash;
 }
 
-// The smallest hashes: those of a part are among its own smallest ones, too.
+// The smallest hashes: those of a part are among its own smallest ones, too. Of samples in a row,
+// as a coarse rate is often that of another gyro at the same time: each hash times a power of an
+// odd number, of which the oldest one leaves the sum.
 std::vector<std::uint64_t> sample_marks(const Recording& recording) {
   constexpr std::size_t kMarks = 64;
+  constexpr std::size_t kInARow = 32;
+  constexpr std::uint64_t kOdd = 0xD1342543DE82EF95;
+  const std::size_t in_a_row = std::min(kInARow, recording.rows());
+  std::uint64_t power = 1;  // of the oldest one
+  for (std::size_t i = 0; i < in_a_row; ++i) power *= kOdd;
+  const auto hash_of = [&](std::size_t row) {
+    return mixed(mixed(0, recording.time_s[row]), recording.rate_dph[row]);
+  };
   std::vector<std::uint64_t> marks;  // a heap
+  std::uint64_t sum = 0;
   for (std::size_t row = 0; row < recording.rows(); ++row) {
-    const std::uint64_t mark = mixed(mixed(0, recording.time_s[row]), recording.rate_dph[row]);
+    sum = sum * kOdd + hash_of(row);
+    if (row >= in_a_row) sum -= power * hash_of(row - in_a_row);
+    if (row + 1 < in_a_row) continue;
+    const std::uint64_t mark = sum ^ (sum >> 29U);
     if (marks.size() == kMarks && mark >= marks.front()) continue;
     marks.push_back(mark);
     std::push_heap(marks.begin(), marks.end());

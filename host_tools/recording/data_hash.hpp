@@ -16,8 +16,8 @@ std::uint32_t data_hash(const Recording& recording, std::uint32_t crc);
 /// Hash of the times and rates of all rows, independent of the file's name and number format.
 std::uint64_t rows_hash(const Recording& recording);
 
-/// Hashes of some samples, by times and rates: of two recordings that share a tenth of their
-/// samples or more, one at least is the same.
+/// Hashes of some samples with those before them, by times and rates: of two recordings that share
+/// a tenth of their samples or more, in one piece, one at least is the same.
 std::vector<std::uint64_t> sample_marks(const Recording& recording);
 
 /// Known recordings by their rows, so that none is counted twice.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 #include <set>
 
 #include "core/bytes/crc.hpp"
@@ -71,6 +72,22 @@ TEST(SampleMarks, PartOfARecording_SharesSome) {
   EXPECT_GT(shared(0, 500, 0), 0);
   EXPECT_GT(shared(4400, 5000, 0), 0);
   EXPECT_EQ(shared(0, 5000, 0.5), 0);
+}
+
+// Two gyros that send one of three counts, at the same times.
+TEST(SampleMarks, CoarseRatesOfAnotherGyro_NoneShared) {
+  std::mt19937_64 random(1);
+  std::vector<std::vector<std::uint64_t>> marks;
+  for (int gyro = 0; gyro < 2; ++gyro) {
+    Recording run;
+    for (int row = 0; row < 5000; ++row) {
+      run.time_s.push_back(row);
+      run.rate_dph.push_back(static_cast<double>(random() % 3));
+    }
+    marks.push_back(sample_marks(run));
+  }
+  EXPECT_EQ(std::find_first_of(marks[0].begin(), marks[0].end(), marks[1].begin(), marks[1].end()),
+            marks[0].end());
 }
 
 }  // namespace
