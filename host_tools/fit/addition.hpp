@@ -57,9 +57,8 @@ struct AdditionVerdict {
   /// where a holdout judges.
   std::vector<OutOfSample> far;
   bool accepted = false;
-  std::string reason;  ///< one line: why it is accepted or not
-  std::string
-      needless{};  ///< part of a set for which it is refused: brings nothing beside the others
+  std::string reason;      ///< one line: why it is accepted or not
+  std::string needless{};  ///< refused for this effect of a set, which brings nothing beside
 };
 
 /// A model with added or changed effects, and the verdict on them.

@@ -30,10 +30,9 @@ std::pair<Eigen::Index, Eigen::Index> place_of(const recording::RowRange& range)
 // Without the rows in which the board's derivative forgets that it began at rest, as a board flags
 // them: a recording may begin in a ramp.
 Eigen::VectorXd settled(const series::SignalSeries& series, Eigen::VectorXd weights) {
-  constexpr double kForgotten = 5;  // time constants: less than 1 % is left
   const series::Rows& rows = series.rows();
   for (const recording::RowRange& power_on : rows.power_ons()) {
-    const double from_s = rows.time_s[power_on.first] + kForgotten * series.derivative_tau_s();
+    const double from_s = rows.time_s[power_on.first] + series.settling_s();
     for (std::size_t row = power_on.first; row < power_on.end && rows.time_s[row] < from_s; ++row) {
       weights[static_cast<Eigen::Index>(row)] = 0;
     }

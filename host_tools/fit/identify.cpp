@@ -91,8 +91,7 @@ void set_noise_and_residual(const series::Rows& rows, const NoiseWeightedFit& fi
   result.birge_ratio = fit.birge_ratio();
   result.masked = static_cast<std::size_t>((rows.weights.array() <= 0).count());
   // What is left is stated of all rows, as in a comparison, in which a derivative settles, too.
-  result.row_weights = rows.weights.cwiseProduct(noise::counted_rows(rows))
-                           .cwiseQuotient(fit.noise_scale.cwiseAbs2());
+  result.row_weights = fit.weights_of(rows, noise::counted_rows(rows));
   result.outliers = fit.outliers;
 }
 
@@ -247,13 +246,13 @@ struct BothFits {
   NoiseWeightedFit gyro;
 };
 
-// A bias of its own for each power-on would be what the derivative lacks until it has settled.
+// RowSettings::kept: a bias of its own for each power-on would be what the derivative lacks until
+// it has settled.
 Eigen::VectorXd beside_biases(const series::SignalSeries& series, const Eigen::MatrixXd& offsets) {
-  const Eigen::VectorXd& settled = series.settled();
   const series::Rows& rows = series.rows();
-  const bool any = settled.cwiseProduct(rows.weights).maxCoeff() > 0;
-  const bool have_biases = offsets.cols() > 0 && rows.power_ons().size() > 1;
-  return any && have_biases ? settled : Eigen::VectorXd::Ones(settled.size());
+  if (offsets.cols() == 0 || rows.power_ons().size() < 2) return {};
+  const bool any = series.settled().cwiseProduct(rows.weights).maxCoeff() > 0;
+  return any ? series.settled() : Eigen::VectorXd();
 }
 
 // Shapes are searched with the gyro's own temperature, which takes a fifth of the time. With what a

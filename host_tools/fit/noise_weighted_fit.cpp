@@ -65,8 +65,7 @@ void set_noise(const series::Rows& rows, const std::vector<recording::RowRange>&
   fit.noise = known ? *known : noise::noise_of(rows, noise::bridged(rows, left, fit.robust));
   fit.noise.white_variance = std::max(std::pow(rows.rounding_dph, 2), fit.noise.white_variance);
   fit.noise_scale = relative_scale(quiet, noise::noise_scale(rows, left, fit.robust));
-  fit.row_weights =
-      rows.weights.cwiseProduct(fit.robust).cwiseQuotient(fit.noise_scale.cwiseAbs2());
+  fit.row_weights = fit.weights_of(rows, fit.robust);
 }
 
 // A range is not searched again for a slightly better noise estimate if nothing was found in it.
@@ -91,6 +90,11 @@ Eigen::VectorXd residual_in_white_noise(const series::Rows& rows, const NoiseWei
 }
 
 }  // namespace
+
+Eigen::VectorXd NoiseWeightedFit::weights_of(const series::Rows& rows,
+                                             const Eigen::VectorXd& kept) const {
+  return rows.weights.cwiseProduct(kept).cwiseQuotient(noise_scale.cwiseAbs2());
+}
 
 double NoiseWeightedFit::birge_ratio() const {
   const auto degrees_of_freedom = static_cast<double>(

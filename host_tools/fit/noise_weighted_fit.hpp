@@ -37,6 +37,8 @@ struct NoiseWeightedFit {
   Eigen::MatrixXd covariance;  ///< of coefficients and shapes (0..1); empty if rank deficient
 
   Eigen::Index linear() const { return columns.cols(); }
+  /// row_weights if only the rows of `kept` (1, else 0) count.
+  Eigen::VectorXd weights_of(const series::Rows& rows, const Eigen::VectorXd& kept) const;
   /// rms of the whitened residual: 1 if only that noise is left.
   double birge_ratio() const;
 };

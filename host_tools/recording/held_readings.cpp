@@ -61,12 +61,10 @@ Rows reading_rows(const std::vector<double>& held, std::size_t rows) {
   return readings;
 }
 
-// The rows with a reading of a column that holds each for two samples or more; none if it changes
-// from sample to sample, or hardly ever.
-Rows rows_of_held_readings(const std::vector<double>& column) {
-  const std::vector<double> held = held_rows(column);
-  if (held.size() < kFewValues || *std::min_element(held.begin() + 1, held.end()) < 2) return {};
-  return reading_rows(held, column.size());
+// Whether a column holds each reading for two samples or more: not if it changes from sample to
+// sample, or hardly ever.
+bool are_held(const std::vector<double>& held) {
+  return held.size() >= kFewValues && *std::min_element(held.begin() + 1, held.end()) >= 2;
 }
 
 // Whether the gyro moves from each reading to the next one rather than with the steps.
@@ -144,16 +142,19 @@ Rows repeated_readings(const std::vector<double>& rate_dph) {
 
 bool blank_held_readings(const std::vector<double>& time_s, const std::vector<double>& rate_dph,
                          std::vector<double>& input_rate) {
-  const Rows readings = rows_of_held_readings(input_rate);
-  if (readings.empty() || !gyro_moves_between(readings, time_s, rate_dph, input_rate)) return false;
+  const std::vector<double> held = held_rows(input_rate);
+  if (!are_held(held)) return false;
+  const Rows readings = reading_rows(held, input_rate.size());
+  if (!gyro_moves_between(readings, time_s, rate_dph, input_rate)) return false;
   blank_between(readings, input_rate);
   return true;
 }
 
 bool blank_held_temperatures(const std::vector<double>& time_s, std::vector<double>& degc) {
-  const Rows readings = rows_of_held_readings(degc);
-  if (readings.empty()) return false;
-  if (grid_of(held_rows(degc)) == 0 && !skips_steps(readings, degc)) return false;
+  const std::vector<double> held = held_rows(degc);
+  if (!are_held(held)) return false;
+  const Rows readings = reading_rows(held, degc.size());
+  if (grid_of(held) == 0 && !skips_steps(readings, degc)) return false;
   const double held_s = median_spacing_s(time_s) * static_cast<double>(degc.size()) /
                         static_cast<double>(readings.size());
   if (held_s <= rules::kMaxFrozenSampleS || held_s > rules::kMaxUsualPeriodS) return false;

@@ -121,6 +121,11 @@ std::vector<std::uint64_t> samples_of(const std::vector<Run>& runs) {
   return all;
 }
 
+bool has_any_of(const Run& run, const std::vector<std::uint64_t>& samples) {
+  return std::find_first_of(run.marks.begin(), run.marks.end(), samples.begin(), samples.end()) !=
+         run.marks.end();
+}
+
 bool set_cut(Run& run, const recording::Cut& cut, bool made) {
   return names_run(cut.run, run) && series::set_cut(run.blocks, cut.at_s, made);
 }

@@ -49,6 +49,9 @@ bool have_several_biases(const std::vector<Run>& runs);
 /// quarter of another's samples one is the same in 99 of 100 cases.
 std::vector<std::uint64_t> samples_of(const std::vector<Run>& runs);
 
+/// Whether a run has one of them: sample_marks() of another, or of a model's file.
+bool has_any_of(const Run& run, const std::vector<std::uint64_t>& samples);
+
 /// Whether the run of a mask or a cut, "" for all, is this one.
 bool names_run(const std::string& name, const Run& run);
 

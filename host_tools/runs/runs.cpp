@@ -28,11 +28,11 @@ std::vector<std::string> joined(std::vector<std::string> notes,
 
 // Gaps after which nothing is known of the temperatures before, although the power was on.
 std::size_t long_gaps(const series::BlockSeries& blocks) {
-  std::size_t parts = 0;
-  series::each_part(blocks, [&](std::size_t, std::size_t) { ++parts; });
-  const auto power_ons = std::count_if(blocks.blocks.begin(), blocks.blocks.end(),
-                                       [](const auto& block) { return block.restarts; });
-  return blocks.is_table ? 0 : parts - 1 - static_cast<std::size_t>(power_ons);
+  std::size_t gaps = 0;
+  series::each_part(blocks, [&](std::size_t first, std::size_t) {
+    if (first > 0 && !blocks.blocks[first].restarts && !blocks.is_table) ++gaps;
+  });
+  return gaps;
 }
 
 std::vector<std::string> notes_on(const recording::Recording& recording, double noise_dph_rthz,
@@ -45,19 +45,17 @@ std::vector<std::string> notes_on(const recording::Recording& recording, double 
                     "count from its first sample");
   }
   if (const std::size_t gaps = long_gaps(run.blocks); gaps > 0) {
-    notes.push_back(recording.file + ": " + counted(gaps, "gap") +
-                    " of more than 30 min: what an effect remembers begins anew after it");
+    notes.push_back(recording.file + ": " + counted(gaps, "gap") + " of more than " +
+                    time_text(series::kBridged_s) +
+                    ": what an effect remembers begins anew after it");
   }
   return notes;
 }
 
 void refuse_samples_of(const Run& run, const std::vector<Run>& others, const char* why) {
   for (const Run& other : others) {
-    if (std::find_first_of(run.marks.begin(), run.marks.end(), other.marks.begin(),
-                           other.marks.end()) == run.marks.end()) {
-      continue;
-    }
-    throw InputError(run.file, "has samples of " + other.file + why);
+    if (has_any_of(run, other.marks))
+      throw InputError(run.file, "has samples of " + other.file + why);
   }
 }
 

@@ -17,8 +17,9 @@ inline std::uint32_t hold_blocks(double block_s) {
 
 /// Gaps over which the temperature of a gyro that stays on is known well enough: a logger that
 /// writes a minute of each ten or thirty.
+constexpr double kBridged_s = 1800;
+
 inline std::int64_t bridged_blocks(double block_s) {
-  constexpr double kBridged_s = 1800;
   return std::max<std::int64_t>(hold_blocks(block_s), std::llround(kBridged_s / block_s));
 }
 

@@ -255,8 +255,7 @@ void SignalSeries::keep_own(const BlockSeries& series, const MeasuredTemperature
 
 void SignalSeries::see_ramps_at_start(const BlockSeries& series, const MeasuredTemperature& own,
                                       const std::vector<std::int32_t>& row_of) {
-  constexpr double kForgotten = 5;  // time constants: less than 1 % is left
-  const double settling = kForgotten * model_.derivative_tau_s / series.block_s;
+  const double settling = settling_s() / series.block_s;
   each_part(series, [&](std::size_t first, std::size_t end) {
     const std::int64_t start = series.blocks[first].number;
     if (std::abs(own.at(start).degc_per_min) <= recording::rules::kMinRampDegcPerMin) return;

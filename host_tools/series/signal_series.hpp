@@ -45,8 +45,8 @@ class SignalSeries {
   void add(const BlockSeries& series);
 
   const Rows& rows() const { return rows_; }
-  /// Time constant of the board's derivative, which begins at rest.
-  double derivative_tau_s() const { return model_.derivative_tau_s; }
+  /// Time in which the board's derivative forgets that it began at rest: less than 1 % is left.
+  double settling_s() const { return 5 * model_.derivative_tau_s; }
   /// 1 in each row; 0 in those in which the board's derivative forgets that it began at rest, in a
   /// ramp: after a power-on, or a gap that is not bridged. As a board flags them.
   const Eigen::VectorXd& settled() const { return settled_; }

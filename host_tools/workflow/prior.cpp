@@ -30,10 +30,7 @@ void refuse_gyro_of(const model::Model& older, const FitRequest& request) {
 }
 
 void refuse_samples_of(const model::Model& older, const runs::Run& run) {
-  if (std::find_first_of(run.marks.begin(), run.marks.end(), older.samples.begin(),
-                         older.samples.end()) == run.marks.end()) {
-    return;
-  }
+  if (!has_any_of(run, older.samples)) return;
   throw InputError(run.file,
                    "has samples to which the older model was fitted, which would count "
                    "twice; give newer recordings, or fit without --prior");

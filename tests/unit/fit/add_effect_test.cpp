@@ -342,29 +342,26 @@ TEST(AddEffect, DropsANetworkToWhichTheEffectLeavesNothing) {
   EXPECT_FALSE(result.model.network.present()) << "gain " << result.fit.network_judged->score.gain;
 }
 
+// `definition` added to a model of all but `real`, of 0.1 deg/h, that the gyro has.
+Addition add_expression(const std::string& real, const std::string& definition) {
+  Model gyro = truth();
+  gyro.terms.push_back(fogcomp::model::expression_term(real));
+  gyro.terms.back().coefficients_dph = {0.1};
+  const Model model = incomplete(kComplete);
+  return add_effect(model, fogcomp::fit::change_expression(model.terms, definition),
+                    runs_of(gyro, {1}), {});
+}
+
 // In the middle of its range the kink is where these runs never are.
 TEST(AddEffect, FindsAnExpressionThatIsZeroWhereTheSearchBegins) {
-  Model real = truth();
-  fogcomp::model::EffectTerm kink = fogcomp::model::expression_term("kink = max(T-20,0)");
-  kink.coefficients_dph = {0.1};
-  real.terms.push_back(kink);
-  const Model model = incomplete(kComplete);
-  const auto change =
-      fogcomp::fit::change_expression(model.terms, "kink = max(T-?from[-20,220],0)");
-  const Addition found = add_effect(model, change, runs_of(real, {1}), {});
+  const Addition found = add_expression("kink = max(T-20,0)", "kink = max(T-?from[-20,220],0)");
   EXPECT_TRUE(found.accepted) << found.reason;
   EXPECT_NEAR(found.model.terms[found.changed.at(0)].parameters[0].value, 20, 5);
 }
 
 TEST(AddEffect, JudgesAnExpressionLikeAnEffect) {
-  Model real = truth();
-  fogcomp::model::EffectTerm late = fogcomp::model::expression_term("late = lag(dTdt^2, 900)");
-  late.coefficients_dph = {0.1};
-  real.terms.push_back(late);
-  const Model model = incomplete(kComplete);
   const std::string definition = "late = lag(dTdt^2, ?tau[60,6000])";
-  const Addition right = add_effect(model, fogcomp::fit::change_expression(model.terms, definition),
-                                    runs_of(real, {1}), {});
+  const Addition right = add_expression("late = lag(dTdt^2, 900)", definition);
   EXPECT_TRUE(right.accepted) << right.reason;
   EXPECT_EQ(right.model.history.back().action, "add " + definition);
   const fogcomp::model::EffectTerm& term = right.model.terms[right.changed.at(0)];
