@@ -393,7 +393,9 @@ class RowCollector {
     const char* const repeats = " repeats each reading until the next one";
     if (is_held) say(std::string("input_rate_dph") + repeats);
     if (is_slow) say(std::string("temperature_degc") + repeats);
-    if (sparse_ || is_held || is_slow) complete_sparse_columns(recording_, lines_, options_.watch);
+    if (sparse_ || is_held || is_slow) {
+      complete_sparse_columns(recording_, lines_, options_.watch, is_slow);
+    }
     sparse_ = false;
   }
 

@@ -39,12 +39,23 @@ std::size_t grid_of(const std::vector<double>& held) {
   return std::pow(static_cast<double>(grid), others) * kFalseAlarm > 1 ? grid : 0;
 }
 
-// Rows with a reading: those where the value changes and, as two readings that happen to be equal
-// look like one that is held for twice as long, evenly between. The last one goes on at the usual
-// rhythm.
-Rows reading_rows(const std::vector<double>& held, std::size_t rows) {
+double rhythm_of(const std::vector<double>& held) {
   const std::size_t grid = grid_of(held);
-  const double typical = grid > 0 ? static_cast<double>(grid) : median(held);
+  return grid > 0 ? static_cast<double>(grid) : median(held);
+}
+
+// Rows that most readings are held for at most, in no rhythm.
+double usually_at_most(std::vector<double> held) {
+  const auto usual =
+      held.end() - 1 - std::lround(kNoticeable * static_cast<double>(held.size() - 1));
+  std::nth_element(held.begin(), usual, held.end());
+  return *usual;
+}
+
+// Rows with a reading: those where the value changes and, as readings that happen to be equal look
+// like one that is held for longer than the `typical` one, evenly between. The last one goes on at
+// the usual rhythm.
+Rows reading_rows(const std::vector<double>& held, double typical, std::size_t rows) {
   Rows readings;
   double first = 0;
   const auto add = [&](double each, double end) {
@@ -125,7 +136,7 @@ Rows repeated_readings(const std::vector<double>& rate_dph) {
   const auto most = static_cast<double>(rate_dph.size()) / rules::kMinRowsPerReading;
   const std::vector<double> held = held_rows(rate_dph);
   if (static_cast<double>(held.size()) > most || !are_regular(held)) return {};
-  const Rows readings = reading_rows(held, rate_dph.size());
+  const Rows readings = reading_rows(held, rhythm_of(held), rate_dph.size());
   if (static_cast<double>(readings.size()) > most) return {};
   Rows repeats(rate_dph.size() - readings.size());
   auto reading = readings.begin();
@@ -144,7 +155,7 @@ bool blank_held_readings(const std::vector<double>& time_s, const std::vector<do
                          std::vector<double>& input_rate) {
   const std::vector<double> held = held_rows(input_rate);
   if (!are_held(held)) return false;
-  const Rows readings = reading_rows(held, input_rate.size());
+  const Rows readings = reading_rows(held, rhythm_of(held), input_rate.size());
   if (!gyro_moves_between(readings, time_s, rate_dph, input_rate)) return false;
   blank_between(readings, input_rate);
   return true;
@@ -153,8 +164,10 @@ bool blank_held_readings(const std::vector<double>& time_s, const std::vector<do
 bool blank_held_temperatures(const std::vector<double>& time_s, std::vector<double>& degc) {
   const std::vector<double> held = held_rows(degc);
   if (!are_held(held)) return false;
-  const Rows readings = reading_rows(held, degc.size());
-  if (grid_of(held) == 0 && !skips_steps(readings, degc)) return false;
+  const std::size_t grid = grid_of(held);
+  const double typical = grid > 0 ? static_cast<double>(grid) : usually_at_most(held);
+  const Rows readings = reading_rows(held, typical, degc.size());
+  if (grid == 0 && !skips_steps(readings, degc)) return false;
   const double held_s = median_spacing_s(time_s) * static_cast<double>(degc.size()) /
                         static_cast<double>(readings.size());
   if (held_s <= rules::kMaxFrozenSampleS || held_s > rules::kMaxUsualPeriodS) return false;

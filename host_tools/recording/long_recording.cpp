@@ -13,6 +13,14 @@
 namespace fogcomp::recording {
 namespace {
 
+// Whether a temperature was read in one of these rows.
+bool any_read(const std::vector<bool>& is_read, std::size_t first, std::size_t end) {
+  for (std::size_t row = first; row < end && !is_read.empty(); ++row) {
+    if (is_read[row]) return true;
+  }
+  return is_read.empty();
+}
+
 double mean_of(const std::vector<double>& column, std::size_t first, std::size_t end) {
   double sum = 0;
   for (std::size_t row = first; row < end; ++row) sum += column[row];
@@ -34,6 +42,13 @@ std::vector<std::size_t> breaks_of(const Recording& part) {
   return breaks;
 }
 
+template <class Column>
+Column rows_of(const Column& column, const RowRange& rows) {
+  if (column.empty()) return {};
+  return Column(column.begin() + static_cast<std::ptrdiff_t>(rows.first),
+                column.begin() + static_cast<std::ptrdiff_t>(rows.end));
+}
+
 // Some rows as a recording; the first one has the name of their segment.
 Recording rows_of(const Recording& whole, const RowRange& rows) {
   Recording part;
@@ -41,12 +56,8 @@ Recording rows_of(const Recording& whole, const RowRange& rows) {
   part.power_on_unknown = whole.power_on_unknown;
   part.temperature_period_s = whole.temperature_period_s;
   part.temperature_step_degc = whole.temperature_step_degc;
-  for (const ColumnInfo& info : kColumns) {
-    const std::vector<double>& column = whole[info.column];
-    if (column.empty()) continue;
-    part[info.column].assign(column.begin() + static_cast<std::ptrdiff_t>(rows.first),
-                             column.begin() + static_cast<std::ptrdiff_t>(rows.end));
-  }
+  for (const ColumnInfo& info : kColumns) part[info.column] = rows_of(whole[info.column], rows);
+  part.temperature_is_read = rows_of(whole.temperature_is_read, rows);
   for (const Recording::Label& label : whole.labels) {
     if (label.first_row >= rows.end) break;
     const std::size_t row = std::max(label.first_row, rows.first) - rows.first;
@@ -76,6 +87,7 @@ void LongRecording::take(Recording& part, LineNumbers& lines, const std::string&
   if (part.rows() <= part_rows_) {
     take_part(part, lines);
     for (const ColumnInfo& info : kColumns) part[info.column].clear();
+    part.temperature_is_read.clear();
     part.labels.clear();
     lines = {};
     return;
@@ -87,6 +99,7 @@ void LongRecording::take(Recording& part, LineNumbers& lines, const std::string&
   }
   Recording rest = rows_of(part, {first, part.rows()});
   for (const ColumnInfo& info : kColumns) part[info.column] = std::move(rest[info.column]);
+  part.temperature_is_read = std::move(rest.temperature_is_read);
   part.labels = std::move(rest.labels);
   lines = lines.from(first);
 }
@@ -149,6 +162,7 @@ void LongRecording::add_means(const Recording& part, std::size_t first, std::siz
       if (part[info.column].empty()) continue;
       means_[info.column].push_back(mean_of(part[info.column], row, last));
     }
+    means_.temperature_is_read.push_back(any_read(part.temperature_is_read, row, last));
   }
 }
 
@@ -172,16 +186,23 @@ void LongRecording::merge(const std::vector<std::size_t>& starts) {
     label.first_row = static_cast<std::size_t>(
         std::lower_bound(starts.begin(), starts.end(), label.first_row) - starts.begin());
   }
+  const auto end_of = [&](std::size_t i, std::size_t rows) {
+    return i + 1 < starts.size() ? starts[i + 1] : rows;
+  };
   for (const ColumnInfo& info : kColumns) {
     std::vector<double>& column = means_[info.column];
     if (column.empty()) continue;
     for (std::size_t i = 0; i < starts.size(); ++i) {
-      const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : column.size();
-      column[i] = mean_of(column, starts[i], end);
+      column[i] = mean_of(column, starts[i], end_of(i, column.size()));
     }
     column.resize(starts.size());
     column.shrink_to_fit();
   }
+  std::vector<bool>& is_read = means_.temperature_is_read;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    is_read[i] = any_read(is_read, starts[i], end_of(i, is_read.size()));
+  }
+  is_read.resize(starts.size());
 }
 
 Recording LongRecording::finish(const std::string& file) {

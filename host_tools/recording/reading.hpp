@@ -97,8 +97,9 @@ void join_by_lines(const std::vector<double>& time_s, std::vector<double>& colum
 /// The same for all columns of a recording, the input rate first by draw_input_rate(), with masks
 /// where it is unknown, the uptime over restarts. Then removes rows without temperature or input
 /// rate, and other columns that are far from complete. Reports to `watch`. Throws InputError if no
-/// row has a temperature.
-void complete_sparse_columns(Recording& recording, LineNumbers& lines, const ReadWatch& watch);
+/// row has a temperature. `is_temperature_held`: blank_held_temperatures() made it sparse.
+void complete_sparse_columns(Recording& recording, LineNumbers& lines, const ReadWatch& watch,
+                             bool is_temperature_held = false);
 
 /// An input rate that holds each of its readings for two samples or more, as in a file that joins
 /// two logs: leaves the readings, NaN elsewhere, and returns true. Without change, false, if it

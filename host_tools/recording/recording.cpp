@@ -55,7 +55,8 @@ std::vector<Recording::Label> labels_without(const Recording& recording,
   return labels;
 }
 
-void remove_from(std::vector<double>& column, const std::vector<std::size_t>& removed) {
+template <class Column>
+void remove_from(Column& column, const std::vector<std::size_t>& removed) {
   if (column.empty()) return;
   std::size_t kept = removed.front();
   for (std::size_t i = 0; i < removed.size(); ++i) {
@@ -108,6 +109,7 @@ void remove_rows(Recording& recording, LineNumbers& lines, const std::vector<std
   if (!lines.empty()) lines = lines.without(rows, recording.rows());
   recording.labels = labels_without(recording, rows);
   for (const ColumnInfo& info : kColumns) remove_from(recording[info.column], rows);
+  remove_from(recording.temperature_is_read, rows);
 }
 
 bool RateResolution::varies() const {

@@ -54,7 +54,10 @@ struct Recording {
     std::string text;
   };
   std::vector<Label> labels;
-  /// Between the temperature's readings, and their smallest difference. 0: each row has one.
+  /// Rows with a reading of the temperature, where others lie on lines between them; empty: each
+  /// row has one.
+  std::vector<bool> temperature_is_read;
+  /// Usually at most between these readings, and their smallest difference. 0: each row has one.
   /// HUGE_VAL: none was measured, one value was given.
   double temperature_period_s = 0;
   double temperature_step_degc = 0;

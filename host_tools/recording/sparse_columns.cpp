@@ -20,6 +20,12 @@
 namespace fogcomp::recording {
 namespace {
 
+std::vector<bool> is_read(const std::vector<double>& column) {
+  std::vector<bool> read(column.size());
+  for (std::size_t row = 0; row < column.size(); ++row) read[row] = !std::isnan(column[row]);
+  return read;
+}
+
 std::size_t readings_in(const std::vector<double>& column) {
   return static_cast<std::size_t>(
       std::count_if(column.begin(), column.end(), [](double value) { return !std::isnan(value); }));
@@ -136,14 +142,16 @@ struct TemperatureRhythm {
   }
 };
 
-void join_temperature(Recording& recording) {
+// Of a file that holds its readings each row has one, however old.
+void join_temperature(Recording& recording, bool is_held) {
   const TemperatureRhythm rhythm(recording.time_s, recording.temperature_degc);
   if (is_gap(rhythm.period_s, median_spacing_s(recording.time_s))) {
     recording.temperature_period_s = rhythm.period_s;
     recording.temperature_step_degc = rhythm.step_degc;
   }
+  recording.temperature_is_read = is_read(recording.temperature_degc);
   join_by_lines(recording.time_s, recording.temperature_degc, rhythm.change_degc,
-                rhythm.longest_interval_s);
+                is_held ? HUGE_VAL : rhythm.longest_interval_s);
 }
 
 void leave_out_incomplete_rows(Recording& recording, LineNumbers& lines, const ReadWatch& watch) {
@@ -226,7 +234,8 @@ void join_by_lines(const std::vector<double>& time_s, std::vector<double>& colum
   }
 }
 
-void complete_sparse_columns(Recording& recording, LineNumbers& lines, const ReadWatch& watch) {
+void complete_sparse_columns(Recording& recording, LineNumbers& lines, const ReadWatch& watch,
+                             bool is_temperature_held) {
   for (const ColumnInfo& info : kColumns) {
     std::vector<double>& column = recording[info.column];
     const std::size_t readings = readings_in(column);
@@ -240,7 +249,7 @@ void complete_sparse_columns(Recording& recording, LineNumbers& lines, const Rea
     }
     if (info.column == Column::uptime_s) complete_restarts(recording.time_s, column);
     if (info.column == Column::temperature_degc) {
-      join_temperature(recording);
+      join_temperature(recording, is_temperature_held);
     } else {
       join_by_lines(recording.time_s, column);
     }

@@ -55,7 +55,6 @@ BlockSeries joined(BlockSeries run, const BlockSeries& next) {
   series::widen(run.input_ranges, next.input_ranges);
   run.rounding_dph = std::max(run.rounding_dph, next.rounding_dph);
   run.temperature_step_degc = std::max(run.temperature_step_degc, next.temperature_step_degc);
-  run.temperature_period_s = std::max(run.temperature_period_s, next.temperature_period_s);
   run.temperature = nullptr;  // of the first part only
   return run;
 }

@@ -229,7 +229,6 @@ BlockSeries without_blocks(const recording::Recording& recording) {
   series.file = recording.file;
   series.recordings = {recording::rows_hash(recording)};
   series.period_s = recording.period_s;
-  series.temperature_period_s = recording.temperature_period_s;
   series.samples_per_block = samples_per_block(recording.period_s);
   series.block_s = recording.period_s > 0 ? recording.period_s * series.samples_per_block : 1;
   series.is_table = recording.is_table;
@@ -279,6 +278,9 @@ BlockSeries make_blocks(const recording::Recording& recording) {
     ++block.samples;
     block.time_s += recording.time_s[row];
     block.rate_dph += recording.rate_dph[row];
+    const bool is_read =
+        recording.temperature_is_read.empty() || recording.temperature_is_read[row];
+    block.has_reading = block.has_reading || is_read;
     add(block.means, means_of_row(recording, row));
   }
   for (BlockSeries::Block& block : series.blocks) {

@@ -26,11 +26,12 @@ struct BlockSeries {
   struct Block {
     std::int64_t number = 0;  ///< since the first sample; gaps skip numbers
     std::uint32_t samples = 0;
-    double time_s = 0;      ///< mean of its samples
-    double rate_dph = 0;    ///< measured
-    bool restarts = false;  ///< the power was off before one of its samples
-    bool cut = false;       ///< within it the bias begins anew (recording/mask.hpp)
-    bool masked = false;    ///< its rate is not used, its means are (recording/mask.hpp)
+    double time_s = 0;         ///< mean of its samples
+    double rate_dph = 0;       ///< measured
+    bool restarts = false;     ///< the power was off before one of its samples
+    bool cut = false;          ///< within it the bias begins anew (recording/mask.hpp)
+    bool masked = false;       ///< its rate is not used, its means are (recording/mask.hpp)
+    bool has_reading = false;  ///< of the temperature; else that lies on a line between others
     fog::BlockMeans<model::RealNumbers> means;
   };
   std::vector<Block> blocks;
@@ -43,7 +44,6 @@ struct BlockSeries {
   double rounding_dph = 0;
   /// Smallest change between readings of the temperature; 0: noise hides it within a block.
   double temperature_step_degc = 0;
-  double temperature_period_s = 0;  ///< between its readings; 0: each block has one
   /// Once it has been measured (measured_temperature.hpp); nothing: it has not.
   std::shared_ptr<const MeasuredTemperature> temperature;
 };

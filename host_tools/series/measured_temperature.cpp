@@ -19,7 +19,7 @@ constexpr double kFinest_degc = 1e-4;  // of noise: what is finer costs digits
 // rate jumps.
 constexpr double kSharpest = 0.01;
 
-// Readings between restarts.
+// Readings between restarts; the first block counts as one.
 struct Part {
   std::int64_t first_number;
   TemperatureReadings readings;
@@ -31,15 +31,11 @@ std::vector<Part> parts_of(const BlockSeries& series) {
     Part& part = parts.emplace_back();
     part.first_number = series.blocks[first].number;
     part.readings.interval_s = series.block_s;
-    double next = 0;  // block with a reading
     for (std::size_t i = first; i < end; ++i) {
       const BlockSeries::Block& block = series.blocks[i];
-      const auto number = static_cast<std::size_t>(block.number - part.first_number);
-      if (static_cast<double>(number) < next) continue;
-      part.readings.degc.resize(number, NAN);
-      part.readings.degc.push_back(block.means.temperature);
-      next = static_cast<double>(number) +
-             std::max(1.0, std::round(series.temperature_period_s / series.block_s));
+      part.readings.degc.resize(static_cast<std::size_t>(block.number - part.first_number), NAN);
+      const bool is_read = block.has_reading || i == first;
+      part.readings.degc.push_back(is_read ? block.means.temperature : double{NAN});
     }
     const std::int64_t last = series.blocks[end - 1].number - part.first_number;
     part.readings.degc.resize(static_cast<std::size_t>(last) + 1, NAN);

@@ -922,6 +922,7 @@ TEST(ForeignFiles, TemperatureHeldForAnyTime_KnownBetween) {
     EXPECT_TRUE(held(held_s, held_s, 0.0625)) << held_s;
   }
   EXPECT_TRUE(held(20, 90, 0.0625));
+  EXPECT_TRUE(held(5, 90, 0.01));
   EXPECT_TRUE(held(2, 30, 0.01));
   for (const int held_s : {10, 30, 90}) EXPECT_TRUE(held(held_s, held_s, 1)) << held_s;
   for (const double step_degc : {1.0, 0.5, 0.1}) EXPECT_FALSE(held(1, 1, step_degc)) << step_degc;

@@ -125,21 +125,42 @@ TEST(MeasuredTemperature, WrongReadings_SayNothing) {
   EXPECT_LT(gyro.rate_error(), 1.2 * without);
 }
 
-// Read each 300 s, to 1 degC: what lies on the lines between is no reading.
-TEST(MeasuredTemperature, SlowCoarseReadings_RateOfTheRamp) {
+// To `step_degc` in rows `next()` apart, and on lines between, which are no readings.
+template <class Next>
+recording::Recording read_now_and_then(double step_degc, const Next& next) {
   recording::Recording recording = read_by(0, 0);
   recording.temperature_period_s = 300;
-  recording.temperature_step_degc = 1;
-  for (std::size_t i = 0; i < recording.rows(); ++i) {
-    const auto reading = [&](std::size_t number) {
-      return std::round(degc_at(300.0 * static_cast<double>(number)));
-    };
-    const double part = static_cast<double>(i % 300) / 300;
-    recording.temperature_degc[i] = (1 - part) * reading(i / 300) + part * reading(i / 300 + 1);
+  recording.temperature_step_degc = step_degc;
+  recording.temperature_is_read.resize(recording.rows());
+  const auto reading = [&](std::size_t row) {
+    return step_degc * std::round(degc_at(static_cast<double>(row)) / step_degc);
+  };
+  for (std::size_t row = 0; row < recording.rows();) {
+    const std::size_t end = row + next();
+    recording.temperature_is_read[row] = true;
+    for (std::size_t i = row; i < std::min(end, recording.rows()); ++i) {
+      const double part = static_cast<double>(i - row) / static_cast<double>(end - row);
+      recording.temperature_degc[i] = (1 - part) * reading(row) + part * reading(end);
+    }
+    row = end;
   }
-  const MeasuredTemperature measured = measured_temperature(make_blocks(recording));
+  return recording;
+}
+
+TEST(MeasuredTemperature, SlowCoarseReadings_RateOfTheRamp) {
+  const MeasuredTemperature measured =
+      measured_temperature(make_blocks(read_now_and_then(1, [] { return std::size_t{300}; })));
   EXPECT_LT(rate_error(measured, kInRamp_s, 0.5), 0.02);
   EXPECT_LT(rate_error(measured, kSoak_s, 0), 0.05);
+}
+
+TEST(MeasuredTemperature, ReadingsThatComeUnevenly_RateOfTheRamp) {
+  std::mt19937_64 random(1);
+  std::uniform_int_distribution<std::size_t> next(5, 90);
+  const MeasuredTemperature measured =
+      measured_temperature(make_blocks(read_now_and_then(1e-4, [&] { return next(random); })));
+  EXPECT_LT(rate_error(measured, kInRamp_s, 0.5), 0.002);
+  EXPECT_LT(rate_error(measured, kSoak_s, 0), 0.002);
 }
 
 // 30 degC about 20 in rows of 10 s, without noise.
