@@ -59,7 +59,7 @@ std::vector<CandidateFinding> find_of_candidates(const EvidenceSpace& evidence,
 // effects of the catalogue come before expressions.
 void sort_by_lead(std::vector<CandidateFinding>& findings) {
   const auto rank = [](const CandidateFinding& finding) {
-    const auto rounded = [](double value) { return std::round(1e9 * value); };
+    const auto rounded = [](double value) { return std::round(1e6 * value); };
     return std::make_tuple(rounded(finding.lead), rounded(finding.probability),
                            rounded(finding.evidence));
   };
