@@ -93,7 +93,7 @@ struct SimulateCommand : Command {
       in_order<Axis>(kAxes)};
   Text columns{this,
                {"columns", "NAME,...", "further columns: temperature2, light_power, ..., all"}};
-  Text hide{this, {"hide", "TRUTH", "writes the truth there: each effect's part"}};
+  Text hide{this, {"hide", "OUT.truth", "writes the truth there: each effect's part"}};
   Choice<recording::RecordingFormat> file_format{
       this,
       {"format", "csv|stream", "CSV, or the sensor stream that the board reads", "csv"},
