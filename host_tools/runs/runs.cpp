@@ -144,7 +144,9 @@ NotedRuns read_each(const std::vector<std::string>& files, const recording::Read
       read.notes.push_back(recording::same_rows_words(file, twice));
       continue;
     }
-    refuse_samples_of(run, read.runs, ", which would count twice; leave one of them out");
+    refuse_samples_of(run, read.runs,
+                      ", which would count twice; leave one of them out, or simulate it with "
+                      "another --seed");
     known.add(hash, file);
     const double noise_dph_rthz = noise::white_noise_dph_rthz(recording);
     read.notes = joined(std::move(read.notes),

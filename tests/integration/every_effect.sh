@@ -8,8 +8,8 @@ fogcomp=$(realpath "${1:?usage: every_effect.sh FOGCOMP}")
 enter_scratch
 
 "$fogcomp" simulate -o cycle.csv --columns all --latitude 34 >/dev/null
-"$fogcomp" simulate -o field.csv --profile field_and_vibration --columns all --latitude 34 >/dev/null
-"$fogcomp" simulate -o table.csv --profile rate_table --columns all --latitude 34 >/dev/null
+"$fogcomp" simulate -o field.csv --seed 2 --profile field_and_vibration --columns all --latitude 34 >/dev/null
+"$fogcomp" simulate -o table.csv --seed 3 --profile rate_table --columns all --latitude 34 >/dev/null
 
 refused=
 count=0
