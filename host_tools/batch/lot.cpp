@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/median.hpp"
+#include "support/statistics.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::batch {

@@ -7,8 +7,8 @@
 #include "compare/decision_rules.hpp"
 #include "noise/autocorrelation.hpp"
 #include "support/decompositions.hpp"
-#include "support/distributions.hpp"
 #include "support/evidence.hpp"
+#include "support/statistics.hpp"
 
 namespace fogcomp::compare {
 namespace {

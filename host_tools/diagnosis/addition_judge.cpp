@@ -6,7 +6,7 @@
 
 #include "diagnosis/forms.hpp"
 #include "fit/effect_change.hpp"
-#include "fit/possible_gain.hpp"
+#include "fit/shape_search.hpp"
 #include "fit/turn_on_repeatability.hpp"
 #include "support/evidence.hpp"
 #include "support/input_error.hpp"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "diagnosis/model_fit.hpp"
-#include "diagnosis/refit.hpp"
 #include "support/evidence.hpp"
 #include "support/parallel.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "judge/mode_space.hpp"
+#include "judge/rows.hpp"
 #include "series/signal_series.hpp"
 
 namespace fogcomp::diagnosis {

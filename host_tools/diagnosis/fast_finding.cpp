@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "diagnosis/decision_rules.hpp"
-#include "diagnosis/refit.hpp"
+#include "diagnosis/model_fit.hpp"
 #include "diagnosis/structure.hpp"
 #include "noise/input_rate.hpp"
 #include "noise/quiet_rows.hpp"

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "support/distributions.hpp"
 #include "support/fourier.hpp"
-#include "support/median.hpp"
+#include "support/statistics.hpp"
 
 namespace fogcomp::diagnosis {
 namespace {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "diagnosis/diagnosis_data.hpp"
 #include "fit/noise_weighted_fit.hpp"
@@ -16,5 +18,19 @@ fit::NoiseWeightedFit fit_for_diagnosis(const model::Model& model, const Diagnos
 /// Rms of a residual over the rows that count, deg/h.
 double rms_of_rows(const series::Rows& rows, const fit::NoiseWeightedFit& fit,
                    const Eigen::VectorXd& residual);
+
+/// Appends `added` to the terms, or replaces a smaller version of it.
+void put(std::vector<model::EffectTerm>& terms, const model::EffectTerm& added);
+
+/// Terms with least-squares coefficients, and the residual of each row.
+struct Refit {
+  std::vector<model::EffectTerm> terms;
+  Eigen::VectorXd residual_dph;
+};
+
+/// Solves for the coefficients of `terms`, with fixed shapes, and for each run's own bias, with the
+/// row weights of `fit` of the same `series`.
+Refit refit(std::vector<model::EffectTerm> terms, const series::SignalSeries& series,
+            const fit::NoiseWeightedFit& fit);
 
 }  // namespace fogcomp::diagnosis

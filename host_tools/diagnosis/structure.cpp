@@ -6,7 +6,7 @@
 
 #include "core/thermal/play.hpp"
 #include "model/input_value.hpp"
-#include "series/row_filters.hpp"
+#include "series/rows.hpp"
 #include "support/decompositions.hpp"
 #include "support/least_squares.hpp"
 

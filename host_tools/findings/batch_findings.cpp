@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "findings/text.hpp"
-#include "support/median.hpp"
+#include "support/statistics.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::findings {

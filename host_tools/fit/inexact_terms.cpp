@@ -5,7 +5,7 @@
 
 #include "judge/likelihood.hpp"
 #include "model/catalogue.hpp"
-#include "series/row_filters.hpp"
+#include "series/rows.hpp"
 #include "series/term_columns.hpp"
 #include "support/least_squares.hpp"
 

@@ -9,8 +9,8 @@
 #include "model/shape_parameter.hpp"
 #include "support/evidence.hpp"
 #include "support/input_error.hpp"
-#include "support/median.hpp"
 #include "support/parallel.hpp"
+#include "support/statistics.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::fit {

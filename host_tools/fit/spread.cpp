@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "support/decompositions.hpp"
-#include "support/median.hpp"
+#include "support/statistics.hpp"
 
 namespace fogcomp::fit {
 namespace {

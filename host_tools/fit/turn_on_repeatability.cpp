@@ -8,8 +8,8 @@
 #include "model/shape_parameter.hpp"
 #include "noise/whitening.hpp"
 #include "support/decompositions.hpp"
-#include "support/distributions.hpp"
 #include "support/least_squares.hpp"
+#include "support/statistics.hpp"
 
 namespace fogcomp::fit {
 namespace {

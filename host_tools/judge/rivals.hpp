@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "judge/mode_space.hpp"
+#include "judge/rows.hpp"
 
 namespace fogcomp::judge {
 

@@ -1,10 +1,25 @@
 #include "judge/rows.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "support/units.hpp"
 
 namespace fogcomp::judge {
+namespace {
+
+constexpr double kBandsOfAnOctave = 6;
+
+// About its mean, unless that is all there is of it: a constant.
+double size_of(const Eigen::VectorXd& column) {
+  constexpr double kRoundingOnly = 1e-6;
+  const double rms = column.norm() / std::sqrt(static_cast<double>(column.size()));
+  const double varying = rms_about_mean(column);
+  return std::max(1e-300, varying > kRoundingOnly * rms ? varying : rms);
+}
+
+}  // namespace
 
 Eigen::MatrixXd bridged(const Rows& rows, Eigen::MatrixXd values) {
   const Eigen::VectorXd& weights = rows.weights;
@@ -56,6 +71,20 @@ Eigen::ArrayXd density_of_temperature(const Rows& rows, const ModeBands& bands) 
 double log_prior_of_temperature(double factor) {
   constexpr double kSigma = 0.7;  // of the logarithm
   return -std::pow(std::log(factor) / kSigma, 2) / 2;
+}
+
+ModeSpace::ModeSpace(Rows rows)
+    : rows_(std::move(rows)), bands_(rows_.stretches, kBandsOfAnOctave) {}
+
+Eigen::MatrixXd ModeSpace::of_effect(const Eigen::MatrixXd& columns) const {
+  Eigen::MatrixXd scaled = bridged(rows_, columns);
+  for (Eigen::Index i = 0; i < scaled.cols(); ++i) scaled.col(i) /= size_of(scaled.col(i));
+  const Eigen::MatrixXd modes = bands_.modes(scaled);
+  return modes.topRows(bands_.needed(modes));
+}
+
+double rms_about_mean(const Eigen::VectorXd& column) {
+  return std::sqrt((column.array() - column.mean()).square().mean());
 }
 
 }  // namespace fogcomp::judge

@@ -7,7 +7,7 @@
 
 #include "noise/decision_rules.hpp"
 #include "support/evidence.hpp"
-#include "support/median.hpp"
+#include "support/statistics.hpp"
 
 namespace fogcomp::noise {
 namespace {

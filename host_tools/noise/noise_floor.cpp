@@ -12,7 +12,7 @@
 #include "series/complete_rows.hpp"
 #include "support/evidence.hpp"
 #include "support/least_squares.hpp"
-#include "support/median.hpp"
+#include "support/statistics.hpp"
 
 namespace fogcomp::noise {
 namespace {
@@ -137,6 +137,17 @@ std::optional<double> noise_floor_dph(const recording::Recording& recording, dou
     project_out_columns(columns, stretches, samples, differences);
   }
   return white * robust_deviation(differences);
+}
+
+double white_noise_dph_rthz(const recording::Recording& recording) {
+  if (recording.rows() < 4) return 0;
+  const std::vector<double>& rate = recording.rate_dph;
+  std::vector<double> differences;
+  differences.reserve(rate.size() - 2);
+  for (std::size_t i = 2; i < rate.size(); ++i) {
+    differences.push_back(rate[i] - 2 * rate[i - 1] + rate[i - 2]);
+  }
+  return sigma_by_median(std::move(differences)) / std::sqrt(6.0) * std::sqrt(recording.period_s);
 }
 
 }  // namespace fogcomp::noise

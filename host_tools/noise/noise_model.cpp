@@ -11,7 +11,7 @@
 #include "noise/jumps.hpp"
 #include "support/evidence.hpp"
 #include "support/fourier.hpp"
-#include "support/median.hpp"
+#include "support/statistics.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp::noise {

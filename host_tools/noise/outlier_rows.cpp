@@ -8,7 +8,7 @@
 #include "model/input_value.hpp"
 #include "noise/decision_rules.hpp"
 #include "support/evidence.hpp"
-#include "support/median.hpp"
+#include "support/statistics.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::noise {

@@ -8,9 +8,8 @@
 
 #include "recording/decision_rules.hpp"
 #include "recording/row_range.hpp"
-#include "support/distributions.hpp"
 #include "support/evidence.hpp"
-#include "support/median.hpp"
+#include "support/statistics.hpp"
 
 namespace fogcomp::recording {
 namespace {

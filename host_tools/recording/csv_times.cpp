@@ -11,7 +11,7 @@
 #include "recording/decision_rules.hpp"
 #include "support/evidence.hpp"
 #include "support/input_error.hpp"
-#include "support/median.hpp"
+#include "support/statistics.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::recording {

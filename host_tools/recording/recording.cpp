@@ -12,7 +12,7 @@
 #include "recording/row_range.hpp"
 #include "recording/stream_reader.hpp"
 #include "support/input_error.hpp"
-#include "support/median.hpp"
+#include "support/statistics.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::recording {

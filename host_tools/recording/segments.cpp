@@ -9,7 +9,7 @@
 #include "recording/board_limits.hpp"
 #include "recording/decision_rules.hpp"
 #include "support/evidence.hpp"
-#include "support/median.hpp"
+#include "support/statistics.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 

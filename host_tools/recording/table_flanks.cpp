@@ -8,7 +8,7 @@
 #include "recording/row_range.hpp"
 #include "recording/segments.hpp"
 #include "support/evidence.hpp"
-#include "support/median.hpp"
+#include "support/statistics.hpp"
 #include "support/units.hpp"
 
 namespace fogcomp::recording {

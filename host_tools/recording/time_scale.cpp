@@ -6,7 +6,7 @@
 
 #include "recording/decision_rules.hpp"
 #include "recording/row_range.hpp"
-#include "support/median.hpp"
+#include "support/statistics.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 

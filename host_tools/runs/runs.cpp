@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/bytes/crc.hpp"
-#include "noise/white_noise.hpp"
+#include "noise/noise_floor.hpp"
 #include "recording/data_hash.hpp"
 #include "recording/reading.hpp"
 #include "runs/decision_rules.hpp"

@@ -29,6 +29,14 @@ std::vector<std::size_t> united(const std::vector<std::size_t>& a,
   return all;
 }
 
+// Equals fog::FirstOrderLag for rows spaced like the board's blocks; handles any spacing.
+void step(const Rows& rows, double tau_s, Eigen::Index from, Eigen::Index to,
+          Eigen::VectorXd& values) {
+  const double elapsed_s = std::abs(rows.time_s[static_cast<std::size_t>(to)] -
+                                    rows.time_s[static_cast<std::size_t>(from)]);
+  values[to] = values[from] - std::expm1(-elapsed_s / tau_s) * (values[to] - values[from]);
+}
+
 }  // namespace
 
 void SignalSum::add(double weight, const Signals& signals) {
@@ -213,6 +221,22 @@ std::int64_t blocks_per_row(double average_s, double block_s) {
 
 double row_length_s(double average_s, double block_s) {
   return static_cast<double>(blocks_per_row(average_s, block_s)) * block_s;
+}
+
+Eigen::VectorXd first_order_lag(const Rows& rows, const Eigen::VectorXd& values, double tau_s) {
+  Eigen::VectorXd result = values;
+  for (Eigen::Index i = 1; i < result.size(); ++i) {
+    if (!rows.starts_run(static_cast<std::size_t>(i))) step(rows, tau_s, i - 1, i, result);
+  }
+  return result;
+}
+
+Eigen::VectorXd smoothed(const Rows& rows, const Eigen::VectorXd& values, double tau_s) {
+  Eigen::VectorXd result = first_order_lag(rows, values, tau_s);
+  for (Eigen::Index i = result.size() - 1; i > 0; --i) {
+    if (!rows.starts_run(static_cast<std::size_t>(i))) step(rows, tau_s, i, i - 1, result);
+  }
+  return result;
 }
 
 }  // namespace fogcomp::series

@@ -134,4 +134,11 @@ std::int64_t blocks_per_row(double average_s, double block_s);
 /// Length of a row, seconds: a whole number of blocks.
 double row_length_s(double average_s, double block_s);
 
+/// First-order lag of `values` (one per row), stepped by the time between rows. Every recording
+/// starts in the steady state at its first value.
+Eigen::VectorXd first_order_lag(const Rows& rows, const Eigen::VectorXd& values, double tau_s);
+
+/// The same once forward and once backward: smoother, without delay.
+Eigen::VectorXd smoothed(const Rows& rows, const Eigen::VectorXd& values, double tau_s);
+
 }  // namespace fogcomp::series

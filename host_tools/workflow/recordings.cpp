@@ -5,7 +5,7 @@
 
 #include "denoise/denoise_parts.hpp"
 #include "diagnosis/decision_rules.hpp"
-#include "noise/white_noise.hpp"
+#include "noise/noise_floor.hpp"
 #include "recording/reading.hpp"
 #include "recording/segments.hpp"
 #include "runs/row_length.hpp"

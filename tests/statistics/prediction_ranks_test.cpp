@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "judge/prediction.hpp"
-#include "support/distributions.hpp"
 #include "support/random.hpp"
+#include "support/statistics.hpp"
 #include "support/units.hpp"
 
 namespace {

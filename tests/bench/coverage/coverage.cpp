@@ -12,7 +12,7 @@
 
 #include "clean_gyro.hpp"
 #include "compare/model_on_runs.hpp"
-#include "noise/white_noise.hpp"
+#include "noise/noise_floor.hpp"
 #include "runs/runs.hpp"
 #include "support/input_error.hpp"
 #include "support/parallel.hpp"

@@ -1,4 +1,4 @@
-#include "diagnosis/refit.hpp"
+#include "diagnosis/model_fit.hpp"
 
 #include <gtest/gtest.h>
 

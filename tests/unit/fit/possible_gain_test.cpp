@@ -1,4 +1,4 @@
-#include "fit/possible_gain.hpp"
+#include "fit/shape_search.hpp"
 
 #include <gtest/gtest.h>
 

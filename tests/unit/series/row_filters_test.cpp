@@ -1,4 +1,4 @@
-#include "series/row_filters.hpp"
+#include "series/rows.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "support/distributions.hpp"
+#include "support/statistics.hpp"
 
 #include <gtest/gtest.h>
 

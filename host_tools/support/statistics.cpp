@@ -1,5 +1,6 @@
-#include "support/distributions.hpp"
+#include "support/statistics.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fogcomp {
@@ -41,6 +42,19 @@ double chance_of_variance_ratio(double ratio, double above, double below) {
   if (x <= 0) return 0;
   if (x >= 1) return 1;
   return x < (a + 1) / (a + b + 2) ? incomplete_beta(x, a, b) : 1 - incomplete_beta(1 - x, b, a);
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double sigma_by_median(std::vector<double> values) {
+  constexpr double kSigmaPerMedian = 1.4826022185056018;  // of |normal|
+  for (double& value : values) value = std::abs(value);
+  return kSigmaPerMedian * median(std::move(values));
 }
 
 }  // namespace fogcomp
