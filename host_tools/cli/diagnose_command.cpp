@@ -34,8 +34,15 @@ std::vector<std::string> DiagnoseCommand::options_of_noise() const {
   return given;
 }
 
-std::vector<std::string> DiagnoseCommand::reading_after(const diagnosis::Ladder& ladder) const {
+std::vector<std::string> DiagnoseCommand::reading_with(
+    const std::vector<recording::Cut>& cuts) const {
   std::vector<std::string> reading = recording.given_words();
+  for (const std::string& word : findings::cut_words(cuts)) reading.push_back(word);
+  return reading;
+}
+
+std::vector<std::string> DiagnoseCommand::reading_after(const diagnosis::Ladder& ladder) const {
+  std::vector<std::string> reading = reading_with(ladder.holdout_cuts);
   for (const std::string& word : findings::cut_words(ladder.cuts())) reading.push_back(word);
   return reading;
 }
@@ -50,7 +57,7 @@ int DiagnoseCommand::run() const {
   const findings::DiagnosedFiles files{arguments[0],
                                        found.runs,
                                        holdouts.value(),
-                                       recording.given_words(),
+                                       reading_with(found.ladder.holdout_cuts),
                                        written ? output.value() : "",
                                        options_of_noise()};
   findings::Document document =

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <atomic>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "diagnosis/decision_rules.hpp"
 #include "fit/turn_on_bias.hpp"
+#include "support/input_error.hpp"
 #include "support/parallel.hpp"
 
 namespace fogcomp::diagnosis {
@@ -165,9 +167,10 @@ std::vector<recording::Cut> Ladder::cuts() const {
   return all;
 }
 
-Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
-                          const runs::Runs& runs, int max_steps,
-                          const DiagnosisSettings& settings) {
+namespace {
+
+Ladder ladder_of(const model::Model& model, const DiagnosisData& data, const runs::Runs& runs,
+                 int max_steps, const DiagnosisSettings& settings) {
   int added = 0;
   double shown = 0;  // a refinement takes the time of a step and is none
   DiagnosisSettings each = settings;
@@ -207,6 +210,55 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
       break;
     }
   }
+  return ladder;
+}
+
+// A jump that a diagnosis of this run alone names; nothing if it is too short for one.
+std::optional<recording::Cut> jump_in(const runs::Run& run, const model::Model& model,
+                                      const DiagnosisSettings& settings) {
+  try {
+    const DiagnosisData data(model, {run}, {});
+    const Diagnosis alone = diagnose(model, data.with_bias_of(series::BiasOf::power_on), settings);
+    const CandidateFinding* const step = alone.find(kBiasStep);
+    if (step == nullptr || step->probability < rules::kNamed || !step->cut) return std::nullopt;
+    const std::optional<std::uint64_t>& recording = step->term().recording;
+    return recording::Cut{recording ? data.known().file_with(*recording) : run.file,
+                          step->cut->at_s};
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::vector<recording::Cut> jumps_in_holdouts(const model::Model& model, runs::Runs runs,
+                                              const DiagnosisSettings& settings) {
+  DiagnosisSettings unheard = settings;
+  unheard.progress = nullptr;
+  std::vector<recording::Cut> cuts;
+  for (std::size_t i = 0; i < runs.holdouts.size(); ++i) {
+    std::set<double> at_s;
+    for (;;) {
+      const std::optional<recording::Cut> cut = jump_in(runs.holdouts[i], model, unheard);
+      if (!cut || !at_s.insert(cut->at_s).second) break;
+      cuts.push_back(*cut);
+      runs = runs.with({*cut});
+    }
+  }
+  return cuts;
+}
+
+}  // namespace
+
+Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
+                          const runs::Runs& runs, int max_steps,
+                          const DiagnosisSettings& settings) {
+  Ladder ladder = ladder_of(model, data, runs, max_steps, settings);
+  if (ladder.next.refused.empty() && ladder.last_next.refused.empty()) return ladder;
+  model::Model in_rows = model;
+  in_rows.average_s = data.series().rows().row_s;
+  const std::vector<recording::Cut> cuts = jumps_in_holdouts(in_rows, runs, settings);
+  if (cuts.empty()) return ladder;
+  ladder = ladder_of(model, data, runs.with(cuts), max_steps, settings);
+  ladder.holdout_cuts = cuts;
   return ladder;
 }
 

@@ -24,6 +24,8 @@ struct Ladder {
   Diagnosis last;      ///< of the model at the end of the loop
   NextStep last_next;  ///< after it; empty where the loop may add no more
   std::vector<Step> steps;
+  /// Of holdouts whose bias jumps: additions are judged with them. Found where one was refused.
+  std::vector<recording::Cut> holdout_cuts;
   bool is_cut_off = false;  ///< no more may be added: last_next was not looked for
   model::Model model;       ///< at the end, as the commands `add` of the steps make it
 
@@ -40,7 +42,8 @@ struct Ladder {
 
 /// Adds the proposals of find_next_step(), up to `max_steps` and refinements, which add no effect;
 /// each step is made and judged by `add`
-/// on `runs`. Ends when nothing is proposed. Throws InputError like add().
+/// on `runs`. Ends when nothing is proposed. Where something is refused, holdouts are looked at
+/// themselves: on one whose bias jumps nothing holds. Throws InputError like add().
 Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
                           const runs::Runs& runs, int max_steps,
                           const DiagnosisSettings& settings = {});

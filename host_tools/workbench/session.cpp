@@ -255,7 +255,7 @@ Json Session::diagnose(const Words& words) {
   const runs::Runs& runs = judging_runs(request, call.recording.given_words(), request.average_s);
   const workflow::DiagnoseOutcome found = workflow::diagnose(request, runs, observer());
   const findings::DiagnosedFiles files{request.model, found.runs, request.hold_outs,
-                                       call.recording.given_words(), ""};
+                                       call.reading_with(found.ladder.holdout_cuts), ""};
   const diagnosis::Ladder& ladder = found.ladder;
   const findings::DiagnosisWords said = findings::words_of(ladder.first, ladder.next, files);
   Json sentences = Json::object();
@@ -271,11 +271,13 @@ Json Session::diagnose(const Words& words) {
   Json next = Json();
   if (ladder.next.addition && ladder.next.addition->accepted) {
     const diagnosis::AdditionRequest& request_to_add = ladder.next.addition->request;
+    std::vector<recording::Cut> cuts = request_to_add.cuts;
+    cuts.insert(cuts.end(), ladder.holdout_cuts.begin(), ladder.holdout_cuts.end());
     next = Json::object()
                .set("effects", request_to_add.effects)
                .set("expression", request_to_add.expression)
                .set("cuts",
-                    json_array(request_to_add.cuts,
+                    json_array(cuts,
                                [](const recording::Cut& cut) {
                                  return Json::object().set("run", cut.run).set("at_s", cut.at_s);
                                }))

@@ -61,6 +61,17 @@ std::optional<std::string> why_own_biases(const model::Model& model, const runs:
   return why + ": effects are judged and added with a bias of its own for each power-on";
 }
 
+void add_notes(const std::vector<std::optional<std::string>>& notes, diagnosis::Ladder& ladder) {
+  for (const recording::Cut& cut : ladder.holdout_cuts) {
+    ladder.first.notes.push_back(
+        format("the bias of %s jumps at %.6g s: additions are judged with --cut %s",
+               cut.run.c_str(), cut.at_s, cut_text(cut).c_str()));
+  }
+  for (const std::optional<std::string>& note : notes) {
+    if (note) ladder.first.notes.push_back(*note);
+  }
+}
+
 }  // namespace
 
 DiagnoseOutcome diagnose(const DiagnoseRequest& request, const Observer& observer) {
@@ -101,13 +112,11 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const runs::Runs& judgi
   }
   outcome.ladder =
       diagnosis::stepwise_selection(model, outcome.data, judging, request.max_steps, settings);
-  for (const recording::Cut& cut : outcome.ladder.cuts()) {
-    outcome.ladder.model.cuts.push_back(cut_text(cut));
+  for (const auto& cuts : {outcome.ladder.holdout_cuts, outcome.ladder.cuts()}) {
+    for (const recording::Cut& cut : cuts) outcome.ladder.model.cuts.push_back(cut_text(cut));
   }
   outcome.ladder.first.as_given = as_given;
-  for (const auto& note : {why_own, rows_note(request, rows, model)}) {
-    if (note) outcome.ladder.first.notes.push_back(*note);
-  }
+  add_notes({why_own, rows_note(request, rows, model)}, outcome.ladder);
   return outcome;
 }
 

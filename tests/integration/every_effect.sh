@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # every_effect.sh FOGCOMP: each effect of the catalogue can be fitted to a recording that has its inputs, printed,
 # compared, and exported within the quantisation limit (without what no board can have); a recording whose time begins
-# late gives a warm-up of the same size; a jump of the bias is found and cut.
+# late gives a warm-up of the same size; a jump of the bias is found and cut, in a holdout, too.
 set -euo pipefail
 source "$(dirname "$0")/common.sh"
 fogcomp=$(realpath "${1:?usage: every_effect.sh FOGCOMP}")
@@ -99,5 +99,19 @@ eval "\"$fogcomp\" $next" >/dev/null || fail "refused: $next"
 # What the model lacks in a ramp is no jump.
 "$fogcomp" diagnose bias.model ramp.csv --json >ramp.json
 jq -e '.effect != "bias_step"' ramp.json >/dev/null || fail "a ramp is taken for a jump"
+# Nothing holds on a holdout whose bias jumps: the jump is found there, and a cut of it judges.
+"$fogcomp" simulate -o run.csv --seed 5 >/dev/null
+"$fogcomp" simulate -o other.csv --seed 6 --profile reversed >/dev/null
+awk -F, -v OFS=, '/^[0-9]/ && $1 >= 30000 { $3 += 0.3 } { print }' other.csv >jump.csv
+"$fogcomp" fit run.csv -o cubic.model --effects bias,bias_temperature:order=3 >/dev/null
+"$fogcomp" diagnose cubic.model run.csv --holdout jump.csv --max-effects 1 -o loop.model --json >jump.json
+jq -e '.commands[0] | test(" --holdout jump.csv --cut jump.csv:(2999|3000)[0-9] ")' jump.json >/dev/null ||
+  fail "the jump of the holdout: $(jq -c '{verdict, commands}' jump.json)"
+mv loop.model by_loop.model
+while read -r next; do
+  eval "\"$fogcomp\" ${next#fogcomp }" >added.txt
+  says added.txt '^accepted: '
+done < <(jq -r '.commands[]' jump.json)
+same_bytes by_loop.model loop.model
 [[ $refused == " aging" ]] || fail "export refuses$refused"
 echo "$count effects fitted, printed, compared and exported; warm-up $early deg/h, begun late $late deg/h"

@@ -434,9 +434,10 @@ const fill_diagnosis = (place, state, actions) => {
       type: "button",
       className: "main",
       id: "add_missing",
-      textContent: add.cuts.length
-        ? `Let the bias begin anew at ${add.cuts[0].at_s} s`
-        : `Add ${add.expression || add.effects.join(" and ")}`,
+      textContent:
+        add.expression || add.effects.length
+          ? `Add ${add.expression || add.effects.join(" and ")}`
+          : `Let the bias begin anew at ${add.cuts[0].at_s} s`,
       onclick: () => actions.judge(add),
     });
   place.replaceChildren(
