@@ -6,6 +6,7 @@
 
 #include "recording/board_limits.hpp"
 #include "recording/column_map.hpp"
+#include "recording/csv_header.hpp"
 #include "recording/decision_rules.hpp"
 #include "recording/row_range.hpp"
 #include "recording/segments.hpp"
