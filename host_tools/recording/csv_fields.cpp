@@ -232,6 +232,23 @@ bool scan_rest(DateScanner& scan, TimeReading& reading) {
   return true;
 }
 
+// "26:30:15.25", of any number of hours: seconds.
+std::optional<TimeReading> read_clock(DateScanner& scan) {
+  constexpr int kMaxHours = 99'999;  // eleven years
+  int hour = 0;
+  int minute = 0;
+  int second = 0;
+  if (scan.digits(1, 5, kMaxHours, hour) == 0 || !scan.one_of(":") ||
+      scan.digits(2, 2, 59, minute) == 0 || !scan.one_of(":") ||
+      scan.digits(2, 2, 60, second) == 0) {
+    return std::nullopt;
+  }
+  TimeReading reading;
+  reading.whole = std::int64_t{hour} * 3600 + minute * 60 + second;
+  if (scan.one_of(".,")) reading.fraction = scan.fraction();
+  return scan.at_end() ? std::optional(reading) : std::nullopt;
+}
+
 // Without the marks of its thousands; "" if they part other digits.
 std::string without_groups(std::string_view field, const CsvDialect& dialect, char mark) {
   const std::size_t sign = !field.empty() && (field[0] == '-' || field[0] == '+') ? 1 : 0;
@@ -350,6 +367,7 @@ std::optional<TimeReading> read_long_number(std::string_view field, const CsvDia
 
 std::optional<TimeReading> read_calendar_time(std::string_view field, DayOrder order) {
   DateScanner scan(field);
+  if (order == DayOrder::no_date) return read_clock(scan);
   std::int64_t days = 0;
   TimeReading reading;
   if (!scan_date(scan, order, days) || !scan_rest(scan, reading)) return std::nullopt;

@@ -51,13 +51,15 @@ struct TimeReading {
 /// A number in any unit; nothing if the field is not a number.
 std::optional<TimeReading> read_long_number(std::string_view field, const CsvDialect& dialect);
 
-/// What stands first in a date with the year behind, "05/03/2024".
-enum class DayOrder : std::uint8_t { unknown, day_first, month_first };
+/// What stands first in a date with the year behind, "05/03/2024". no_date: there is none,
+/// but hours, minutes and seconds, "26:30:15.25".
+enum class DayOrder : std::uint8_t { unknown, day_first, month_first, no_date };
 
 /// A date and time of day in seconds since 1970; without a zone it counts as UTC. ISO 8601, with a
 /// blank for the T, without seconds or zone or any sign, and what loggers make of it: "2024/3/5
 /// 1:30:15 UTC", "5.3.2024 13:30", "05-Mar-2024 1:30:15 PM", "Mar 5, 2024 13:30". Dates as
-/// "05/03/2024" need their order. Nothing for anything else, such as years of two digits.
+/// "05/03/2024" need their order. Nothing for anything else, such as years of two digits. With
+/// DayOrder::no_date hours, minutes and seconds, in seconds.
 std::optional<TimeReading> read_calendar_time(std::string_view field,
                                               DayOrder order = DayOrder::unknown);
 

@@ -263,7 +263,8 @@ class LayoutFinder {
       double value = 0;
       const FieldKind kind = read_number(fields[i], reading.layout.dialect, value);
       const bool calendar = header.slots[i] == kTimeSlot &&
-                            calendar_part(header.time_of(fields, both)) == CalendarPart::both;
+                            (calendar_part(header.time_of(fields, both)) == CalendarPart::both ||
+                             read_calendar_time(header.time_of(fields, both), DayOrder::no_date));
       if (kind == FieldKind::text && !calendar) return false;
       if (kind == FieldKind::number) reading.values.push_back(value);
     }

@@ -96,6 +96,9 @@ class TimeColumn {
         check_parts(*number, fields);
       } else if (numbers.empty() && is_date) {
         layout_.time = TimeFormat::calendar;
+      } else if (numbers.empty() && line_of_text == 0 && is_elapsed(text)) {
+        layout_.time = TimeFormat::calendar;
+        layout_.header.day_order = DayOrder::no_date;
       } else if (read_number(text, layout_.dialect, none) == FieldKind::text && line_of_text == 0) {
         line_of_text = line + 1;
         other = text;
@@ -111,6 +114,12 @@ class TimeColumn {
     if (!are_dates || !header.unit_of(kTimeSlot).is_ours()) return numbers;
     layout_.time = TimeFormat::calendar;
     return {};
+  }
+
+  // A clock that begins at 0:00:00 counts from there; another one is refused without a date.
+  bool is_elapsed(std::string_view text) const {
+    const auto clock = read_calendar_time(text, DayOrder::no_date);
+    return layout_.header.calendar.empty() && clock && clock->whole == 0;
   }
 
   // Parts are added to whole numbers, and each is less than one of those before it.

@@ -287,6 +287,20 @@ TEST(TimeColumn, DatesOfLoggers_Read) {
   }
 }
 
+TEST(TimeColumn, HoursMinutesSecondsFromZero_Read) {
+  for (const bool is_long : {false, true}) {
+    std::string text = "elapsed,temperature_degc,rate_dph\n";
+    for (int row = 0; row < 2000; ++row) {
+      const int s = row * (is_long ? 60 : 1);
+      text += format("%d:%02d:%02d.0,20,%d\n", s / 3600, s / 60 % 60, s % 60, row % 7);
+    }
+    const Read result = read(text);
+    EXPECT_EQ(result.period_s, is_long ? 60 : 1) << result.said;
+  }
+  const Read late = read("elapsed,temperature_degc,rate_dph\n0:00:00,20,1\n0:00:61,20,2\n");
+  EXPECT_NE(late.said.find("no date and time"), std::string::npos) << late.said;
+}
+
 TEST(TimeColumn, DayOrMonthFirst_RefusedWithBoth) {
   const std::string text =
       "Stamp time,temperature_degc,rate_dph\n03/05/2024 23:00:00,20,1\n"
