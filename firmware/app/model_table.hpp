@@ -22,7 +22,7 @@ namespace fog::app {
 class ModelTable {
  public:
   static constexpr bool is_loaded = true;
-  static constexpr std::size_t sealed_parts = 3;
+  static constexpr std::size_t sealed_parts = 4;
   using Sealed = SealedScan<sealed_parts>::Parts;
 
   /// Decodes the table; on an error there is no model.
@@ -36,7 +36,8 @@ class ModelTable {
   }
   /// The parts that the self-test checks.
   Sealed sealed(Span<const std::uint8_t> image, Span<const std::uint8_t> constants) const {
-    return {image, is_used() ? choice_.used().sealed : Span<const std::uint8_t>{}, constants};
+    if (!is_used()) return {image, {}, {}, constants};
+    return {image, slot_magic(), choice_.used().sealed, constants};
   }
   /// Unique among the tables that this image could use.
   std::uint32_t key() const { return is_used() ? table_crc(choice_.used()) : 0; }

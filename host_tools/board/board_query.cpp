@@ -13,14 +13,12 @@ namespace {
 
 constexpr double kAskAgainS = 0.5;
 
-// Whether the table in use stands in for a newer one that cannot be used.
-bool uses_older_table(const fog::SlotsRecord& slots) {
+// Whether the table in use stands in for one that cannot be used: also the sequence of that one may
+// be what is damaged.
+bool stands_in(const fog::SlotsRecord& slots) {
   if (slots.used >= slots.slots.size()) return false;
-  const fog::SlotRecord& other = slots.slots[slots.used ^ 1U];
-  const auto error = static_cast<fog::ModelError>(other.error);
-  const std::uint32_t ahead = other.sequence - slots.slots[slots.used].sequence;
-  return error != fog::ModelError::none && error != fog::ModelError::not_a_model &&
-         static_cast<std::int32_t>(ahead) > 0;
+  const auto error = static_cast<fog::ModelError>(slots.slots[slots.used ^ 1U].error);
+  return error != fog::ModelError::none && error != fog::ModelError::not_a_model;
 }
 
 }  // namespace
@@ -64,7 +62,8 @@ std::vector<std::string> complaints(const fog::HealthRecord& record,
   complain(!record.memory_good, "memory fails");
   complain(record.model_error != 0, "model refused");
   complain(has_any(status, fog::Status::self_test_failed), "self-test failed");
-  complain(slots && uses_older_table(*slots), "newer table cannot be used, the older one is");
+  complain(slots && stands_in(*slots),
+           "another table, maybe a newer one, cannot be used; load it again");
   complain(silent, "no samples come");
   complain(!silent && has_any(status, fog::kRateInvalid | fog::Status::rate_refused),
            "rate not valid now (" + join(flag_names(status), ", ") + ")");

@@ -208,9 +208,10 @@ BoardTable parse_slot(const std::string& bytes, const std::string& file) {
     throw InputError(
         file, std::string("a table that is ") + fog::describe(slot.error) + "; export it again");
   }
-  if (slot.sealed.size != bytes.size()) {
-    throw InputError(file, format("has %zu bytes after the table; export it again",
-                                  bytes.size() - slot.sealed.size));
+  const std::size_t end = sizeof fog::kSlotMagic + slot.sealed.size;
+  if (end != bytes.size()) {
+    throw InputError(file,
+                     format("has %zu bytes after the table; export it again", bytes.size() - end));
   }
   BoardTable table;
   table.words.assign(slot.table.begin(), slot.table.end());

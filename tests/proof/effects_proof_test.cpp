@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/acquisition/reading_monitor.hpp"
+#include "core/compensation/drift_model.hpp"
 #include "core/effects/effect_check.hpp"
 #include "core/effects/registry.hpp"
 #include "core/expression/expression_program.hpp"
@@ -295,9 +296,7 @@ Proof prove_all(fog::EffectList<Effects...> /*list*/) {
 TEST(Effects, NeverOverflowWhateverTableAndSignals) {
   const Proof proof = prove_all(fog::Registry{});
   EXPECT_EQ(proof.reports, "");
-  // DriftModel: the drift of the block, clipped to Rate, and half an LSB come to it.
-  const Int128 of_block = (Int128{1} << 62) + (Int128{1} << 30);
-  EXPECT_LE(proof.drift_of_rates + of_block, INT64_MAX);
+  EXPECT_LE(proof.drift_of_rates + fog::kMaxBlockDrift, INT64_MAX);
   EXPECT_GT(proof.drift_of_rates, Int128{1} << 61);  // it is there
 }
 

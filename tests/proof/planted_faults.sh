@@ -83,7 +83,7 @@ for function in "${functions[@]}"; do
   "${compile[@]}" -c "$copy/firmware/core/$function.cpp" -o "$copy/${function//\//_}.o"
 done
 ar rc "$copy/functions.a" "$copy"/*.o
-for check in intervals sweep network/network.cpp denoise/denoise_parameters.cpp denoise/filter_bank.cpp; do
+for check in intervals sweep acquisition/calibration.hpp compensation/drift_model.hpp network/network.cpp denoise/denoise_parameters.cpp denoise/filter_bank.cpp; do
   holds "$check" || { cat "$copy/said.txt"; echo "FAILED: $check: a fault where none is planted"; exit 1; }
 done
 
@@ -106,6 +106,13 @@ plant expression/expression_program.cpp expression/expression_program.hpp 'kMaxL
 plant expression/expression_program.cpp expression/expression_program.hpp 'kMaxDivideBits = 30' 'kMaxDivideBits = 31'
 plant frames/delta_angle.cpp frames/delta_angle.hpp 'kAnglePerLsbUs = 5723669695U' 'kAnglePerLsbUs = 2 * 5723669695U'
 plant frames/rate_float.cpp frames/rate_float.cpp '= 2729258392U' '= 2729258392U * std::uint64_t{4}'
+plant acquisition/rate_monitor.cpp acquisition/rate_monitor.cpp 'kMaxElapsedSamples = 1U << 30U' 'kMaxElapsedSamples = 3U << 30U'
+plant acquisition/rate_monitor.cpp acquisition/rate_monitor.hpp 'Rate::fractional_bits - 1>' 'Rate::fractional_bits - 2>'
+plant acquisition/calibration.hpp acquisition/calibration.hpp 'kMaxCalibrationShift = 62' 'kMaxCalibrationShift = 63'
+plant compensation/drift_model.hpp compensation/drift_model.hpp 'RateDrift::fractional_bits - Rate' 'RateDrift::fractional_bits + 1 - Rate'
+plant thermal/block_average.hpp fixed_point/shift.hpp '::max()) / 2' '::max()) / 4'
+plant thermometer/platinum.cpp thermometer/platinum.cpp 'Celsius::fractional_bits + Slope' 'Celsius::fractional_bits + 6 + Slope'
+plant fixed_point/logarithm.cpp fixed_point/logarithm.cpp '= 762123384786' '= 2 * 762123384786'
 # Operations and checks of constants.
 plant_in '^-axial_gradient: ' effects/axial_gradient.hpp 'N::saturating_difference(second, signals.block.temperature)' 'second - signals.block.temperature'
 plant_in '^-bias_temperature: ' effects/bias_temperature.hpp 'saturate_to<Regressor>(power * x)' 'round_to<Regressor>(power * x)'

@@ -116,12 +116,22 @@ class BoardImage {
     return last();
   }
 
+  /// No sample has come. The frames must call no rate valid, and say why.
+  void answer_silence() {
+    const std::size_t size = silence(frames_.data());
+    const Status status = last().status;
+    const bool said = has_any(status, Status::no_samples) && !last().compensated_valid() &&
+                      !last().denoised_valid();
+    if (!said || !frames_say(last(), size)) ++false_frames_;
+  }
+
   /// Frames that did not say what the board had found.
   std::uint64_t false_frames() const { return false_frames_; }
 
  protected:
   explicit BoardImage(const ModelParameters& parameters) : parameters_(parameters) {}
   virtual std::size_t feed(std::uint8_t byte, std::uint8_t* out, SampleTime now) = 0;
+  virtual std::size_t silence(std::uint8_t* out) = 0;
   virtual void take(const ExtensionRecord& record) = 0;
   virtual OutputSample judge(const SensorSample& sample, SampleTime now) = 0;
   virtual const OutputSample& last() const = 0;
@@ -176,6 +186,7 @@ class BoardImageOf final : public BoardImage {
     const auto as_it_is = [](const SensorSample& sample) -> const SensorSample& { return sample; };
     return pipeline_.feed(byte, out, as_it_is, [now] { return now; });
   }
+  std::size_t silence(std::uint8_t* out) override { return pipeline_.answer_silence(out); }
   void take(const ExtensionRecord& record) override { pipeline_.take(record); }
   OutputSample judge(const SensorSample& sample, SampleTime now) override {
     return pipeline_.process(sample, now);

@@ -42,6 +42,9 @@ struct TestedBoard {
   bool has_reset_clock = false;  ///< that goes on while the board is reset
   /// Trained range, where it is not the model's: the truth is that of the model.
   std::optional<fogcomp::model::Range> trained{};
+  /// Part of what the coil and the inputs do, ramps included, that the network and the expressions
+  /// of the board's table were trained for: the truth is that of a model trained for all.
+  double trained_part = 1;
   /// KVH frames have no flags: a rate that they call valid is trusted.
   bool judged_by_validity = false;
   /// The input beside the temperature that the model needs.
@@ -56,7 +59,9 @@ class DriftUnderFaults {
   explicit DriftUnderFaults(const fogcomp::model::Model& model, double max_degc_per_min = 3,
                             const TestedBoard& setting = {})
       : table_(fogcomp::board::make_board_table(
-            trained_within(trained_for(without_denoiser(model), max_degc_per_min), setting.trained),
+            trained_within(trained_in_part(trained_for(without_denoiser(model), max_degc_per_min),
+                                           setting.trained_part),
+                           setting.trained),
             settings_of(setting))),
         parameters_(fogcomp::board::read_board_table(table_, "test")),
         true_table_(fogcomp::board::make_board_table(
@@ -64,6 +69,7 @@ class DriftUnderFaults {
         true_parameters_(fogcomp::board::read_board_table(true_table_, "test")),
         max_degc_per_min_(max_degc_per_min),
         setting_(setting),
+        possible_input_(possible_input(model, setting)),
         period_us_(parameters_.acquisition.sample_period_us) {}
 
   DriftVerdict run(const std::vector<Fault>& faults, double duration_s, std::uint64_t seed) const {
@@ -171,7 +177,9 @@ class DriftUnderFaults {
     std::uint64_t false_frames() const { return false_frames_ + pipeline_->false_frames(); }
     /// No sample has come in its time slot.
     void wait() {
-      if (off_ == Reset::none && ++silent_ >= 2) size_ = 0;
+      if (off_ != Reset::none || ++silent_ < 2) return;
+      size_ = 0;
+      pipeline_->answer_silence();
     }
 
    private:
@@ -213,6 +221,35 @@ class DriftUnderFaults {
     }
     return model;
   }
+  // The same functions of signals that are clamped earlier.
+  static fogcomp::model::Model trained_in_part(fogcomp::model::Model model, double part) {
+    if (part == 1) return model;
+    const auto narrow = [part](auto& range, double middle, double amplitude) {
+      range = {middle - part * amplitude, middle + part * amplitude};
+    };
+    for (std::size_t i = 0; i < model.network.inputs.size(); ++i) {
+      model.network.inputs[i].half_range *= part;
+      model.network.hidden.weights.col(static_cast<Eigen::Index>(i)) *= part;
+    }
+    if (model.rate_range_degc_per_min) {
+      narrow(*model.rate_range_degc_per_min, 0, model.rate_range_degc_per_min->max);
+    }
+    for (fogcomp::model::EffectTerm& term : model.terms) {
+      if (!term.expression) continue;
+      auto& ranges = term.expression->ranges;
+      narrow(ranges[0], kMiddleDegc, kSwingDegc);
+      const std::size_t first_input = ranges.size() - kExtensionInputs;
+      for (std::size_t i = 0; i < kExtensionInputs; ++i) {
+        const InputCourse course{extension_input(i), 1};
+        narrow(ranges[first_input + i], course.middle(), course.amplitude());
+      }
+    }
+    return model;
+  }
+  // Of CoilTemperature.
+  static constexpr double kMiddleDegc = 10;
+  static constexpr double kSwingDegc = 48;
+
   static fogcomp::model::Model trained_within(fogcomp::model::Model model,
                                               const std::optional<fogcomp::model::Range>& range) {
     if (range) {
@@ -227,12 +264,32 @@ class DriftUnderFaults {
     if (has_any(out.status, Status::temperature_invalid)) return std::nullopt;
     return arrival.sample.temperature_q16 - raw(arrival.true_degc);
   }
-  // It may have believed whatever the table calls possible.
+  // What a board may believe of an input, as firmware/DESIGN.md promises it: the trained range and
+  // half of it again; of light, whose logarithm counts, by ratio; of temperatures what there is.
+  static fogcomp::model::Range possible_input(const fogcomp::model::Model& model,
+                                              const TestedBoard& setting) {
+    constexpr double kAnything = 1e9;
+    fogcomp::model::Range possible{-kAnything, kAnything};
+    if (!setting.input) return possible;
+    const auto& trained = model.input_ranges[extension_number(setting.input->input)];
+    if (!trained) return possible;
+    const fogcomp::model::Range range = trained->range;
+    if (setting.input->input == Input::light_power) {
+      const double ratio = std::sqrt(range.max / range.min);
+      return {range.min / ratio, range.max * ratio};
+    }
+    const double half = (range.max - range.min) / 2;
+    possible = {range.min - half, range.max + half};
+    if (setting.input->input != Input::temperature2) return possible;
+    return {std::max(possible.min, -70.0), std::min(possible.max, 130.0)};
+  }
+  // It may have believed whatever is possible; the table's limits are not asked: they may be wrong.
   std::optional<std::int32_t> input_error(const FaultyLine::Arrival& arrival) const {
     if (!arrival.record || arrival.record->other_kind != 0) return std::nullopt;
     const std::int32_t value = arrival.record->record.value.raw();
-    const Span<const std::int32_t> limits = parameters_.acquisition.input_limits;
-    if (value < limits[0] || value > limits[1]) return std::nullopt;
+    constexpr int kRounding = 1;
+    if (value < raw(possible_input_.min) - kRounding) return std::nullopt;
+    if (value > raw(possible_input_.max) + kRounding) return std::nullopt;
     return value - raw(arrival.true_input);
   }
   static double dph(Rate rate) { return rate.raw() * kDphPerLsb; }
@@ -525,6 +582,7 @@ class DriftUnderFaults {
   ModelParameters true_parameters_;
   double max_degc_per_min_;
   TestedBoard setting_;
+  fogcomp::model::Range possible_input_;
   std::int64_t period_us_;
 };
 

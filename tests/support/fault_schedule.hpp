@@ -161,6 +161,17 @@ inline fogcomp::model::Model with_input(fogcomp::model::Model model, const Input
   return model;
 }
 
+/// The model with a network and expressions so large that a signal clamped unseen would show.
+inline fogcomp::model::Model with_large_terms(fogcomp::model::Model model) {
+  constexpr double kLarger = 10;
+  model.network.amplitude_dph *= kLarger;
+  for (fogcomp::model::EffectTerm& term : model.terms) {
+    const bool is_of_input = term.name == "volts" || term.name == "shaken";  // as large already
+    if (term.expression && !is_of_input) term.coefficients_dph[0].value *= kLarger;
+  }
+  return model;
+}
+
 /// A board, what happens to it, and for how long: kSamples, or the shortest run if that is longer,
 /// which is a few times what the model takes to settle.
 struct FaultSchedule {
@@ -196,6 +207,7 @@ class FaultScheduler {
         schedule.faults.push_back(fault(time_s + uniform(0, 100)));
       } while (chance(0.4));  // with what else
     }
+    if (chance(0.3)) schedule.board.trained_part = uniform(0.2, 1);
     return schedule;
   }
 
@@ -256,6 +268,7 @@ class FaultScheduler {
 inline DriftVerdict run(const FaultSchedule& schedule, std::uint64_t seed) {
   fogcomp::model::Model model = with_memory(schedule.memory);
   if (schedule.board.input) model = with_input(model, *schedule.board.input);
+  if (schedule.board.trained_part != 1) model = with_large_terms(std::move(model));
   return DriftUnderFaults(model, kMaxDegcPerMin, schedule.board)
       .run(schedule.faults, schedule.duration_s, seed);
 }
@@ -285,6 +298,9 @@ inline void print(const FaultSchedule& schedule) {
   if (board.has_reset_clock) std::printf("  a clock that outlasts a reset\n");
   if (board.trained) {
     std::printf("  trained from %.2f to %.2f degC\n", board.trained->min, board.trained->max);
+  }
+  if (board.trained_part != 1) {
+    std::printf("  network and expressions trained for %.3f of it\n", board.trained_part);
   }
   if (schedule.memory.any()) {
     std::printf("  lag of %.1f s, loop of %.2f degC, warm-up of %.1f s\n", schedule.memory.lag_s,

@@ -16,6 +16,9 @@ struct CalibrationParameters {
 
 constexpr int kMaxCalibrationShift = 62;  ///< rounded_product()'s
 
+static_assert(kMaxCalibrationShift < 63, "of 64 bits with a sign");
+static_assert(-std::int64_t{INT32_MIN} * INT32_MAX <= INT64_MAX / 2);
+
 /// Demodulator counts as a rate, deg/h: exact product (below 2^62), rounded once, clipped.
 inline Rate calibrated_rate(const CalibrationParameters& calibration, std::int32_t counts) {
   return Rate::from_raw(

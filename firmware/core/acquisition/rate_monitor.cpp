@@ -9,8 +9,10 @@ constexpr std::int32_t kSetFortieths = 39;
 constexpr std::int32_t kClearFortieths = 37;
 constexpr std::uint32_t kClearUs = 50'000;
 
-// Upper limit of the counts of elapsed samples; times a step it stays below 2^63.
+// Upper limit of the counts of elapsed samples; times the largest step it fits 64 bits.
 constexpr std::uint32_t kMaxElapsedSamples = 1U << 30U;
+static_assert(kMaxElapsedSamples <= INT64_MAX / RateMonitor::kMaxStep);
+static_assert(RateMonitor::kMaxElapsed <= INT64_MAX / RateMonitor::kMaxStep);
 
 // range * fortieths / 40, rounded down, without 64-bit arithmetic.
 Rate share(Rate range, std::int32_t fortieths) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/fixed_point/shift.hpp"
 #include "core/signal/quantities.hpp"
 #include "core/signal/status.hpp"
 
@@ -23,9 +24,14 @@ class RateMonitor {
   /// `sample_period_us` >= 1.
   RateMonitor(const RateLimits& limits, std::uint32_t sample_period_us);
 
-  /// `measured`: calibrated rate, `elapsed` samples after the last one judged. `trusted`: no other
-  /// check has failed.
+  /// `measured`: calibrated rate, `elapsed` (at most kMaxElapsed) samples after the last one
+  /// judged. `trusted`: no other check has failed.
   Status judge(Rate measured, bool trusted, std::uint32_t elapsed);
+
+  static constexpr std::uint32_t kMaxElapsed = 1U << 31U;
+  /// Largest step of any table: LSB of Rate per sample.
+  static constexpr std::int64_t kMaxStep = shift_left(
+      std::int64_t{RateStep::highest().raw()}, Rate::fractional_bits - RateStep::fractional_bits);
 
  private:
   bool judge_range(Rate measured, std::uint32_t elapsed);
@@ -37,7 +43,7 @@ class RateMonitor {
   std::uint32_t clear_samples_;
   std::uint32_t inside_samples_;  // consecutive samples below clear_at_, at most clear_samples_
   bool out_of_range_ = false;
-  std::int64_t max_step_;  // LSB of Rate per sample; below 2^32
+  std::int64_t max_step_;  // LSB of Rate per sample; at most kMaxStep
   Rate last_{};            // rate judged last
   bool has_accepted_ = false;
   Rate accepted_{};

@@ -20,6 +20,14 @@ namespace fog {
 /// time since)^2 of it remains in a temperature rate: 1.3 % after three times the hold.
 constexpr std::uint32_t kUnsureHolds = 3;
 
+/// The block's part of a drift has so many bits more than a Rate. Clipped to Rate, with half an
+/// LSB, it leaves the rest of 64 bits to the effects of the input rate (tests/proof).
+constexpr int kBlockDriftBits = BoardNumbers::RateDrift::fractional_bits - Rate::fractional_bits;
+static_assert(kBlockDriftBits < 32);
+constexpr std::int64_t kMaxBlockDrift =
+    shift_left(-std::int64_t{Rate::lowest().raw()}, kBlockDriftBits) +
+    rounding_half<std::int64_t>(kBlockDriftBits);
+
 /// The drift to be subtracted, and its two parts if there are effects of the input rate.
 template <bool kFollowsRate>
 struct DriftNow {
@@ -176,7 +184,6 @@ class DriftModel {
     Status flags = Status::none;       // of the last step
     DriftNow<Effects::follows_rate> now{};
   };
-  static constexpr int kRateBits = RateDrift::fractional_bits - Rate::fractional_bits;
 
   // At most hold_blocks + 1.
   std::uint32_t held_after(std::uint32_t held, std::uint32_t blocks) const {
@@ -203,8 +210,8 @@ class DriftModel {
     if constexpr (Effects::follows_rate) {
       const auto held =
           clamp(drift, round_to<DriftSum>(Rate::lowest()), round_to<DriftSum>(Rate::highest()));
-      course_.now.of_block =
-          round_to<RateDrift>(held) + RateDrift::from_raw(rounding_half<RateDrift::Raw>(kRateBits));
+      course_.now.of_block = round_to<RateDrift>(held) +
+                             RateDrift::from_raw(rounding_half<RateDrift::Raw>(kBlockDriftBits));
       course_.now.signals = signals;
       course_.now.is_new = true;
     } else {
@@ -233,7 +240,7 @@ class DriftModel {
     if constexpr (Effects::follows_rate) {
       if (course_.now.is_new) update_block_effects();
       const RateDrift sum = effects_.at(rate, course_.now.of_block);
-      course_.now.drift = Rate::from_raw(saturating_shift<kRateBits>(sum.raw()));
+      course_.now.drift = Rate::from_raw(saturating_shift<kBlockDriftBits>(sum.raw()));
     }
   }
 

@@ -26,7 +26,8 @@ Value exponential_decay(Fixed<std::int32_t, 26> x) {
   const auto product = [](auto a, auto b) { return round_to<Value>(a * b); };
   if (x < Fixed<std::int32_t, 26>{}) return kOne;
 
-  // x < 32, so y < 46.2: raw below 2^62 as a product, below 2^38 when rounded.
+  // x < 32, so y < 46.2.
+  static_assert(INT32_MAX * std::int64_t{kLog2OfE.raw()} < std::int64_t{1} << 62);
   const std::int64_t y = round_to<Fixed<std::int64_t, 32>>(x * kLog2OfE).raw();
   const std::int64_t nodes = round_shift(y, 32 - kNodeBits);
   const auto distance = Fixed<std::int32_t, 31>::from_raw(

@@ -40,7 +40,8 @@ Fixed<std::int32_t, 26> natural_logarithm(std::int64_t raw, int fraction) {
   const int exponent = 63 - __builtin_clzll(static_cast<unsigned long long>(raw));
   const std::int64_t mantissa =
       exponent > 30 ? round_shift(raw, exponent - 30) : shift_left(raw, 30 - exponent);
-  // |exponent - fraction| <= 63: the sum stays below 2^46 and loses its 14 bits once.
+  // |exponent - fraction| <= 63, and the sum loses its 14 bits once.
+  static_assert(63 * kLogOf2Q40 + shift_left(std::int64_t{INT32_MAX}, 10) < std::int64_t{1} << 46);
   const std::int64_t sum_q40 = (exponent - fraction) * kLogOf2Q40 +
                                shift_left(std::int64_t{logarithm_of_mantissa(mantissa).raw()}, 10);
   return Fixed<std::int32_t, 26>::from_raw(saturate<std::int32_t>(round_shift(sum_q40, 14)));

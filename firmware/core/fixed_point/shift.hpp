@@ -101,8 +101,12 @@ constexpr std::uint64_t divide(std::uint64_t numerator, std::uint32_t denominato
   return quotient;
 }
 
+/// Largest |numerator| of round_divide: twice it, and a denominator, fit 64 bits.
+constexpr std::int64_t kMaxDividend =
+    (std::numeric_limits<std::int64_t>::max() - std::numeric_limits<std::int32_t>::max()) / 2;
+
 /// numerator / denominator rounded to nearest, halves upwards, as round_shift does.
-/// denominator > 0; |numerator| < 2^62.
+/// denominator > 0; |numerator| <= kMaxDividend.
 constexpr std::int64_t round_divide(std::int64_t numerator, std::int32_t denominator) {
   const std::int64_t doubled = 2 * numerator + denominator;
   const std::uint32_t divisor = 2 * static_cast<std::uint32_t>(denominator);

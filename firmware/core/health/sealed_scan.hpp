@@ -18,12 +18,14 @@ class SealedScan {
  public:
   using Parts = std::array<Span<const std::uint8_t>, kParts>;
 
-  static_assert(kParts == 2 || kParts == 3);
+  static_assert(kParts >= 2);
 
   explicit SealedScan(const Parts& parts) : parts_(parts) {}
 
   std::size_t size() const {
-    return parts_[0].size + parts_[1].size + (kParts > 2 ? parts_[kParts - 1].size : 0);
+    std::size_t size = parts_[0].size;
+    for (std::size_t i = 1; i < kParts; ++i) size += parts_[i].size;
+    return size;
   }
 
   /// Takes the next `bytes` (>= 1), fewer at the end. Returns whether the pass is complete; `crc`
@@ -46,7 +48,7 @@ class SealedScan {
     std::size_t from = in_first ? position_ : position_ - parts_[0].size;
     const Span<const std::uint8_t>* part = in_first ? &parts_[0] : &parts_[1];
     if constexpr (kParts > 2) {
-      if (!in_first && from >= part->size) from -= part++->size;
+      while (!in_first && from >= part->size) from -= part++->size;
     }
     const std::size_t left = part->size - from;
     if (bytes > left) bytes = left;

@@ -15,6 +15,7 @@ class BlockClock {
 
   /// Advances by `samples` (below 2^31); returns how many blocks they completed.
   std::uint32_t advance(std::uint32_t samples) {
+    static_assert(std::uint64_t{INT32_MAX - 1} + INT32_MAX <= UINT32_MAX);  // the position
     const std::uint32_t position = now_.position + samples;
     if (position < samples_per_block_) {
       now_.position = position;

@@ -6,10 +6,12 @@
 namespace fog {
 namespace {
 
+// The sequence of a slot that is not intact may be what is damaged: it counts as the newer one, so
+// that the other has to be of the same gyro.
 bool is_newer(const SlotContents& a, const SlotContents& b) {
-  if (a.error == ModelError::not_a_model || b.error == ModelError::not_a_model) {
-    return b.error == ModelError::not_a_model;
-  }
+  if (a.is_slot != b.is_slot) return a.is_slot;
+  const bool damaged = a.error != ModelError::none;
+  if (damaged != (b.error != ModelError::none)) return damaged;
   return static_cast<std::int32_t>(a.sequence - b.sequence) >= 0;
 }
 
@@ -26,9 +28,18 @@ ModelError read_for(const SlotContents& slot, const ModelShape& capacity,
 
 }  // namespace
 
+Span<const std::uint8_t> slot_magic() {
+  return {reinterpret_cast<const std::uint8_t*>(&kSlotMagic), sizeof kSlotMagic};
+}
+
 SlotContents read_slot(SlotMemory memory) {
-  if (memory.size < kSlotHeaderWords || memory[0] != kSlotMagic) return {};
-  return read_slot_behind_magic(memory);
+  constexpr std::int32_t kErased = -1;
+  if (memory.size < kSlotHeaderWords) return {};
+  if (memory[0] == kErased || memory[0] == kRetiredMagic) return {};
+  SlotContents slot = read_slot_behind_magic(memory);
+  slot.is_slot = memory[0] == kSlotMagic || slot.error == ModelError::none;
+  if (!slot.is_slot) slot.error = ModelError::damaged;
+  return slot;
 }
 
 SlotContents read_slot_behind_magic(SlotMemory memory) {
@@ -39,14 +50,11 @@ SlotContents read_slot_behind_magic(SlotMemory memory) {
   slot.error = ModelError::damaged;
   const auto words = static_cast<std::uint32_t>(memory[3]);
   if (words > kMaxSlotWords || kSlotHeaderWords + words + 1 > memory.size) return slot;
-  const Span<const std::uint8_t> sealed{reinterpret_cast<const std::uint8_t*>(memory.data),
-                                        (kSlotHeaderWords + words + 1) * sizeof(std::int32_t)};
-  constexpr std::size_t kMagicBytes = sizeof(std::int32_t);
-  const std::uint32_t magic_crc =
-      crc32(reinterpret_cast<const std::uint8_t*>(&kSlotMagic), kMagicBytes, kIntactImage);
-  if (crc32(sealed.data + kMagicBytes, sealed.size - kMagicBytes, magic_crc) != kIntactImage) {
-    return slot;
-  }
+  const Span<const std::uint8_t> sealed{reinterpret_cast<const std::uint8_t*>(memory.data + 1),
+                                        (kSlotHeaderWords + words) * sizeof(std::int32_t)};
+  const Span<const std::uint8_t> magic = slot_magic();
+  const std::uint32_t magic_crc = crc32(magic.data, magic.size, kIntactImage);
+  if (crc32(sealed.data, sealed.size, magic_crc) != kIntactImage) return slot;
   slot.error = ModelError::none;
   slot.table = {memory.data + kSlotHeaderWords, words};
   slot.sealed = sealed;

@@ -14,6 +14,7 @@ namespace fog {
 /// each field an int32, little-endian. With the seal the CRC-32 over the whole slot, started with
 /// kIntactImage, is kIntactImage, so that the self-test continues from the image through the slot.
 constexpr std::int32_t kSlotMagic = 0x53474F46;
+constexpr std::int32_t kRetiredMagic = 0;  ///< makes a slot none; can be written over any
 constexpr std::int32_t kSlotLayout = 1;
 constexpr std::size_t kSlotHeaderWords = 4;
 constexpr std::size_t kSlotBytes = 16384;  ///< a sector of the smallest flash that has two
@@ -31,12 +32,18 @@ using SlotMemory = Span<const std::int32_t>;  ///< kSlotBytes
 
 struct SlotContents {
   ModelError error = ModelError::not_a_model;  ///< of the slot alone; none: it is intact
-  std::uint32_t sequence = 0;                  ///< the higher, the newer; wraps
-  Span<const std::int32_t> table;              ///< empty unless intact
-  Span<const std::uint8_t> sealed;             ///< the whole slot, with its seal
+  /// It has the magic word, or is intact behind another, of which a bit has flipped or is not yet
+  /// written. Else it is erased, retired (not_a_model) or half erased (damaged).
+  bool is_slot = false;
+  std::uint32_t sequence = 0;       ///< the higher, the newer; wraps
+  Span<const std::int32_t> table;   ///< empty unless intact
+  Span<const std::uint8_t> sealed;  ///< all behind the magic word, with the seal
 };
+/// The magic word, as the seal has it: the slot's own first word only says that it is one.
+Span<const std::uint8_t> slot_magic();
 SlotContents read_slot(SlotMemory memory);
-/// The same for a slot whose first word has not been written yet; at least kSlotHeaderWords words.
+/// The same whatever the first word is, which may not be written yet; at least kSlotHeaderWords
+/// words.
 SlotContents read_slot_behind_magic(SlotMemory memory);
 
 /// Whether the serial numbers in two slots are the same, as they stand there; of kSlotBytes each. A
@@ -48,7 +55,7 @@ struct SlotChoice {
   ModelError error =
       ModelError::not_a_model;  ///< none: `slot` is used; else the error of the newest
   std::size_t slot = kModelSlots;
-  std::size_t newest = 0;  ///< slot with the higher sequence, whether it can be used or not
+  std::size_t newest = 0;  ///< a damaged slot; else the one with the higher sequence
   /// Contents of each slot, with the error of its model, if that was checked.
   std::array<SlotContents, kModelSlots> slots;
 
@@ -56,8 +63,9 @@ struct SlotChoice {
 };
 
 /// Chooses the newest intact slot whose model an image of this `capacity` on this processor can
-/// run, and decodes it into `parameters`. The older one only counts if it is of the same gyro.
-/// Without a table these are the parameters of a refused model.
+/// run, and decodes it into `parameters`. Where that cannot be used, or a slot is damaged, which
+/// may have been the newest, another one only counts if it is of the same gyro. Without a table
+/// these are the parameters of a refused model.
 SlotChoice choose_slot(const std::array<SlotMemory, kModelSlots>& slots, const ModelShape& capacity,
                        const std::array<std::uint32_t, kProcessorWords>& processor,
                        ModelParameters& parameters);

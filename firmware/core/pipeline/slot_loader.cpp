@@ -36,7 +36,7 @@ LoadTarget load_target(const SlotChoice& choice, const std::array<SlotMemory, kM
     target.used = choice.slot;
     target.sequence = choice.used().sequence;
   }
-  target.has_owner = choice.slots[owner].error != ModelError::not_a_model;
+  target.has_owner = choice.slots[owner].is_slot;
   if (target.has_owner) {
     for (std::size_t i = 0; i < kSerialWords; ++i) {
       target.serial[i] =

@@ -110,19 +110,17 @@ class SlotLoader {
     return LoadRefusal::none;
   }
 
-  // The table of another gyro must not be used if the new one is ever damaged. A failure here does
-  // no harm: the new one is the newer.
+  // The table of another gyro must not be used if the new one is ever damaged, and a damaged one
+  // would be in the way of the new one. After a failure here an intact one is merely older.
   void retire_other_gyro() {
-    if (target_.used == kModelSlots) return;
+    const std::size_t other = target_.slot() ^ 1U;
     const SlotMemory loaded = flash_.memory(target_.slot());
-    const SlotMemory used = flash_.memory(target_.used);
-    if (have_same_serial(loaded, used)) return;
-    retire(target_.used);
+    if (!have_same_serial(loaded, flash_.memory(other))) retire(other);
   }
 
   bool retire(std::size_t slot) {
-    constexpr std::uint32_t kNoMagic = 0;
-    return flash_.program(slot, 0, &kNoMagic, 1);
+    constexpr auto kRetired = static_cast<std::uint32_t>(kRetiredMagic);
+    return flash_.program(slot, 0, &kRetired, 1);
   }
 
   LoadRefusal write(const std::uint32_t* words, std::size_t count) {

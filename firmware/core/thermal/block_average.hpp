@@ -1,15 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "core/fixed_point/shift.hpp"
 
 namespace fog {
 
-/// Mean of the good values of a block; Value is a 32-bit Fixed. The sum is exact: 2^31 * 2^31 fits
-/// 64 bits, and a block has at most 2^31 - 1 samples.
+/// Mean of the good values of a block; Value is a 32-bit Fixed. The sum is exact: a block has at
+/// most 2^31 - 1 samples.
 template <class Value>
 class BlockAverage {
+  static_assert(std::is_same_v<typename Value::Raw, std::int32_t>);
+  static_assert(-std::int64_t{INT32_MIN} * INT32_MAX <= kMaxDividend);
+
  public:
   void add(Value value) {
     sum_ += value.raw();

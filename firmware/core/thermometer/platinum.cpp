@@ -36,6 +36,7 @@ ResistanceRatio ratio_at(Celsius t) {
 Celsius divide(ResistanceRatio residual, Slope slope) {
   constexpr int kShift =
       Celsius::fractional_bits + Slope::fractional_bits - ResistanceRatio::fractional_bits;
+  static_assert(-std::int64_t{INT32_MIN} <= floor_shift(kMaxDividend, kShift));
   const std::int64_t numerator = shift_left(std::int64_t{residual.raw()}, kShift);
   return Celsius::from_raw(static_cast<std::int32_t>(round_divide(numerator, slope.raw())));
 }
@@ -56,6 +57,7 @@ Temperature platinum_temperature(ResistanceRatio ratio) {
 
 ResistanceRatio divider_ratio(std::uint32_t code_sum, std::uint32_t full_scale,
                               ResistanceRatio reference) {
+  static_assert(INT32_MAX <= floor_shift(kMaxDividend, ResistanceRatio::fractional_bits));
   const auto over_reference =
       round_divide(shift_left(std::int64_t{code_sum}, ResistanceRatio::fractional_bits),
                    static_cast<std::int32_t>(full_scale - code_sum));

@@ -42,6 +42,21 @@ TEST(RandomFaults, DriftingSensor_JumpIsBridged_ErrorExplained) {
   EXPECT_GT(verdict.trusted, verdict.samples / 2) << "or the test says little";
 }
 
+// Nothing else is wrong: inputs and temperatures go beyond what the model was trained for.
+TEST(RandomFaults, TrainedForPart_BeyondIt_NotTrusted) {
+  for (const fog::Input input : {fog::Input::supply, fog::Input::vibration}) {
+    FaultSchedule schedule;
+    schedule.board.input = {input, 12'000};  // beyond from 1480 s on
+    schedule.board.trained_part =
+        0.7;  // of ramps more than there are: they are trained by half more
+    schedule.duration_s = 2200;
+    const DriftVerdict verdict = run(schedule, 1);
+    EXPECT_EQ(complaint(verdict), "") << description_of(input).name;
+    EXPECT_GT(verdict.trusted, verdict.samples / 5) << "or the test says little";
+    EXPECT_LT(verdict.trusted, verdict.samples / 2) << "or nothing is beyond";
+  }
+}
+
 // From schedules 122, 135 and 147: a held drift was called accurate for as long as the temperature
 // allowed, while a field went on. KVH frames were valid, 0.14 to 0.31 deg/h off.
 TEST(RandomFaults, InputMovesWhileDriftIsHeld_NotValid) {

@@ -65,5 +65,26 @@ TEST(ExportLimits, TheRateIsJudgedByTheModelsLimitsUnlessOthersAreGiven) {
   EXPECT_EQ(rate_limits(model, given), std::pair(300.0, 2.5));
 }
 
+// Smallest and largest light power that a board believes, uW, of a gyro trained within a range.
+std::pair<double, double> light_limits(double min, double max) {
+  model::Model model = fog::test::paper_like_model();
+  model.terms.push_back(fog::test::natural_term("light_power", {}, {0.3}));
+  model.input_ranges[extension_number(fog::Input::light_power)] = {{min, max}, 1};
+  BoardSettings settings;
+  settings.extension = true;
+  const BoardTable table = make_board_table(model, settings);
+  const fog::ModelParameters parameters = read_board_table(table, "test");
+  const fog::Span<const std::int32_t> limits = parameters.acquisition.input_limits;
+  return {std::ldexp(limits[0], -16), std::ldexp(limits[1], -16)};
+}
+
+// The drift follows the logarithm of the light, so its margin is a ratio, and no light at all is a
+// fault. Training that reached 0 has no ratio: half its span, as with other inputs.
+TEST(ExportLimits, Light_TrainedAboveNothing_RefusesNothing) {
+  EXPECT_EQ(light_limits(100, 400), std::pair(50.0, 800.0));
+  EXPECT_NEAR(light_limits(1, 400).first, 0.05, 1e-5);
+  EXPECT_EQ(light_limits(0, 400), std::pair(-200.0, 600.0));
+}
+
 }  // namespace
 }  // namespace fogcomp::board

@@ -18,15 +18,16 @@ fog::HealthRecord healthy_record() {
   return record;
 }
 
-fog::SlotsRecord slots_of(ModelError newer, ModelError older) {
+// `sequence` is of the other one and may be what is damaged.
+fog::SlotsRecord slots_of(std::uint8_t used, ModelError other, std::uint32_t sequence) {
   fog::SlotsRecord slots;
-  slots.slots[0].error = static_cast<std::uint8_t>(newer);
-  slots.slots[0].sequence = 0;  // the numbers go round
-  slots.slots[1].error = static_cast<std::uint8_t>(older);
-  slots.slots[1].sequence = UINT32_MAX;
-  slots.used = newer == ModelError::none ? 0 : 1;
+  slots.used = used;
+  slots.slots[used].sequence = 7;
+  slots.slots[used ^ 1U].error = static_cast<std::uint8_t>(other);
+  slots.slots[used ^ 1U].sequence = sequence;
   return slots;
 }
+constexpr std::uint32_t kSequences[] = {0, 6, 7, 8, UINT32_MAX};
 
 // The only complaint about a record with this status.
 std::string complaint_of(Status status, std::uint32_t samples = 100) {
@@ -39,8 +40,11 @@ std::string complaint_of(Status status, std::uint32_t samples = 100) {
 
 TEST(HealthVerdict, NothingWrong_NoComplaint) {
   EXPECT_TRUE(complaints(healthy_record(), {}).empty());
-  EXPECT_TRUE(
-      complaints(healthy_record(), slots_of(ModelError::none, ModelError::damaged)).empty());
+  for (const std::uint32_t sequence : kSequences) {
+    for (const ModelError other : {ModelError::none, ModelError::not_a_model}) {
+      EXPECT_TRUE(complaints(healthy_record(), slots_of(0, other, sequence)).empty());
+    }
+  }
   EXPECT_EQ(complaint_of(Status::thermal_settling), "0 complaints");
 }
 
@@ -55,14 +59,17 @@ TEST(HealthVerdict, RateNotValid_Complains) {
   EXPECT_EQ(complaint_of(Status::gyro_stuck), "rate not valid now (gyro_stuck)");
 }
 
-TEST(HealthVerdict, OlderTableInUse_Complains) {
-  for (const ModelError error : {ModelError::damaged, ModelError::other_board}) {
-    const auto found = complaints(healthy_record(), slots_of(error, ModelError::none));
-    ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found.front(), "newer table cannot be used, the older one is");
+TEST(HealthVerdict, OtherTableCannotBeUsed_Complains) {
+  for (const std::uint32_t sequence : kSequences) {
+    for (const ModelError error :
+         {ModelError::damaged, ModelError::other_layout, ModelError::other_board}) {
+      for (const std::uint8_t used : {std::uint8_t{0}, std::uint8_t{1}}) {
+        const auto found = complaints(healthy_record(), slots_of(used, error, sequence));
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_EQ(found.front(), "another table, maybe a newer one, cannot be used; load it again");
+      }
+    }
   }
-  EXPECT_TRUE(
-      complaints(healthy_record(), slots_of(ModelError::not_a_model, ModelError::none)).empty());
 }
 
 }  // namespace

@@ -40,6 +40,22 @@ TEST(ModelSlotFile, GivesBackTheTableThatWentIn) {
   EXPECT_THROW(fogcomp::board::parse_slot(bytes.substr(0, 99), "test"), InputError);
 }
 
+TEST(ModelSlotFile, BytesBehindTheTable_RefusedByName) {
+  const BoardTable table = fogcomp::board::make_board_table(fog::test::paper_like_model(), {});
+  const std::string bytes = fogcomp::board::slot_bytes(table, 5, "test");
+  for (const std::size_t more : {1U, 2U, 3U, 4U, 100U, 20'000U}) {
+    for (const char with : {'\0', '\xFF', 'x'}) {
+      try {
+        fogcomp::board::parse_slot(bytes + std::string(more, with), "gyro.bin");
+        FAIL() << more;
+      } catch (const InputError& error) {
+        EXPECT_EQ(error.what(), "gyro.bin: has " + std::to_string(more) +
+                                    " bytes after the table; export it again");
+      }
+    }
+  }
+}
+
 TEST(ModelSlotFile, WhatTheGenericImageHasNoRoomForIsRefusedByName) {
   EXPECT_EQ(refusal(with_denoiser("sym8", 6)), "");
   EXPECT_EQ(refusal(with_denoiser("sym8", 0)), "");

@@ -37,6 +37,17 @@ TEST(SettlingTime, IsAsLongAsTheSlowestLag) {
   EXPECT_EQ(settling_time_s(network), 7 * 30 + 5 * 4000);
 }
 
+// A lag of a lag begins to settle when the inner one has.
+TEST(SettlingTime, OfNestedLags_IsTheirSum) {
+  const auto nested = [](const char* text) {
+    return settling_time_s(model_of({fog::test::written_term(text)}));
+  };
+  EXPECT_EQ(nested("a = lag(lag(T,300),400)-T"), 7 * 30 + 5 * 700);
+  EXPECT_EQ(nested("a = lag(lag(T,300)-lag(T,500),400)"), 7 * 30 + 5 * 900);
+  EXPECT_EQ(nested("a = lag(T*lag(lag(T,10),20),30)+lag(T,50)"), 7 * 30 + 5 * 60);
+  EXPECT_EQ(nested("a = lag(lag(T,10),20)+lag(T,50)"), 7 * 30 + 5 * 50);
+}
+
 TEST(SettlingTime, IsNotThatOfATimeWithoutAState) {
   EXPECT_EQ(settling_time_s(model_of({natural_term("warm_up", {1200}, {1})})), 7 * 30);
   EXPECT_EQ(

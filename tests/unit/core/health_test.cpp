@@ -77,8 +77,10 @@ TEST(SealedScan, GoesOverASlotAsWell) {
     for (std::size_t bit = 0; bit <= 8 * slot_size; ++bit) {
       const bool flipped = bit < 8 * slot_size;
       if (flipped) slot[bit / 8] = static_cast<std::uint8_t>(slot[bit / 8] ^ (1U << (bit % 8)));
-      fog::SealedScan<3> scan({{{image.data(), image.size()},
-                                {slot.data(), slot_size},
+      const std::size_t head = std::min<std::size_t>(slot_size, 4);
+      fog::SealedScan<4> scan({{{image.data(), image.size()},
+                                {slot.data(), head},
+                                {slot.data() + head, slot_size - head},
                                 {constants.data(), constants.size()}}});
       std::size_t steps = 1;
       volatile std::uint32_t crc = 0;

@@ -100,6 +100,7 @@ struct CheckingDriver {
     if (frames > 0 && buffer[29] != (sequence + 1) % 128) ++out_of_sequence;
     sequence = buffer[29];
     ++frames;
+    sent_rad += static_cast<double>(as_float(word(12)));
     if (buffer[28] == 0x77) ++of_six_axes;
     if ((buffer[28] & 4U) == 0) return;
     ++valid;
@@ -113,6 +114,7 @@ struct CheckingDriver {
   int valid = 0;
   int of_six_axes = 0;
   double angle_rad = 0;
+  double sent_rad = 0;  // of frames that are not valid, too
 };
 
 TEST(KvhDriver, TakesAllFramesOfABoardThatSendsAngles) {
@@ -145,6 +147,54 @@ TEST(KvhDriver, TakesAllFramesOfABoardThatSendsAngles) {
   EXPECT_GT(driver.valid, kSamples - 300);
   EXPECT_EQ(driver.of_six_axes, 0) << "a driver that asks for all six axes takes none";
   EXPECT_NEAR(driver.angle_rad, turned_rad, 1e-9 * turned_rad + 1e-10);
+}
+
+// Lost samples add no angle. Of a turn that the outlier gate leaves out the undelayed angles have
+// all, the denoised ones what stands in for it.
+TEST(KvhDriver, AnglesThroughLossesAndGatedTurn_SumToMeasured) {
+  fogcomp::model::Model model = test::paper_like_model();
+  model.terms.clear();
+  model.network = {};
+  const auto delay = static_cast<int>(denoise_delay(16, 5));
+  for (const OutputOptions undelayed : {OutputOptions{0}, kRotationIsUndelayed}) {
+    fogcomp::board::BoardSettings settings = test::lenient_board();
+    settings.output_options = static_cast<OutputOptions>(kRotationIsAngle | undelayed);
+    const auto table = fogcomp::board::make_board_table(model, settings);
+    const auto parameters = fogcomp::board::read_board_table(table, "test");
+    fogcomp::board::HostCompensator board(parameters, IntegrityToken::not_needed());
+    CheckingDriver driver;
+    constexpr std::int32_t kRate = 36'000 * 1024;  // 10 deg/s
+    constexpr double kRadPerCount = 0.005 * M_PI / 648000 / 1024;
+    std::int64_t measured = 0;
+    constexpr int kSamples = 6000;
+    int turned_while_valid = 0;
+    std::uint16_t number = 0;
+    for (int i = 0; i < kSamples; ++i) {
+      if (i == 1500 || i == 1501 || i == 4000) number = static_cast<std::uint16_t>(number + i / 9);
+      const bool turns = i == 3000 || i == 3777;
+      const std::int32_t rate = kRate + i % 7 * 1024;  // or the gyro would stand still
+      const std::int32_t counts = turns ? 2 * kRate : rate;
+      const auto frame = encode_sensor_frame({number++, counts, 25 * 65536 + i % 5, true, true});
+      const int valid_before = driver.valid;
+      for (const std::uint8_t byte : frame) {
+        std::vector<std::uint8_t> out(kMaxOutputBytes);
+        out.resize(board.feed(byte, out.data()));
+        driver.take(out);
+      }
+      constexpr int kAgreed = 100;  // half a second of readings have to agree
+      const bool is_out = undelayed != 0 || (i >= kAgreed && i < kSamples - delay);
+      if (undelayed == 0 && i == kAgreed) measured += std::int64_t{rate} * delay;  // as if for ever
+      if (is_out) measured += undelayed != 0 ? counts : rate;
+      const int sent_for = undelayed != 0 ? i : i - delay;
+      if (sent_for == 3000 || sent_for == 3777) turned_while_valid += driver.valid - valid_before;
+    }
+    EXPECT_EQ(driver.frames, kSamples);
+    EXPECT_EQ(driver.out_of_sequence, 3) << "by which a driver sees the losses";
+    EXPECT_EQ(turned_while_valid, undelayed != 0 ? 2 : 0);
+    const double measured_rad = static_cast<double>(measured) * kRadPerCount;
+    const double cut_off = undelayed != 0 ? 1e-9 : 1e-6;  // what the denoiser has of the last
+    EXPECT_NEAR(driver.sent_rad, measured_rad, cut_off * measured_rad) << int{undelayed};
+  }
 }
 
 struct Terminal {
