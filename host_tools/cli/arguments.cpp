@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/pipeline/model_slot.hpp"
 #include "recording/csv_layout.hpp"
 #include "recording/input_file.hpp"
 #include "recording/stream_reader.hpp"
@@ -151,12 +152,18 @@ std::vector<Fault> order_faults(const Command& command) {
   return {{"", "the arguments look swapped: fogcomp " + command.name() + " " + join(sorted, " ")}};
 }
 
+bool is_table_of_board(std::string_view head) {
+  const auto magic = fog::slot_magic();
+  return head.substr(0, magic.size) ==
+         std::string_view(reinterpret_cast<const char*>(magic.data), magic.size);
+}
+
 // As far as its first lines or bytes tell.
 bool is_recording(const std::string& path) {
   try {
     recording::InputFile file(path);
     const std::string_view head = file.peek();
-    if (recording::is_sensor_stream(head)) return true;
+    if (recording::is_sensor_stream(head)) return !is_table_of_board(head);
     recording::find_csv_layout({head, file.at_end(), file.is_utf16(), path}, {});
     return true;
   } catch (const InputError&) {

@@ -47,6 +47,11 @@ for words in "simulate -o kept" "simulate -o kept --hide truth.csv" "denoise run
   [[ $(cat kept) == kept && ! -e page.html && ! -e truth.csv ]] || fail "written beyond the limit: $words"
 done
 
+# A board's table, bytes that are no text, is no recording: it is exported again.
+for _ in first again; do
+  "$fogcomp" export gyro.model -o board.bin --format table --serial FOG-1 >/dev/null || fail "a table is not exported again"
+done
+
 # Every signal that ends the program leaves the old file and no half one. Where files without a name can be had, so does
 # SIGKILL; where they cannot (without /proc), a temporary file is removed.
 # is_writing: whether the tool has an output open, with a temporary name or without one.
