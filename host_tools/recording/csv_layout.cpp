@@ -369,7 +369,7 @@ class LayoutFinder {
     }
     if (!chosen.lines.units.empty()) understood.emplace_back("a row of units");
     if (head_.utf16) understood.emplace_back("UTF-16");
-    if (layout.time != TimeFormat::number) {
+    if (!layout.knows_power_on()) {
       understood.push_back(std::string(words_of_times(layout)) +
                            " times, counted from the first sample: power-on is not known");
     }

@@ -76,6 +76,11 @@ struct CsvLayout {
   TimeFormat time = TimeFormat::number;
   const TimeScale* scale = nullptr;   ///< of dates, if it is known
   std::size_t lines_before_rows = 0;  ///< header, units, and lines before them
+
+  /// Whether times count from power-on, and not from the first sample, as those of a calendar do.
+  bool knows_power_on() const {
+    return time == TimeFormat::number || header.day_order == DayOrder::no_date;
+  }
 };
 
 struct FileHead {

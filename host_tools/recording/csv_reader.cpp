@@ -178,8 +178,7 @@ class RowCollector {
         long_recording_(options, min_rows),
         are_counts_(layout.header.unit_of(kRateSlot).quantity == Quantity::counts) {
     recording_.file = file.path();
-    recording_.power_on_unknown =
-        layout.time != TimeFormat::number && layout.header.day_order != DayOrder::no_date;
+    recording_.power_on_unknown = !layout.knows_power_on();
     for (const std::size_t slot : layout.header.slots) {
       if (slot < kColumns.size()) columns_.push_back({slot, &(recording_[kColumns[slot].column])});
     }

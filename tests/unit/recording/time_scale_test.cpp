@@ -296,6 +296,7 @@ TEST(TimeColumn, HoursMinutesSecondsFromZero_Read) {
     }
     const Read result = read(text);
     EXPECT_EQ(result.period_s, is_long ? 60 : 1) << result.said;
+    EXPECT_EQ(result.said.find("power-on is not known"), std::string::npos) << result.said;
   }
   const Read late = read("elapsed,temperature_degc,rate_dph\n0:00:00,20,1\n0:00:61,20,2\n");
   EXPECT_NE(late.said.find("no date and time"), std::string::npos) << late.said;
