@@ -99,7 +99,7 @@ void LongRecording::take(Recording& part, LineNumbers& lines, const std::string&
   }
   Recording rest = rows_of(part, {first, part.rows()});
   for (const ColumnInfo& info : kColumns) part[info.column] = std::move(rest[info.column]);
-  part.temperature_is_read = std::move(rest.temperature_is_read);
+  part.temperature_is_read.clear();  // as rows from the file: further ones follow
   part.labels = std::move(rest.labels);
   lines = lines.from(first);
 }

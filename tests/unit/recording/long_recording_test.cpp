@@ -91,6 +91,30 @@ TEST(LongRecording, OfAPipeIsThatOfTheFile) {
   EXPECT_EQ(of_pipe.labels[1].first_row, of_file.labels[1].first_row);
 }
 
+// What is left of one part gets further rows, in which each temperature may be a reading.
+TEST(LongRecording, PipeWithFewReadings_NextPartTaken) {
+  const ReadOptions options;
+  LongRecording from_pipe(options, 0);
+  constexpr std::size_t kRest = 1000;
+  Recording part = rows_from(0, rules::kPartRows + kRest);
+  part.temperature_is_read.resize(part.rows());
+  part.temperature_is_read[0] = true;
+  LineNumbers lines;
+  from_pipe.take(part, lines, "-");
+  ASSERT_EQ(part.rows(), kRest);
+  const Recording more = rows_from(rules::kPartRows + kRest, kRest);
+  for (const Column column : {Column::time_s, Column::temperature_degc, Column::rate_dph}) {
+    part[column].insert(part[column].end(), more[column].begin(), more[column].end());
+  }
+  from_pipe.take(part, lines, "-");
+  const Recording means = from_pipe.finish("-");
+  ASSERT_EQ(means.temperature_is_read.size(), means.rows());
+  EXPECT_TRUE(means.temperature_is_read.front());
+  EXPECT_FALSE(means.temperature_is_read[1]);
+  const auto next = means.temperature_is_read.begin() + std::ptrdiff_t{rules::kPartRows};
+  EXPECT_EQ(std::count(next, means.temperature_is_read.end(), true), 2 * kRest);
+}
+
 TEST(LongRecording, TakesNoMeanAcrossAGapOrTheEndOfASegment) {
   const ReadOptions options;
   LongRecording recording(options, kMaxRows + 1);
