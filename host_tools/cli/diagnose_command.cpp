@@ -41,12 +41,6 @@ std::vector<std::string> DiagnoseCommand::reading_with(
   return reading;
 }
 
-std::vector<std::string> DiagnoseCommand::reading_after(const diagnosis::Ladder& ladder) const {
-  std::vector<std::string> reading = reading_with(ladder.holdout_cuts);
-  for (const std::string& word : findings::cut_words(ladder.cuts())) reading.push_back(word);
-  return reading;
-}
-
 int DiagnoseCommand::run() const {
   const bool loop_wanted = max_effects.value() > 0;
   std::optional<OutputFile> model_file;
@@ -62,7 +56,7 @@ int DiagnoseCommand::run() const {
                                        options_of_noise()};
   findings::Document document =
       findings::diagnose_findings(found.ladder, loop_wanted, found.data, files);
-  document.read_with(reading_after(found.ladder));
+  document.read_with(reading_with(found.ladder.cuts()));
   BenchInput bench{found.runs, holdouts.value(), {{arguments[0], arguments[0], {}, "", true}}};
   if (written) {
     const std::string text = model::model_text(found.ladder.model);

@@ -103,8 +103,6 @@ struct DiagnoseCommand : Command {
   std::vector<std::string> options_of_noise() const;
   /// The options for reading the recordings, with these cuts.
   std::vector<std::string> reading_with(const std::vector<recording::Cut>& cuts) const;
-  /// The same with all cuts that the loop made.
-  std::vector<std::string> reading_after(const diagnosis::Ladder& ladder) const;
   int run() const override;
 };
 

@@ -159,7 +159,7 @@ std::vector<std::string> Ladder::names(bool described) const {
 }
 
 std::vector<recording::Cut> Ladder::cuts() const {
-  std::vector<recording::Cut> all;
+  std::vector<recording::Cut> all = holdout_cuts;
   for (const Step& step : steps) {
     const std::vector<recording::Cut>& own = step.addition.request.cuts;
     all.insert(all.end(), own.begin(), own.end());
@@ -229,21 +229,18 @@ std::optional<recording::Cut> jump_in(const runs::Run& run, const model::Model& 
   }
 }
 
-std::vector<recording::Cut> jumps_in_holdouts(const model::Model& model, runs::Runs runs,
-                                              const DiagnosisSettings& settings) {
-  DiagnosisSettings unheard = settings;
-  unheard.progress = nullptr;
+std::vector<recording::Cut> jumps_in(const runs::Run& holdout, const model::Model& model,
+                                     const DiagnosisSettings& settings) {
+  runs::Runs cut_so_far;
+  cut_so_far.holdouts = {holdout};
   std::vector<recording::Cut> cuts;
-  for (std::size_t i = 0; i < runs.holdouts.size(); ++i) {
-    std::set<double> at_s;
-    for (;;) {
-      const std::optional<recording::Cut> cut = jump_in(runs.holdouts[i], model, unheard);
-      if (!cut || !at_s.insert(cut->at_s).second) break;
-      cuts.push_back(*cut);
-      runs = runs.with({*cut});
-    }
+  std::set<double> at_s;
+  for (;;) {
+    const auto cut = jump_in(cut_so_far.holdouts[0], model, settings);
+    if (!cut || !at_s.insert(cut->at_s).second) return cuts;
+    cuts.push_back(*cut);
+    cut_so_far = cut_so_far.with({*cut});
   }
-  return cuts;
 }
 
 }  // namespace
@@ -255,7 +252,13 @@ Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
   if (ladder.next.refused.empty() && ladder.last_next.refused.empty()) return ladder;
   model::Model in_rows = model;
   in_rows.average_s = data.series().rows().row_s;
-  const std::vector<recording::Cut> cuts = jumps_in_holdouts(in_rows, runs, settings);
+  DiagnosisSettings unheard = settings;
+  unheard.progress = nullptr;
+  std::vector<recording::Cut> cuts;
+  for (const runs::Run& holdout : runs.holdouts) {
+    const std::vector<recording::Cut> own = jumps_in(holdout, in_rows, unheard);
+    cuts.insert(cuts.end(), own.begin(), own.end());
+  }
   if (cuts.empty()) return ladder;
   ladder = ladder_of(model, data, runs.with(cuts), max_steps, settings);
   ladder.holdout_cuts = cuts;

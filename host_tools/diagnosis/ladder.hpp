@@ -29,7 +29,7 @@ struct Ladder {
   bool is_cut_off = false;  ///< no more may be added: last_next was not looked for
   model::Model model;       ///< at the end, as the commands `add` of the steps make it
 
-  /// Cuts that were added.
+  /// Cuts of the holdouts, then those that were added.
   std::vector<recording::Cut> cuts() const;
   /// Names of the additions in their order, each once: added() were named as missing, described()
   /// only describe the residual.
@@ -41,9 +41,9 @@ struct Ladder {
 };
 
 /// Adds the proposals of find_next_step(), up to `max_steps` and refinements, which add no effect;
-/// each step is made and judged by `add`
-/// on `runs`. Ends when nothing is proposed. Where something is refused, holdouts are looked at
-/// themselves: on one whose bias jumps nothing holds. Throws InputError like add().
+/// each step is made and judged by `add` on `runs`. Ends when nothing is proposed. Where something
+/// is refused, holdouts are looked at themselves: on one whose bias jumps nothing holds. Throws
+/// InputError like add().
 Ladder stepwise_selection(const model::Model& model, const DiagnosisData& data,
                           const runs::Runs& runs, int max_steps,
                           const DiagnosisSettings& settings = {});

@@ -38,9 +38,9 @@ std::size_t grid_of(const std::vector<double>& held) {
   return std::pow(static_cast<double>(grid), others) * kFalseAlarm > 1 ? grid : 0;
 }
 
-double rhythm_of(const std::vector<double>& held) {
-  const std::size_t grid = grid_of(held);
-  return grid > 0 ? static_cast<double>(grid) : median(held);
+// The grid or, without one, `otherwise`.
+double rhythm_of(std::size_t grid, double otherwise) {
+  return grid > 0 ? static_cast<double>(grid) : otherwise;
 }
 
 // Rows that most readings are held for at most, in no rhythm.
@@ -135,7 +135,7 @@ Rows repeated_readings(const std::vector<double>& rate_dph) {
   const auto most = static_cast<double>(rate_dph.size()) / rules::kMinRowsPerReading;
   const std::vector<double> held = held_rows(rate_dph);
   if (static_cast<double>(held.size()) > most || !are_regular(held)) return {};
-  const Rows readings = reading_rows(held, rhythm_of(held), rate_dph.size());
+  const Rows readings = reading_rows(held, rhythm_of(grid_of(held), median(held)), rate_dph.size());
   if (static_cast<double>(readings.size()) > most) return {};
   Rows repeats(rate_dph.size() - readings.size());
   auto reading = readings.begin();
@@ -154,7 +154,8 @@ bool blank_held_readings(const std::vector<double>& time_s, const std::vector<do
                          std::vector<double>& input_rate) {
   const std::vector<double> held = held_rows(input_rate);
   if (!are_held(held)) return false;
-  const Rows readings = reading_rows(held, rhythm_of(held), input_rate.size());
+  const Rows readings =
+      reading_rows(held, rhythm_of(grid_of(held), median(held)), input_rate.size());
   if (!gyro_moves_between(readings, time_s, rate_dph, input_rate)) return false;
   blank_between(readings, input_rate);
   return true;
@@ -164,8 +165,7 @@ bool blank_held_temperatures(const std::vector<double>& time_s, std::vector<doub
   const std::vector<double> held = held_rows(degc);
   if (!are_held(held)) return false;
   const std::size_t grid = grid_of(held);
-  const double typical = grid > 0 ? static_cast<double>(grid) : usually_at_most(held);
-  const Rows readings = reading_rows(held, typical, degc.size());
+  const Rows readings = reading_rows(held, rhythm_of(grid, usually_at_most(held)), degc.size());
   if (grid == 0 && !skips_steps(readings, degc)) return false;
   const double held_s = median_spacing_s(time_s) * static_cast<double>(degc.size()) /
                         static_cast<double>(readings.size());

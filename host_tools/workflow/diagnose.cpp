@@ -112,8 +112,8 @@ DiagnoseOutcome diagnose(const DiagnoseRequest& request, const runs::Runs& judgi
   }
   outcome.ladder =
       diagnosis::stepwise_selection(model, outcome.data, judging, request.max_steps, settings);
-  for (const auto& cuts : {outcome.ladder.holdout_cuts, outcome.ladder.cuts()}) {
-    for (const recording::Cut& cut : cuts) outcome.ladder.model.cuts.push_back(cut_text(cut));
+  for (const recording::Cut& cut : outcome.ladder.cuts()) {
+    outcome.ladder.model.cuts.push_back(cut_text(cut));
   }
   outcome.ladder.first.as_given = as_given;
   add_notes({why_own, rows_note(request, rows, model)}, outcome.ladder);
