@@ -58,9 +58,9 @@ std::vector<CandidateFinding> find_of_candidates(const EvidenceSpace& evidence,
 // effects of the catalogue come before expressions.
 void sort_by_lead(std::vector<CandidateFinding>& findings) {
   const auto rank = [](const CandidateFinding& finding) {
-    const auto rounded = [](double value) { return std::round(1e6 * value); };
-    return std::make_tuple(rounded(finding.lead), rounded(finding.probability),
-                           rounded(finding.evidence));
+    const auto rounded = [](double value, double unit) { return std::round(value / unit); };
+    return std::make_tuple(rounded(finding.lead, 1e-6), rounded(finding.probability, 1e-6),
+                           rounded(finding.evidence, 1e-3));
   };
   std::stable_sort(
       findings.begin(), findings.end(),

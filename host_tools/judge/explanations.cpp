@@ -72,8 +72,6 @@ std::vector<double> visible_from_dph(const Rivals& rivals, const FoundSets& sear
   return sizes;
 }
 
-constexpr double kCounts = 1e-6;  // probability of an explanation whose shares are asked
-
 // A set's columns, and their inner products in each band.
 struct Columns {
   Columns(const Rivals& rivals, const std::vector<Part>& parts)
@@ -198,8 +196,6 @@ void set_shares(const Rivals& rivals, const Shares& shares, const Shares& of_dri
                 Explanation& one) {
   one.mostly_something_else = one.parts.empty();
   if (one.parts.empty()) return;
-  one.largest = one.parts.front().effect;
-  if (one.probability < kCounts) return;
   const Columns all(rivals, one.parts);
   const double explained = shares.explained(all, false);
   one.explained = std::clamp(explained / excess, 0.0, 1.0);

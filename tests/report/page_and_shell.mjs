@@ -52,9 +52,6 @@ const difference = (a, b, path, floor) => {
   const at_path = (off) => ({ off, where: `${path}: ${a} | ${b}` });
   if (a === b) return at_path(0);
   if (typeof a === "number" && typeof b === "number") {
-    // What leads a set of so small a chance is not asked (kCounts, judge/explanations.cpp): its first effect, and the
-    // order in which a search comes to a set depends on rounding.
-    if (/lead/.test(path) && Math.max(a, b) < rounding) return at_path(0);
     // A chance is the exponential of what is computed: 1e-127 has 300 times its relative error.
     const logarithmic = /chance|probability|lead|nothing_missing|something_else/.test(path) && a > 0 && b > 0;
     if (logarithmic) return at_path(Math.abs(Math.log(a) - Math.log(b)) / Math.max(1, Math.abs(Math.log(a))));
