@@ -82,7 +82,7 @@ void AdditionJudge::forget() {
   failure_.clear();
 }
 
-void AdditionJudge::prepare() {
+void AdditionJudge::prepare() const {
   if (refitted_ || !failure_.empty()) return;
   try {
     fit::AddSettings settings;
@@ -94,17 +94,32 @@ void AdditionJudge::prepare() {
   }
 }
 
-TriedAddition AdditionJudge::operator()(AdditionRequest request) {
-  std::optional<fit::Addition> addition;
+TriedAddition AdditionJudge::operator()(AdditionRequest request) const {
+  prepare();
+  TriedAddition trial;
+  trial.request = std::move(request);
+  trial.request.run_offsets = has_own_biases();
+  trial.reason = failure_;
+  if (!refitted_) return trial;
   std::optional<runs::Runs> cut;
-  if (!request.cuts.empty()) cut = runs_->with(request.cuts);
+  if (!trial.request.cuts.empty()) cut = runs_->with(trial.request.cuts);
   const runs::Runs& runs = cut ? *cut : *runs_;
-  TriedAddition trial = tried(std::move(request), runs, addition);
-  take_model(runs, addition, trial);
+  try {
+    fit::Addition addition = judged(model_, trial.request, runs, &*refitted_);
+    trial = verdict_of(addition, std::move(trial));
+    if (!trial.accepted) return trial;
+    // The model's own rows may not show what those of the verdict do.
+    fit::take_own_rows(model_, change_of(trial.request, model_), runs, settings_of(trial.request),
+                       addition);
+    trial.model = std::move(addition.model);
+  } catch (const InputError& error) {
+    trial.accepted = false;
+    trial.reason = error.what();
+  }
   return trial;
 }
 
-bool AdditionJudge::may_help(const AdditionRequest& request) {
+bool AdditionJudge::may_help(const AdditionRequest& request) const {
   prepare();
   if (!refitted_) return false;
   const std::vector<model::EffectTerm>& before = refitted_->model.terms;
@@ -114,36 +129,24 @@ bool AdditionJudge::may_help(const AdditionRequest& request) {
   return gain >= kCertainSigmas * kCertainSigmas;
 }
 
-TriedAddition AdditionJudge::tried(AdditionRequest request, const runs::Runs& runs,
-                                   std::optional<fit::Addition>& addition) {
-  prepare();
-  TriedAddition trial;
-  trial.request = std::move(request);
-  trial.request.run_offsets = has_own_biases();
-  trial.reason = failure_;
-  if (!refitted_) return trial;
-  try {
-    addition = judged(model_, trial.request, runs, &*refitted_);
-    trial.accepted = addition->accepted;
-    trial.reason = addition->reason;
-    trial.needless = addition->needless;
-    trial.fitted_before_dph = addition->fitted_before_dph;
-    trial.fitted_after_dph = addition->fitted_after_dph;
-    if (addition->whole) {
-      trial.holdouts = {addition->whole->rms_before_dph, addition->whole->rms_after_dph};
-    }
-    if (bias_of_ == series::BiasOf::all && trial.accepted) {
-      const std::string objection = objection_of_biases(*addition);
-      trial.accepted = objection.empty();
-      if (!trial.accepted) trial.reason = objection;
-    }
-    if (addition->out_of_sample) {
-      trial.rms_before_dph = addition->out_of_sample->rms_before_dph;
-      trial.rms_after_dph = addition->out_of_sample->rms_after_dph;
-      trial.score = addition->out_of_sample->score;
-    }
-  } catch (const InputError& error) {
-    trial.reason = error.what();
+TriedAddition AdditionJudge::verdict_of(const fit::Addition& addition, TriedAddition trial) const {
+  trial.accepted = addition.accepted;
+  trial.reason = addition.reason;
+  trial.needless = addition.needless;
+  trial.fitted_before_dph = addition.fitted_before_dph;
+  trial.fitted_after_dph = addition.fitted_after_dph;
+  if (addition.whole) {
+    trial.holdouts = {addition.whole->rms_before_dph, addition.whole->rms_after_dph};
+  }
+  if (bias_of_ == series::BiasOf::all && trial.accepted) {
+    const std::string objection = objection_of_biases(addition);
+    trial.accepted = objection.empty();
+    if (!trial.accepted) trial.reason = objection;
+  }
+  if (addition.out_of_sample) {
+    trial.rms_before_dph = addition.out_of_sample->rms_before_dph;
+    trial.rms_after_dph = addition.out_of_sample->rms_after_dph;
+    trial.score = addition.out_of_sample->score;
   }
   return trial;
 }
@@ -161,20 +164,6 @@ std::string AdditionJudge::objection_of_biases(const fit::Addition& addition) co
       "biases that differ from power-on to power-on would look like it with a chance of "
       "%.2g",
       chance);
-}
-
-// The model's own rows may not show what those of the verdict do.
-void AdditionJudge::take_model(const runs::Runs& runs, std::optional<fit::Addition>& addition,
-                               TriedAddition& trial) const {
-  if (!trial.accepted) return;
-  try {
-    fit::take_own_rows(model_, change_of(trial.request, model_), runs, settings_of(trial.request),
-                       *addition);
-    trial.model = std::move(addition->model);
-  } catch (const InputError& error) {
-    trial.accepted = false;
-    trial.reason = error.what();
-  }
 }
 
 }  // namespace fogcomp::diagnosis

@@ -71,31 +71,29 @@ class AdditionJudge {
 
   /// Refits the model without a change, if that has not been done; before calls from several
   /// threads.
-  void prepare();
+  void prepare() const;
 
-  TriedAddition operator()(AdditionRequest request);
+  TriedAddition operator()(AdditionRequest request) const;
 
   /// Whether a change of shapes would be certainly visible in the runs of the fit
   /// (fit::possible_gain(), kCertainSigmas). A trial takes a hundred times as long.
-  bool may_help(const AdditionRequest& request);
+  bool may_help(const AdditionRequest& request) const;
 
  private:
   void forget();  // the refit, which is of another model, other biases or other runs
   bool has_own_biases() const { return bias_of_ == series::BiasOf::power_on; }
-  // The verdict, without a model. `addition`: nothing if it could not be fitted.
-  TriedAddition tried(AdditionRequest request, const runs::Runs& runs,
-                      std::optional<fit::Addition>& addition);
-  void take_model(const runs::Runs& runs, std::optional<fit::Addition>& addition,
-                  TriedAddition& trial) const;
+  // The trial with the verdict, without a model.
+  TriedAddition verdict_of(const fit::Addition& addition, TriedAddition trial) const;
   std::string objection_of_biases(const fit::Addition& addition) const;
 
   model::Model model_;
   std::optional<runs::Runs> cut_runs_;
   const runs::Runs* runs_;
   series::BiasOf bias_of_;
-  std::shared_ptr<const fit::KnownRegressors> series_;  // of the runs, once it is needed
-  std::optional<fit::RefittedModel> refitted_;
-  std::string failure_;  // why there is none
+  // Made by prepare(), once they are needed.
+  mutable std::shared_ptr<const fit::KnownRegressors> series_;  // of the runs
+  mutable std::optional<fit::RefittedModel> refitted_;
+  mutable std::string failure_;  // why there is none
 };
 
 }  // namespace fogcomp::diagnosis

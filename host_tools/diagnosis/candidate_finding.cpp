@@ -32,10 +32,10 @@ CandidateFinding find_of(std::size_t candidate, const EvidenceSpace& evidence,
   const auto likeliest =
       std::find_if(explanations.all.begin(), explanations.all.end(),
                    [&](const judge::Explanation& one) { return one.has(candidate); });
-  std::vector<model::EffectTerm> terms = fit.terms;
-  put(terms, likeliest == explanations.all.end() ? own.shapes[effect.shape].term
-                                                 : evidence.term_in(likeliest->parts, candidate));
-  Refit completed = refit(std::move(terms), series, fit);
+  const model::EffectTerm added = likeliest == explanations.all.end()
+                                      ? own.shapes[effect.shape].term
+                                      : evidence.term_in(likeliest->parts, candidate);
+  Refit completed = refit(with_term(fit.terms, added), series, fit);
   finding.rms_after_dph = rms_of_rows(series.rows(), fit, completed.residual_dph);
   finding.completed = std::move(completed.terms);
   return finding;
@@ -56,7 +56,7 @@ std::vector<CandidateFinding> find_of_candidates(const EvidenceSpace& evidence,
 
 // Order by probability of being the largest; differences by rounding count as equal, and then
 // effects of the catalogue come before expressions.
-void sort_by_lead(std::vector<CandidateFinding>& findings) {
+std::vector<CandidateFinding> sorted_by_lead(std::vector<CandidateFinding> findings) {
   const auto rank = [](const CandidateFinding& finding) {
     const auto rounded = [](double value, double unit) { return std::round(value / unit); };
     return std::make_tuple(rounded(finding.lead, 1e-6), rounded(finding.probability, 1e-6),
@@ -65,6 +65,7 @@ void sort_by_lead(std::vector<CandidateFinding>& findings) {
   std::stable_sort(
       findings.begin(), findings.end(),
       [&](const CandidateFinding& a, const CandidateFinding& b) { return rank(a) > rank(b); });
+  return findings;
 }
 
 }  // namespace fogcomp::diagnosis

@@ -33,8 +33,8 @@ std::vector<CandidateFinding> find_of_candidates(const EvidenceSpace& evidence,
                                                  const series::SignalSeries& series,
                                                  const fit::NoiseWeightedFit& fit);
 
-/// Sorts into the order in which all outputs list the findings: the one that is most probably the
-/// largest effect first.
-void sort_by_lead(std::vector<CandidateFinding>& findings);
+/// In the order in which all outputs list the findings: the one that is most probably the largest
+/// effect first.
+std::vector<CandidateFinding> sorted_by_lead(std::vector<CandidateFinding> findings);
 
 }  // namespace fogcomp::diagnosis

@@ -88,11 +88,11 @@ std::size_t count_of(const Candidate::Shape& shape) {
   return model::make_effect(shape.term, kAnyBlockS)->regressor_count();
 }
 
-// Removes shapes that a simpler effect has too: a lag of five seconds equals the effect without
-// lag. Removes effects that on these recordings equal another one of the same inputs with fewer
+// Without shapes that a simpler effect has too: a lag of five seconds equals the effect without
+// lag. Without effects that on these recordings equal another one of the same inputs with fewer
 // regressors, such as a nonlinearity at two rates. Expressions do not replace effects of the
 // catalogue.
-void remove_equivalents_of_simpler(std::vector<Candidate>& candidates) {
+std::vector<Candidate> without_equivalents_of_simpler(std::vector<Candidate> candidates) {
   std::vector<const Candidate*> simple;
   for (const Candidate& candidate : candidates) {
     if (candidate.is_expression()) continue;
@@ -112,7 +112,7 @@ void remove_equivalents_of_simpler(std::vector<Candidate>& candidates) {
     auto& shapes = candidate.shapes;
     shapes.erase(std::remove_if(shapes.begin(), shapes.end(), is_simpler), shapes.end());
   }
-  remove_those_without_shapes(candidates);
+  return with_shapes(std::move(candidates));
 }
 
 // Inputs that vary and that no effect of the catalogue needs: each may act on the rate as it is.
@@ -166,19 +166,17 @@ Searched search_effect(const model::CatalogueEntry& entry, const ShapeSpace& spa
   return searched;
 }
 
-// Moves one shape to the optimum, at most half way to its neighbours.
-void optimise_shape(const ShapeMaker& make, std::vector<Candidate::Shape>& shapes,
-                    std::size_t index, const Eigen::VectorXd& residual) {
-  Candidate::Shape& shape = shapes[index];
+// One of the shapes, moved to the optimum, at most half way to its neighbours.
+Candidate::Shape optimised(const ShapeMaker& make, const std::vector<Candidate::Shape>& shapes,
+                           std::size_t index, const Eigen::VectorXd& residual) {
+  Candidate::Shape shape = shapes[index];
   double chi2_drop = shape.chi2_drop(residual);
   for (const model::ShapeParameter& parameter : model::shape_parameters({shape.term})) {
-    // The shape itself changes below.
-    const auto place = [&] { return parameter.unit_in(shape.term); };
-    const double start = place();
+    const double start = parameter.unit_in(shape.term);
     const double down = half_distance(shapes, parameter, start, -1);
     const double up = half_distance(shapes, parameter, start, +1);
     for (double share = 0.5; share > 0.05; share /= 2) {
-      const double middle = place();
+      const double middle = parameter.unit_in(shape.term);
       for (const double unit : {middle - share * down, middle + share * up}) {
         model::EffectTerm moved = shape.term;
         parameter.set_unit(moved, unit);
@@ -190,19 +188,21 @@ void optimise_shape(const ShapeMaker& make, std::vector<Candidate::Shape>& shape
       }
     }
   }
+  return shape;
 }
 
 }  // namespace
 
-void remove_those_without_shapes(std::vector<Candidate>& candidates) {
+std::vector<Candidate> with_shapes(std::vector<Candidate> candidates) {
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                                   [](const Candidate& c) { return c.shapes.empty(); }),
                    candidates.end());
+  return candidates;
 }
 
-void refine_shape_parameters(std::vector<Candidate>& candidates, const ShapeSpace& space,
-                             const std::vector<model::EffectTerm>& terms,
-                             const Eigen::VectorXd& residual) {
+std::vector<Candidate> with_best_shapes(std::vector<Candidate> candidates, const ShapeSpace& space,
+                                        const std::vector<model::EffectTerm>& terms,
+                                        const Eigen::VectorXd& residual) {
   constexpr double kMinChi2Drop = 100;
   constexpr double kLeading = 0.5;
   std::vector<std::size_t> best;
@@ -211,14 +211,16 @@ void refine_shape_parameters(std::vector<Candidate>& candidates, const ShapeSpac
     best.push_back(best_of(candidate.shapes, residual));
     chi2_drop.push_back(candidate.shapes[best.back()].chi2_drop(residual));
   }
-  if (chi2_drop.empty()) return;
+  if (chi2_drop.empty()) return candidates;
   const double needed =
       std::max(kMinChi2Drop, kLeading * *std::max_element(chi2_drop.begin(), chi2_drop.end()));
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const bool grown = has_name(terms, candidates[i].effect);
     if (chi2_drop[i] < needed || grown || candidates[i].is_event()) continue;
-    optimise_shape({space, 0}, candidates[i].shapes, best[i], residual);
+    Candidate::Shape& shape = candidates[i].shapes[best[i]];
+    shape = optimised({space, 0}, candidates[i].shapes, best[i], residual);
   }
+  return candidates;
 }
 
 bool Candidate::has_free_shape() const {
@@ -266,7 +268,7 @@ CandidateList find_candidates(const ShapeSpace& space, const std::vector<model::
       list.untestable.push_back({one.candidate.effect, one.needs});
     }
   }
-  remove_equivalents_of_simpler(list.testable);
+  list.testable = without_equivalents_of_simpler(std::move(list.testable));
   return list;
 }
 

@@ -70,15 +70,16 @@ CandidateList find_candidates(const ShapeSpace& space, const std::vector<model::
                               const std::vector<model::EffectTerm>& offered, fog::InputMask inputs,
                               const std::function<void(double)>& progress);
 
-void remove_those_without_shapes(std::vector<Candidate>& candidates);
+/// Those that have shapes.
+std::vector<Candidate> with_shapes(std::vector<Candidate> candidates);
 
-/// Moves the best shape of each leading candidate to where it explains most of the whitened
+/// The candidates with the best shape of each leading one where it explains most of the whitened
 /// `residual`, within its grid cell. Otherwise, of two equivalent effects, the one with a grid
 /// point nearer to the truth would win. Only for strong effects (chi^2 of 100): of weak ones
 /// noise would choose the place. Extensions of effects in `terms` and bias steps
-/// (place_steps()) are not moved.
-void refine_shape_parameters(std::vector<Candidate>& candidates, const ShapeSpace& space,
-                             const std::vector<model::EffectTerm>& terms,
-                             const Eigen::VectorXd& residual);
+/// (placed_steps()) are not moved.
+std::vector<Candidate> with_best_shapes(std::vector<Candidate> candidates, const ShapeSpace& space,
+                                        const std::vector<model::EffectTerm>& terms,
+                                        const Eigen::VectorXd& residual);
 
 }  // namespace fogcomp::diagnosis

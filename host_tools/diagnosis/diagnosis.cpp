@@ -58,7 +58,8 @@ bool may_repeat(const Candidate& candidate) {
 
 // Probabilities of all explanations of what the model leaves: the candidates as effects, the smooth
 // structure but for that of time as something else. Takes the modes of the candidates and the
-// columns of the smooth structure but for VisibleStructure::all. `series`: that of the evidence.
+// columns of the smooth structure but for VisibleStructure::all: they are most of a diagnosis'
+// memory. `series`: that of the evidence.
 judge::Explanations explain(EvidenceSpace& evidence, const series::SignalSeries& series) {
   Eigen::MatrixXd smooth = something_else(std::exchange(evidence.smooth.raw, {}),
                                           of_one_shape(evidence, series), evidence.modes.rows());
@@ -120,45 +121,48 @@ Experiment experiment_for_rivals(const model::Model& model, const Diagnosis& dia
   return repeat;
 }
 
+struct Named {
+  Verdict verdict = Verdict::unknown;
+  std::string effect{};
+  std::vector<std::string> confusable{};
+};
+
 // Several effects may be missing at once; the one that explains most is named.
-void name_effects(Diagnosis& diagnosis) {
+Named named_effect(const Diagnosis& diagnosis) {
   const CandidateFinding& first = diagnosis.candidates.front();
-  if (model::only_tail_is_seen(first.term())) return;
-  if (first.probability >= rules::kNamed) {
-    diagnosis.verdict = Verdict::missing_effect;
-    diagnosis.effect = first.effect;
-    return;
-  }
-  diagnosis.verdict = Verdict::ambiguous;
+  if (model::only_tail_is_seen(first.term())) return {};
+  if (first.probability >= rules::kNamed) return {Verdict::missing_effect, first.effect};
+  Named named{Verdict::ambiguous};
   for (const CandidateFinding& finding : diagnosis.candidates) {
-    if (finding.lead >= rules::kConfusable) diagnosis.confusable.push_back(finding.effect);
+    if (finding.lead >= rules::kConfusable) named.confusable.push_back(finding.effect);
   }
+  return named;
 }
 
-// Takes over what is fast, and whether that is most of what is missing.
-void take_fast(const FastFinding& fast, double slow_excess, Diagnosis& diagnosis) {
+// What the probabilities of a diagnosis say.
+Named verdict_of(const Diagnosis& diagnosis) {
+  if (diagnosis.fast_kind != FastKind::none) return {};
+  if (diagnosis.nothing >= judge::kMissingBefore[0]) {
+    return {diagnosis.leaves_noise() ? Verdict::none : Verdict::unknown};
+  }
+  if (!diagnosis.is_led_by_catalogue() || diagnosis.may_be_noise()) return {};
+  return named_effect(diagnosis);
+}
+
+// The diagnosis with what is fast, and whether that is most of what is missing.
+Diagnosis with_fast(Diagnosis diagnosis, const FastFinding& fast, double slow_excess) {
   diagnosis.fast = fast.spectrum;
   diagnosis.jumps = fast.jumps;
-  if (fast.kind == FastKind::none || fast.excess <= kNoticeable * slow_excess) return;
+  if (fast.kind == FastKind::none || fast.excess <= kNoticeable * slow_excess) return diagnosis;
   diagnosis.fast_kind = fast.kind;
   diagnosis.fast_share = fast.excess / (fast.excess + slow_excess);
   if (fast.excess > slow_excess) diagnosis.variable = "time_s";
+  return diagnosis;
 }
 
-void decide(Diagnosis& diagnosis) {
-  if (diagnosis.fast_kind != FastKind::none) {
-    diagnosis.verdict = Verdict::unknown;
-  } else if (diagnosis.nothing >= judge::kMissingBefore[0]) {
-    diagnosis.verdict = diagnosis.leaves_noise() ? Verdict::none : Verdict::unknown;
-  } else {
-    diagnosis.verdict = Verdict::unknown;
-    if (diagnosis.is_led_by_catalogue() && !diagnosis.may_be_noise()) name_effects(diagnosis);
-  }
-}
-
-// Compares the explanations and sets the verdict.
-void judge(EvidenceSpace& evidence, const series::SignalSeries& series,
-           const fit::NoiseWeightedFit& fit, Diagnosis& diagnosis) {
+// The diagnosis with its explanations compared, and a verdict.
+Diagnosis judged(Diagnosis diagnosis, EvidenceSpace evidence, const series::SignalSeries& series,
+                 const fit::NoiseWeightedFit& fit) {
   const judge::Explanations found = explain(evidence, series);
   diagnosis.nothing = found.nothing;
   diagnosis.something_else = found.something_else;
@@ -166,14 +170,17 @@ void judge(EvidenceSpace& evidence, const series::SignalSeries& series,
   diagnosis.unexplained_fraction = found.left_by_best;
   diagnosis.walk_dph_per_rth = found.noise_if_nothing.walk_dph_per_rth;
   const FastFinding fast = find_fast(evidence, found.all.front(), series, fit);
-  take_fast(fast, found.excess, diagnosis);
-  diagnosis.candidates = find_of_candidates(evidence, found, series, fit);
-  sort_by_lead(diagnosis.candidates);
+  diagnosis = with_fast(std::move(diagnosis), fast, found.excess);
+  diagnosis.candidates = sorted_by_lead(find_of_candidates(evidence, found, series, fit));
   diagnosis.explanations = likeliest_sets(evidence, found);
-  decide(diagnosis);
+  Named named = verdict_of(diagnosis);
+  diagnosis.verdict = named.verdict;
+  diagnosis.effect = std::move(named.effect);
+  diagnosis.confusable = std::move(named.confusable);
   if (is_mainly_fast(diagnosis)) {
     diagnosis.late_ripples = find_late_ripples(series, fit.terms, fast.left);
   }
+  return diagnosis;
 }
 
 // Reservations about the answer.
@@ -197,10 +204,9 @@ std::string blind_spot_of(const Diagnosis& diagnosis) {
   return format("slow changes of %.3g deg/h rms are left; ", above) + diagnosis.walk_words();
 }
 
-// Where the residual is, and what may be missing.
-void look_for_causes(const model::Model& model, const DiagnosisData& data,
-                     const fit::NoiseWeightedFit& fit, const DiagnosisSettings& settings,
-                     Diagnosis& diagnosis) {
+// The diagnosis with where the residual is, and what may be missing.
+Diagnosis with_causes(Diagnosis diagnosis, const model::Model& model, const DiagnosisData& data,
+                      const fit::NoiseWeightedFit& fit, const DiagnosisSettings& settings) {
   const series::SignalSeries& series = data.series();
   // Candidates take most of the time, their comparison the rest.
   constexpr double kCandidates = 0.75;
@@ -218,10 +224,11 @@ void look_for_causes(const model::Model& model, const DiagnosisData& data,
         ask_network(model.network, series, evidence.candidates,
                     [&](const Eigen::MatrixXd& columns) { return evidence.residualizer(columns); });
   }
-  judge(evidence, series, fit, diagnosis);
+  diagnosis = judged(std::move(diagnosis), std::move(evidence), series, fit);
   for (CandidateFinding& finding : diagnosis.candidates) {
     if (model::is_event(finding.term())) finding.cut = data.cut_at(finding.term());
   }
+  return diagnosis;
 }
 
 }  // namespace
@@ -243,7 +250,7 @@ Diagnosis diagnose(const model::Model& model, const DiagnosisData& data,
   diagnosis.residual_dph = fit.residual_dph;
   diagnosis.noise_floor_dph = data.noise_floor_dph().value_or(fit.noise.white_dph());
 
-  look_for_causes(model, data, fit, settings, diagnosis);
+  diagnosis = with_causes(std::move(diagnosis), model, data, fit, settings);
   if (diagnosis.verdict == Verdict::ambiguous) {
     diagnosis.experiment = experiment_for_rivals(model, diagnosis);
   }

@@ -116,10 +116,10 @@ struct DiagnosisSettings {
 bool is_mainly_fast(const Diagnosis& diagnosis);
 
 /// Only formulas outside the catalogue show that something is missing: the verdict becomes unknown.
-void shown_by_formulas(Diagnosis& diagnosis, double nothing);
+Diagnosis shown_by_formulas(Diagnosis diagnosis, double nothing);
 
-/// Takes a name back that fails out of sample: the verdict becomes unknown.
-void withdraw_name(Diagnosis& diagnosis);
+/// Without a name that fails out of sample: the verdict becomes unknown.
+Diagnosis without_name(Diagnosis diagnosis);
 
 /// Decides whether the effects of `model` leave more than noise and, if so, which effect of the
 /// catalogue or expression of data.offered() is missing. A network is left out; a separate step

@@ -39,21 +39,25 @@ struct PossibleColumns {
   VisibleStructure smooth;
 };
 
-// Only the search needs them, and they are half of its memory.
-void forget_bases(std::vector<Candidate>& candidates) {
-  for (Candidate& candidate : candidates) {
-    for (Candidate::Shape& shape : candidate.shapes) shape.basis.resize(0, 0);
-  }
+// Without bases, which only the search needs: they are half of its memory.
+Candidate without_bases(Candidate candidate) {
+  for (Candidate::Shape& shape : candidate.shapes) shape.basis.resize(0, 0);
+  return candidate;
 }
 
-void put_steps_in_place(const ShapeSpace& space, const fit::NoiseWeightedFit& fit,
-                        const Residualizer& residualizer, PossibleColumns& found) {
-  for (Candidate& candidate : found.candidates.testable) {
+std::vector<Candidate> with_steps_in_place(std::vector<Candidate> candidates,
+                                           const ShapeSpace& space,
+                                           const fit::NoiseWeightedFit& fit,
+                                           const Residualizer& residualizer,
+                                           const VisibleStructure& smooth) {
+  for (Candidate& candidate : candidates) {
+    candidate = without_bases(std::move(candidate));
     if (!candidate.is_event()) continue;
-    place_steps(candidate.shapes, space, residualizer, found.smooth.all);
-    remove_gradual_steps(candidate.shapes, space.series.rows(), fit);
+    candidate.shapes = without_gradual_steps(
+        placed_steps(std::move(candidate.shapes), space, residualizer, smooth.all),
+        space.series.rows(), fit);
   }
-  remove_those_without_shapes(found.candidates.testable);
+  return with_shapes(std::move(candidates));
 }
 
 // Candidates use all threads only in part; smooth functions keep one of them busy beside them.
@@ -68,25 +72,27 @@ PossibleColumns possible_columns(const DiagnosisData& data, const fit::NoiseWeig
   for_each_index(2, [&](std::size_t i) {
     if (i == 0) {
       found.candidates = find_candidates(space, fit.terms, data.offered(), data.inputs(), progress);
-      refine_shape_parameters(found.candidates.testable, space, fit.terms, residualizer.residual());
+      found.candidates.testable = with_best_shapes(std::move(found.candidates.testable), space,
+                                                   fit.terms, residualizer.residual());
     } else {
       found.smooth = visible_structure(space.series.rows(), residualizer);
     }
   });
-  forget_bases(found.candidates.testable);
-  put_steps_in_place(space, fit, residualizer, found);
+  found.candidates.testable = with_steps_in_place(std::move(found.candidates.testable), space, fit,
+                                                  residualizer, found.smooth);
   return found;
 }
 
-// Gives a term the first part of `other` as its optional second part, if it has none yet.
-void add_part(model::EffectTerm& term, const model::EffectTerm& other) {
+// The term with the first part of `other` as its optional second part, if it has none yet.
+model::EffectTerm with_part(model::EffectTerm term, const model::EffectTerm& other) {
   const auto& parameters = model::find_effect(term.name).parameters;
   for (std::size_t i = 1; i < parameters.size(); ++i) {
     if (!model::is_optional_part(parameters[i]) || term.parameters[i].value != 0) continue;
     double& first = term.parameters[i - 1].value;
     std::tie(first, term.parameters[i].value) = std::minmax({first, other.parameters[i - 1].value});
-    return;
+    return term;
   }
+  return term;
 }
 
 }  // namespace
@@ -97,11 +103,7 @@ model::EffectTerm EvidenceSpace::term_in(const std::vector<judge::Part>& parts,
   for (const judge::Part& part : parts) {
     if (part.effect != candidate) continue;
     const model::EffectTerm& one = candidates[candidate].shapes[part.shape].term;
-    if (term) {
-      add_part(*term, one);
-    } else {
-      term = one;
-    }
+    term = term ? with_part(std::move(*term), one) : one;
   }
   return *term;
 }

@@ -20,7 +20,7 @@ std::vector<model::EffectTerm> completed_by(const EvidenceSpace& evidence,
                                             const judge::Explanation& explanation,
                                             std::vector<model::EffectTerm> terms) {
   for (const judge::Part& part : explanation.parts) {
-    put(terms, evidence.term_in(explanation.parts, part.effect));
+    terms = with_term(std::move(terms), evidence.term_in(explanation.parts, part.effect));
   }
   return terms;
 }

@@ -43,25 +43,30 @@ double level_about(const std::vector<double>& powers, std::size_t line) {
   return sum / 4;
 }
 
+struct Line {
+  double period_s = 0;
+  double power = 0;  // relative to its neighbours
+};
+
 // The strongest line relative to its neighbours. So an error in the colour of the noise model does
 // not matter, nor a line that the soaks contain too and the noise model took for noise.
-void find_line(const std::vector<double>& powers, double length_s, FastStructure& fast) {
+Line strongest_line(const std::vector<double>& powers, double length_s) {
+  Line strongest;
   for (std::size_t k = kFirstLine; k < powers.size(); ++k) {
     const std::size_t first = std::max(kFirstLine, k < kNeighbours ? 0 : k - kNeighbours);
     const std::size_t end = std::min(powers.size(), first + 2 * kNeighbours + 1);
-    if (end - first < kNeighbours) return;
+    if (end - first < kNeighbours) break;
     double level = level_of(powers, first, end);
     if (k < kSlowLine) level = std::max(level, level_about(powers, k));
     const double power = level > 0 ? powers[k] / level : 0;
-    if (power <= fast.line_power) continue;
-    fast.line_power = power;
-    fast.line_period_s = length_s / static_cast<double>(k);
+    if (power > strongest.power) strongest = {length_s / static_cast<double>(k), power};
   }
+  return strongest;
 }
 
-// The octave with the largest excess over white noise of that level.
-void find_band(const std::vector<Octave>& octaves, double level, double lines,
-               FastStructure& fast) {
+// `fast` with the octave that has the largest excess over white noise of that level.
+FastStructure with_band(FastStructure fast, const std::vector<Octave>& octaves, double level,
+                        double lines) {
   for (const Octave& octave : octaves) {
     if (octave.count < kMinLines) continue;
     // Twice an exponential variable of mean 1 is chi^2 with two degrees of freedom.
@@ -74,6 +79,7 @@ void find_band(const std::vector<Octave>& octaves, double level, double lines,
     fast.band_period_s = octave.period_s / octave.count;
     fast.band_share = (mean - 1) * octave.count / lines;
   }
+  return fast;
 }
 
 }  // namespace
@@ -89,7 +95,11 @@ FastStructure find_fast_structure(const series::Rows& rows,
     const auto begin = whitened_residual.begin() + static_cast<std::ptrdiff_t>(run.first);
     const std::vector<double> powers =
         periodogram({begin, begin + static_cast<std::ptrdiff_t>(size)});
-    find_line(powers, length_s, fast);
+    const Line line = strongest_line(powers, length_s);
+    if (line.power > fast.line_power) {
+      fast.line_power = line.power;
+      fast.line_period_s = line.period_s;
+    }
     for (std::size_t k = kFirstBand; k < powers.size(); ++k) {
       const double octave = std::log2(static_cast<double>(size) / (2 * static_cast<double>(k)));
       Octave& place = octaves[std::min(kMaxOctaves - 1, static_cast<std::size_t>(octave))];
@@ -106,8 +116,7 @@ FastStructure find_fast_structure(const series::Rows& rows,
   const auto lines = static_cast<double>(all.size());
   fast.line_log_p = std::min(0.0, std::log(lines) - kLevelUncertainty * fast.line_power);
   fast.line_share = fast.line_power / lines;
-  find_band(octaves, level, lines, fast);
-  return fast;
+  return with_band(fast, octaves, level, lines);
 }
 
 }  // namespace fogcomp::diagnosis

@@ -29,20 +29,22 @@ bool is_mainly_fast(const Diagnosis& diagnosis) {
   return diagnosis.fast_share >= kMost;
 }
 
-void shown_by_formulas(Diagnosis& diagnosis, double nothing) {
+Diagnosis shown_by_formulas(Diagnosis diagnosis, double nothing) {
   diagnosis.verdict = Verdict::unknown;
   diagnosis.only_by_formula = true;
   diagnosis.nothing = nothing;
   diagnosis.blind_spot.clear();
+  return diagnosis;
 }
 
-void withdraw_name(Diagnosis& diagnosis) {
+Diagnosis without_name(Diagnosis diagnosis) {
   diagnosis.withdrawn =
       diagnosis.confusable.empty() ? diagnosis.effect : join(diagnosis.confusable, " or ");
   diagnosis.verdict = Verdict::unknown;
   diagnosis.effect.clear();
   diagnosis.confusable.clear();
   diagnosis.experiment.reset();
+  return diagnosis;
 }
 
 bool Diagnosis::may_be_noise() const {

@@ -31,25 +31,6 @@ constexpr double kMaxPeriod = 2;
 
 constexpr std::string_view kDegC = "degC";
 
-class Formulas {
- public:
-  void add(FormMeaning meaning, const std::string& name, const std::string& text) {
-    model::add_expression(terms_, name + " = " + text);
-    meanings_.push_back(meaning);
-  }
-  std::vector<Formula> take() {
-    std::vector<Formula> formulas;
-    for (std::size_t i = 0; i < terms_.size(); ++i) {
-      formulas.push_back({std::move(terms_[i]), meanings_[i]});
-    }
-    return formulas;
-  }
-
- private:
-  std::vector<model::EffectTerm> terms_;
-  std::vector<FormMeaning> meanings_;  // of each term
-};
-
 struct VaryingSignal {
   std::string symbol;
   model::SignalRange range;
@@ -70,6 +51,37 @@ struct VaryingSignal {
     return format("?c[%.6g,%.6g]", value + margin(), range.max - margin());
   }
   std::string somewhere() const { return above(range.min); }
+};
+
+class Formulas {
+ public:
+  void add(FormMeaning meaning, const std::string& name, const std::string& text) {
+    model::add_expression(terms_, name + " = " + text);
+    meanings_.push_back(meaning);
+  }
+  // Forms of one signal. Not for what the catalogue has: powers of the temperature
+  // (bias_temperature), periods in it (polarization_ripple), its rate with a lag (thermal_lag). A
+  // polynomial of a part that is warmed late is bias_temperature, thermal_lag and powers of the
+  // late temperature.
+  void add_own(const VaryingSignal& signal);
+  // What the first heat of a coil leaves, from its temperature at the beginning on or from a higher
+  // one that it had known before.
+  void add_first_heat(const VaryingSignal& temperature, const series::Rows& rows);
+  // Products of two signals, of at most three factors. T*dTdt is temperature_rate_product.
+  void add_products(const VaryingSignal& a, const VaryingSignal& b);
+  std::vector<Formula> take() {
+    std::vector<Formula> formulas;
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      formulas.push_back({std::move(terms_[i]), meanings_[i]});
+    }
+    return formulas;
+  }
+
+ private:
+  void add_late(const VaryingSignal& signal);
+
+  std::vector<model::EffectTerm> terms_;
+  std::vector<FormMeaning> meanings_;  // of each term
 };
 
 // A temperature within the noise or a step of its thermometer is steady, and so is its rate.
@@ -105,64 +117,56 @@ FormMeaning meaning_of_curve(const VaryingSignal& signal, FormMeaning of_rate) {
   return signal.symbol == "W" ? FormMeaning::scale_factor : FormMeaning::bent_input;
 }
 
-void add_late_forms(Formulas& formulas, const VaryingSignal& signal) {
+void Formulas::add_late(const VaryingSignal& signal) {
   const std::string& name = signal.symbol;
   const std::string x = signal.text();
-  formulas.add(FormMeaning::late, name + "_late_squared", lag_text(x) + "^2");
-  if (x == "T") formulas.add(FormMeaning::late, "T_late_cubed", lag_text(x) + "^3");
+  add(FormMeaning::late, name + "_late_squared", lag_text(x) + "^2");
+  if (x == "T") add(FormMeaning::late, "T_late_cubed", lag_text(x) + "^3");
   if (x == "dTdt") {
-    formulas.add(FormMeaning::twice_late, "dTdt_twice_late_squared", twice_lag_text(x) + "^2");
-    formulas.add(FormMeaning::twice_late, "dTdt_twice_late_size", "abs(" + twice_lag_text(x) + ")");
+    add(FormMeaning::twice_late, "dTdt_twice_late_squared", twice_lag_text(x) + "^2");
+    add(FormMeaning::twice_late, "dTdt_twice_late_size", "abs(" + twice_lag_text(x) + ")");
   }
   if (x == "T") return;
-  formulas.add(FormMeaning::late, name + "_squared_late", lag_text(x + "^2"));
+  add(FormMeaning::late, name + "_squared_late", lag_text(x + "^2"));
   if (signal.has_both_signs()) {
-    formulas.add(FormMeaning::late, name + "_size_late", lag_text("abs(" + x + ")"));
-    formulas.add(FormMeaning::late, name + "_late_size", "abs(" + lag_text(x) + ")");
+    add(FormMeaning::late, name + "_size_late", lag_text("abs(" + x + ")"));
+    add(FormMeaning::late, name + "_late_size", "abs(" + lag_text(x) + ")");
   }
-  if (x != "dTdt") formulas.add(FormMeaning::late, name + "_late", lag_text(x));
+  if (x != "dTdt") add(FormMeaning::late, name + "_late", lag_text(x));
 }
 
-// Forms of one signal. Not for what the catalogue has: powers of the temperature
-// (bias_temperature), periods in it (polarization_ripple), its rate with a lag (thermal_lag). A
-// polynomial of a part that is warmed late is bias_temperature, thermal_lag and powers of the late
-// temperature.
-void add_own_forms(Formulas& formulas, const VaryingSignal& signal) {
+void Formulas::add_own(const VaryingSignal& signal) {
   const std::string& name = signal.symbol;
   const std::string x = signal.text();
   const double span = signal.span();
-  add_late_forms(formulas, signal);
+  add_late(signal);
   if (x != "T") {
-    if (signal.is_extension) formulas.add(FormMeaning::input, name + "_itself", name);
-    formulas.add(meaning_of_curve(signal, FormMeaning::squared_rate), name + "_squared", x + "^2");
-    formulas.add(meaning_of_curve(signal, FormMeaning::bent_rate), name + "_cubed", x + "^3");
+    if (signal.is_extension) add(FormMeaning::input, name + "_itself", name);
+    add(meaning_of_curve(signal, FormMeaning::squared_rate), name + "_squared", x + "^2");
+    add(meaning_of_curve(signal, FormMeaning::bent_rate), name + "_cubed", x + "^3");
     if (signal.has_both_signs()) {
       const FormMeaning sizes = meaning_of_curve(signal, FormMeaning::one_direction);
-      formulas.add(sizes, name + "_size", "abs(" + x + ")");
-      formulas.add(sizes, name + "_signed_square", x + "*abs(" + x + ")");
+      add(sizes, name + "_size", "abs(" + x + ")");
+      add(sizes, name + "_signed_square", x + "*abs(" + x + ")");
     }
-    formulas.add(
-        FormMeaning::interference, name + "_sine",
+    add(FormMeaning::interference, name + "_sine",
         format("sin(6.2832*%s/?p[%.4g,%.4g])", x.c_str(), kMinPeriod * span, kMaxPeriod * span));
   }
   const FormMeaning kink = x == "dTdt"   ? FormMeaning::one_direction
                            : name == "W" ? FormMeaning::scale_factor
                                          : FormMeaning::onset;
-  formulas.add(kink, name + "_kink", "max(" + name + "-" + signal.somewhere() + ",0)");
+  add(kink, name + "_kink", "max(" + name + "-" + signal.somewhere() + ",0)");
 }
 
-// What the first heat of a coil leaves, from its temperature at the beginning on or from a higher
-// one that it had known before.
-void add_first_heat(Formulas& formulas, const VaryingSignal& temperature,
-                    const series::Rows& rows) {
+void Formulas::add_first_heat(const VaryingSignal& temperature, const series::Rows& rows) {
   double begin_degc = temperature.range.max;
   for (const std::size_t row : rows.run_starts) {
     begin_degc = std::min(begin_degc, rows.inputs[row].temperature);
   }
   if (begin_degc + 2 * temperature.margin() >= temperature.range.max) return;
-  formulas.add(FormMeaning::first_heat, "T_highest", "highest(T)");
-  formulas.add(FormMeaning::first_heat, "T_highest_kink",
-               "max(highest(T)-" + temperature.above(begin_degc) + ",0)");
+  add(FormMeaning::first_heat, "T_highest", "highest(T)");
+  add(FormMeaning::first_heat, "T_highest_kink",
+      "max(highest(T)-" + temperature.above(begin_degc) + ",0)");
 }
 
 // What a product of three factors means that is linear in `b`, or in `a`.
@@ -178,8 +182,7 @@ ProductMeanings meanings_of(const VaryingSignal& a, const VaryingSignal& b) {
                  : ProductMeanings{};
 }
 
-// Products of two signals, of at most three factors. T*dTdt is temperature_rate_product.
-void add_products(Formulas& formulas, const VaryingSignal& a, const VaryingSignal& b) {
+void Formulas::add_products(const VaryingSignal& a, const VaryingSignal& b) {
   const std::string name = a.symbol + "_";
   const std::string x = a.text();
   const std::string y = b.text();
@@ -187,27 +190,25 @@ void add_products(Formulas& formulas, const VaryingSignal& a, const VaryingSigna
   const ProductMeanings meanings = meanings_of(a, b);
   const bool is_late_scale_factor = a.symbol == "dTdt" && other == "W";
   if (x != "T" || y != "dTdt") {
-    formulas.add(is_late_scale_factor ? FormMeaning::late_scale_factor : FormMeaning::product,
-                 name + other, x + "*" + y);
+    add(is_late_scale_factor ? FormMeaning::late_scale_factor : FormMeaning::product, name + other,
+        x + "*" + y);
   }
-  formulas.add(meanings.linear_in_b, name + "squared_" + other, x + "^2*" + y);
-  formulas.add(meanings.linear_in_a, name + other + "_squared", x + "*" + y + "^2");
+  add(meanings.linear_in_b, name + "squared_" + other, x + "^2*" + y);
+  add(meanings.linear_in_a, name + other + "_squared", x + "*" + y + "^2");
   if (!a.has_zero) {
     const std::string about = "(" + a.symbol + "-" + a.somewhere() + ")";
-    formulas.add(meanings.linear_in_b, name + "offset_squared_" + other, about + "^2*" + y);
-    formulas.add(meanings.linear_in_a, name + "offset_" + other + "_squared",
-                 about + "*" + y + "^2");
+    add(meanings.linear_in_b, name + "offset_squared_" + other, about + "^2*" + y);
+    add(meanings.linear_in_a, name + "offset_" + other + "_squared", about + "*" + y + "^2");
     // Without the magnitude the catalogue has those of the rates.
-    if (b.is_extension)
-      formulas.add(meanings.linear_in_b, name + "offset_" + other, about + "*" + y);
+    if (b.is_extension) add(meanings.linear_in_b, name + "offset_" + other, about + "*" + y);
     if (b.has_both_signs()) {
-      formulas.add(meanings.size, name + "offset_" + other + "_size", about + "*abs(" + y + ")");
+      add(meanings.size, name + "offset_" + other + "_size", about + "*abs(" + y + ")");
     }
   }
   if (b.has_both_signs()) {
-    formulas.add(meanings.size, name + other + "_size", x + "*abs(" + y + ")");
+    add(meanings.size, name + other + "_size", x + "*abs(" + y + ")");
   }
-  formulas.add(FormMeaning::late, name + other + "_late", lag_text(x + "*" + y));
+  add(FormMeaning::late, name + other + "_late", lag_text(x + "*" + y));
 }
 
 // The spans on these rows of the catalogue's effects that have one shape, each with a constant.
@@ -227,8 +228,9 @@ std::vector<Eigen::MatrixXd> spans_of_catalogue(const series::SignalSeries& seri
 }
 
 // A formula that an effect of the catalogue contains is that effect, and no rival of its name.
-void remove_those_of_catalogue(const series::SignalSeries& series, fog::InputMask inputs,
-                               std::vector<Formula>& formulas) {
+std::vector<Formula> without_those_of_catalogue(std::vector<Formula> formulas,
+                                                const series::SignalSeries& series,
+                                                fog::InputMask inputs) {
   const std::vector<Eigen::MatrixXd> spans = spans_of_catalogue(series, inputs);
   const auto is_known = [&](const Formula& formula) {
     std::vector<model::EffectTerm> terms{formula.term};
@@ -241,6 +243,7 @@ void remove_those_of_catalogue(const series::SignalSeries& series, fog::InputMas
     });
   };
   formulas.erase(std::remove_if(formulas.begin(), formulas.end(), is_known), formulas.end());
+  return formulas;
 }
 
 }  // namespace
@@ -249,18 +252,16 @@ std::vector<Formula> formulas_over(const series::SignalSeries& series, fog::Inpu
   const std::vector<VaryingSignal> signals = varying_signals(series, inputs);
   Formulas formulas;
   for (std::size_t i = 0; i < signals.size(); ++i) {
-    add_own_forms(formulas, signals[i]);
-    if (signals[i].symbol == "T") add_first_heat(formulas, signals[i], series.rows());
+    formulas.add_own(signals[i]);
+    if (signals[i].symbol == "T") formulas.add_first_heat(signals[i], series.rows());
     if (signals[i].symbol == "W" && has(inputs, fog::Input::elapsed)) {
       formulas.add(FormMeaning::late_scale_factor, "W_warming_up", "W*exp(-t/" + kLagBounds + ")");
     }
     for (std::size_t j = i + 1; j < signals.size(); ++j) {
-      add_products(formulas, signals[i], signals[j]);
+      formulas.add_products(signals[i], signals[j]);
     }
   }
-  std::vector<Formula> all = formulas.take();
-  remove_those_of_catalogue(series, inputs, all);
-  return all;
+  return without_those_of_catalogue(formulas.take(), series, inputs);
 }
 
 std::string form_text(const model::Expression& expression) {

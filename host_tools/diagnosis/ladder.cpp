@@ -38,10 +38,11 @@ model::Model with_network(const model::Model& before, const TriedAddition& addit
   return try_to_add(before, addition.request, runs).model;
 }
 
-// Of what is certainly missing, the part that is proposed leads; of several, what explains most
-// alone.
-void lead_with_addition(const NextStep& next, Diagnosis& diagnosis) {
-  if (!next.addition || next.describes || diagnosis.verdict != Verdict::missing_effect) return;
+// The effect that is named: of what is certainly missing the part that is proposed; of several,
+// what explains most alone.
+std::string leading_effect(const NextStep& next, const Diagnosis& diagnosis) {
+  const bool is_named = diagnosis.verdict == Verdict::missing_effect;
+  if (!next.addition || next.describes || !is_named) return diagnosis.effect;
   const CandidateFinding* first = nullptr;
   for (const std::string& name : next.addition->request.names()) {
     const CandidateFinding* const finding = diagnosis.find(name);
@@ -50,7 +51,7 @@ void lead_with_addition(const NextStep& next, Diagnosis& diagnosis) {
       first = finding;
     }
   }
-  if (first != nullptr) diagnosis.effect = first->effect;
+  return first == nullptr ? diagnosis.effect : first->effect;
 }
 
 // A diagnosis of a model and, if that is wanted, what to do next.
@@ -61,30 +62,6 @@ struct Look {
 
 enum class Wanted { diagnosis, refinement, next_step };
 
-// With biases as the judge has them.
-Look look_once(const model::Model& model, const DiagnosisData& given, AdditionJudge& judge,
-               const DiagnosisSettings& settings, Wanted wanted) {
-  const DiagnosisData data = given.with_bias_of(judge.bias_of());
-  Look look;
-  judge.go_on_from(model);
-  std::atomic<bool> is_complete{false};
-  for_each_index(wanted == Wanted::diagnosis ? 1 : 2, [&](std::size_t i) {
-    if (i == 1 && !is_complete) judge.prepare();
-    if (i == 1) return;
-    look.diagnosis = diagnose(model, data, settings);
-    is_complete = look.diagnosis.verdict == Verdict::none;
-  });
-  if (wanted == Wanted::refinement) look.next = find_refinement(model, judge);
-  if (wanted != Wanted::next_step) return look;
-  DiagnosisSettings unheard = settings;
-  unheard.progress = nullptr;
-  look.next = find_next_step(model, look.diagnosis, data, judge, unheard);
-  if (look.next.chance_of_forms) shown_by_formulas(look.diagnosis, *look.next.chance_of_forms);
-  if (look.next.refutes_name) withdraw_name(look.diagnosis);
-  lead_with_addition(look.next, look.diagnosis);
-  return look;
-}
-
 // Whether what is missing has found no name that holds with one bias for all power-ons.
 bool finds_no_name(const Look& look) {
   return look.diagnosis.verdict != Verdict::none && (!look.next.addition || look.next.describes);
@@ -94,56 +71,98 @@ bool biases_differ(const model::Model& model, const runs::Runs& runs) {
   return fit::turn_on_biases(model, runs.all()).differs;
 }
 
-// A missing effect may hide that the biases of the power-ons differ; then one bias for all refuses
-// or bends what is missing. Where it finds no name, or one beside which the biases differ, the same
-// is looked at with a bias for each, and `judge` goes on so if the biases differ or only that finds
-// something. Errors out of sample do not decide: those about a bias of each power-on are smaller in
-// any case.
-std::optional<Look> with_own_biases(const Look& common, const model::Model& model,
-                                    const DiagnosisData& data, AdditionJudge& judge,
-                                    const DiagnosisSettings& settings) {
-  const bool differ =
-      common.next.addition && biases_differ(*common.next.addition->model, judge.runs());
-  if (!differ && !finds_no_name(common)) return std::nullopt;
-  judge.share_bias(series::BiasOf::power_on);
-  Look own = look_once(model, data, judge, settings, Wanted::next_step);
-  own.next.only_with_own_biases =
-      own.next.addition &&
-      (differ || !common.next.addition || biases_differ(*own.next.addition->model, judge.runs()));
-  if (own.next.only_with_own_biases) return own;
-  judge.share_bias(series::BiasOf::recording);
-  return std::nullopt;
-}
+// Looks at one model after the other, with the biases that the looks before have found.
+class Looks {
+ public:
+  Looks(const model::Model& model, const DiagnosisData& data, const runs::Runs& runs,
+        DiagnosisSettings settings)
+      : data_(data), settings_(std::move(settings)), judge_(model, runs, settings_.run_offsets) {}
 
-// A bias for each recording hides what differs between recordings alone: what the gyro does with a
-// temperature of which each has one. With one bias for all it shows; biases of power-ons do too,
-// but they do not follow an effect from one recording to another that it was not fitted to.
-std::optional<Look> between_recordings(const model::Model& model, const DiagnosisData& data,
-                                       AdditionJudge& judge, const DiagnosisSettings& settings) {
-  const series::BiasOf before = judge.bias_of();
-  judge.share_bias(series::BiasOf::all);
-  Look look = look_once(model, data, judge, settings, Wanted::next_step);
-  look.next.only_between_recordings = look.next.addition.has_value();
-  judge.share_bias(look.next.addition ? series::BiasOf::recording : before);
-  if (look.next.addition) return look;
-  return std::nullopt;
-}
-
-Look look_at(const model::Model& model, const DiagnosisData& data, AdditionJudge& judge,
-             const DiagnosisSettings& settings, Wanted wanted) {
-  Look look = look_once(model, data, judge, settings, wanted);
-  if (wanted != Wanted::next_step || !judge.runs().have_several_power_ons()) return look;
-  if (judge.bias_of() != series::BiasOf::power_on) {
-    if (auto own = with_own_biases(look, model, data, judge, settings)) return std::move(*own);
+  Look at(const model::Model& model, Wanted wanted) {
+    Look look = once(model, wanted);
+    if (wanted != Wanted::next_step || !runs().have_several_power_ons()) return look;
+    if (judge_.bias_of() != series::BiasOf::power_on) {
+      if (auto own = with_own_biases(look, model)) return std::move(*own);
+    }
+    if (look.next.addition) return look;
+    const compare::TurnOn turn_on = fit::turn_on_biases(model, runs().all());
+    if (!turn_on.differs) return look;
+    if (auto between = between_recordings(model)) return std::move(*between);
+    std::string& blind_spot = look.diagnosis.blind_spot;
+    if (blind_spot.empty() && turn_on.first_certain() == nullptr) {
+      blind_spot = turn_on.doubt_words();
+    }
+    return look;
   }
-  if (look.next.addition) return look;
-  const compare::TurnOn turn_on = fit::turn_on_biases(model, judge.runs().all());
-  if (!turn_on.differs) return look;
-  if (auto between = between_recordings(model, data, judge, settings)) return std::move(*between);
-  std::string& blind_spot = look.diagnosis.blind_spot;
-  if (blind_spot.empty() && turn_on.first_certain() == nullptr) blind_spot = turn_on.doubt_words();
-  return look;
-}
+
+  const runs::Runs& runs() const { return judge_.runs(); }
+  void cut(const std::vector<recording::Cut>& cuts) {
+    judge_.go_on_with(runs().with(cuts));
+    cut_ = data_.with_runs(runs().training);
+  }
+
+ private:
+  // With biases as the judge has them.
+  Look once(const model::Model& model, Wanted wanted) {
+    const DiagnosisData data = (cut_ ? *cut_ : data_).with_bias_of(judge_.bias_of());
+    Look look;
+    judge_.go_on_from(model);
+    std::atomic<bool> is_complete{false};
+    for_each_index(wanted == Wanted::diagnosis ? 1 : 2, [&](std::size_t i) {
+      if (i == 1 && !is_complete) judge_.prepare();
+      if (i == 1) return;
+      look.diagnosis = diagnose(model, data, settings_);
+      is_complete = look.diagnosis.verdict == Verdict::none;
+    });
+    if (wanted == Wanted::refinement) look.next = find_refinement(model, judge_);
+    if (wanted != Wanted::next_step) return look;
+    DiagnosisSettings unheard = settings_;
+    unheard.progress = nullptr;
+    look.next = find_next_step(model, look.diagnosis, data, judge_, unheard);
+    if (look.next.chance_of_forms) {
+      look.diagnosis = shown_by_formulas(std::move(look.diagnosis), *look.next.chance_of_forms);
+    }
+    if (look.next.refutes_name) look.diagnosis = without_name(std::move(look.diagnosis));
+    look.diagnosis.effect = leading_effect(look.next, look.diagnosis);
+    return look;
+  }
+
+  // A missing effect may hide that the biases of the power-ons differ; then one bias for all
+  // refuses or bends what is missing. Where it finds no name, or one beside which the biases
+  // differ, the same is looked at with a bias for each, and it goes on so if the biases differ or
+  // only that finds something. Errors out of sample do not decide: those about a bias of each
+  // power-on are smaller in any case.
+  std::optional<Look> with_own_biases(const Look& common, const model::Model& model) {
+    const bool differ = common.next.addition && biases_differ(*common.next.addition->model, runs());
+    if (!differ && !finds_no_name(common)) return std::nullopt;
+    judge_.share_bias(series::BiasOf::power_on);
+    Look own = once(model, Wanted::next_step);
+    own.next.only_with_own_biases =
+        own.next.addition &&
+        (differ || !common.next.addition || biases_differ(*own.next.addition->model, runs()));
+    if (own.next.only_with_own_biases) return own;
+    judge_.share_bias(series::BiasOf::recording);
+    return std::nullopt;
+  }
+
+  // A bias for each recording hides what differs between recordings alone: what the gyro does with
+  // a temperature of which each has one. With one bias for all it shows; biases of power-ons do
+  // too, but they do not follow an effect from one recording to another that it was not fitted to.
+  std::optional<Look> between_recordings(const model::Model& model) {
+    const series::BiasOf before = judge_.bias_of();
+    judge_.share_bias(series::BiasOf::all);
+    Look look = once(model, Wanted::next_step);
+    look.next.only_between_recordings = look.next.addition.has_value();
+    judge_.share_bias(look.next.addition ? series::BiasOf::recording : before);
+    if (look.next.addition) return look;
+    return std::nullopt;
+  }
+
+  const DiagnosisData& data_;
+  std::optional<DiagnosisData> cut_;  // instead of `data_`, once a run is cut
+  DiagnosisSettings settings_;
+  AdditionJudge judge_;
+};
 
 }  // namespace
 
@@ -180,9 +199,8 @@ Ladder ladder_of(const model::Model& model, const DiagnosisData& data, const run
   };
   Ladder ladder;
   ladder.model = model;
-  AdditionJudge judge(model, runs, settings.run_offsets);
-  std::optional<DiagnosisData> cut;  // instead of `data`, once a run is cut
-  Look look = look_at(model, data, judge, each, Wanted::next_step);
+  Looks looks(model, data, runs, each);
+  Look look = looks.at(model, Wanted::next_step);
   ladder.first = std::move(look.diagnosis);
   ladder.next = std::move(look.next);
   ladder.last = ladder.first;
@@ -192,16 +210,12 @@ Ladder ladder_of(const model::Model& model, const DiagnosisData& data, const run
     const TriedAddition& addition = ladder.steps.back().addition;
     const bool is_network = addition.request.is_network();
     if (!addition.request.refines) ++added;
-    if (!addition.request.cuts.empty()) {
-      judge.go_on_with(judge.runs().with(addition.request.cuts));
-      cut = data.with_runs(judge.runs().training);
-    }
-    ladder.model = with_network(ladder.model, addition, judge.runs());
+    if (!addition.request.cuts.empty()) looks.cut(addition.request.cuts);
+    ladder.model = with_network(ladder.model, addition, looks.runs());
     ladder.is_cut_off = !is_network && added == max_steps;
-    look = look_at(ladder.model, cut ? *cut : data, judge, each,
-                   is_network          ? Wanted::diagnosis
-                   : ladder.is_cut_off ? Wanted::refinement
-                                       : Wanted::next_step);
+    look = looks.at(ladder.model, is_network          ? Wanted::diagnosis
+                                  : ladder.is_cut_off ? Wanted::refinement
+                                                      : Wanted::next_step);
     ladder.last = std::move(look.diagnosis);
     const std::vector<TriedAddition> refused = std::move(ladder.last_next.refused);
     ladder.last_next = std::move(look.next);

@@ -69,12 +69,14 @@ double rms_of_rows(const series::Rows& rows, const fit::NoiseWeightedFit& fit,
   return std::sqrt(residual.cwiseAbs2().dot(weights) / weights.sum());
 }
 
-void put(std::vector<model::EffectTerm>& terms, const model::EffectTerm& added) {
+std::vector<model::EffectTerm> with_term(std::vector<model::EffectTerm> terms,
+                                         const model::EffectTerm& added) {
   const auto same = [&](const model::EffectTerm& term) { return term.name == added.name; };
   if (!model::is_event(added)) {
     terms.erase(std::remove_if(terms.begin(), terms.end(), same), terms.end());
   }
   terms.push_back(added);
+  return terms;
 }
 
 Refit refit(std::vector<model::EffectTerm> terms, const series::SignalSeries& series,

@@ -19,8 +19,9 @@ fit::NoiseWeightedFit fit_for_diagnosis(const model::Model& model, const Diagnos
 double rms_of_rows(const series::Rows& rows, const fit::NoiseWeightedFit& fit,
                    const Eigen::VectorXd& residual);
 
-/// Appends `added` to the terms, or replaces a smaller version of it.
-void put(std::vector<model::EffectTerm>& terms, const model::EffectTerm& added);
+/// The terms and, last, `added`, which replaces a smaller version of itself.
+std::vector<model::EffectTerm> with_term(std::vector<model::EffectTerm> terms,
+                                         const model::EffectTerm& added);
 
 /// Terms with least-squares coefficients, and the residual of each row.
 struct Refit {

@@ -25,7 +25,7 @@ AdditionRequest refinement(const model::EffectTerm& term, const std::string& set
 
 // Frees what the formula of a term leaves out or keeps: all together or, if that is refused, the
 // one that leaves least out of sample.
-std::optional<TriedAddition> refined(const model::EffectTerm& term, AdditionJudge& judge) {
+std::optional<TriedAddition> refined(const model::EffectTerm& term, const AdditionJudge& judge) {
   std::optional<TriedAddition> best;
   const auto try_one = [&](const std::string& settings) {
     AdditionRequest request = refinement(term, settings);
@@ -45,7 +45,8 @@ std::optional<TriedAddition> refined(const model::EffectTerm& term, AdditionJudg
 // Of what frees something that the formulas of the model's own effects leave out, or keep at a
 // value (model::possible_refinements()), the accepted one that leaves least out of sample. Nothing
 // if none is accepted.
-std::optional<TriedAddition> best_refinement(const model::Model& model, AdditionJudge& judge) {
+std::optional<TriedAddition> best_refinement(const model::Model& model,
+                                             const AdditionJudge& judge) {
   std::optional<TriedAddition> best;
   for (const model::EffectTerm& term : model.terms) {
     std::optional<TriedAddition> tried = refined(term, judge);
@@ -99,7 +100,7 @@ bool noise_may_hide(const Diagnosis& diagnosis) {
 class StepSearch {
  public:
   StepSearch(const model::Model& model, const Diagnosis& diagnosis, const DiagnosisData& data,
-             AdditionJudge& judge, const DiagnosisSettings& settings)
+             const AdditionJudge& judge, const DiagnosisSettings& settings)
       : model_(model),
         diagnosis_(diagnosis),
         data_(data),
@@ -265,7 +266,7 @@ class StepSearch {
   const model::Model& model_;
   const Diagnosis& diagnosis_;
   const DiagnosisData& data_;
-  AdditionJudge& judge_;
+  const AdditionJudge& judge_;
   const DiagnosisSettings& settings_;
   bool is_unknown_;
   std::vector<std::string> named_;   // what the diagnosis names, but for events
@@ -275,7 +276,7 @@ class StepSearch {
 
 }  // namespace
 
-NextStep find_refinement(const model::Model& model, AdditionJudge& judge) {
+NextStep find_refinement(const model::Model& model, const AdditionJudge& judge) {
   NextStep next;
   next.addition = best_refinement(model, judge);
   next.describes = next.addition.has_value();
@@ -283,7 +284,7 @@ NextStep find_refinement(const model::Model& model, AdditionJudge& judge) {
 }
 
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
-                        const DiagnosisData& data, AdditionJudge& judge,
+                        const DiagnosisData& data, const AdditionJudge& judge,
                         const DiagnosisSettings& settings) {
   return StepSearch(model, diagnosis, data, judge, settings)();
 }

@@ -32,7 +32,7 @@ struct NextStep {
 };
 
 /// What frees something that the formulas of the model's own effects leave out, if it is accepted.
-NextStep find_refinement(const model::Model& model, AdditionJudge& judge);
+NextStep find_refinement(const model::Model& model, const AdditionJudge& judge);
 
 /// Tries what `diagnosis` names; if that is refused, its rivals, most probable first. If
 /// none holds, or it names nothing: a certain jump, beside which the rest is judged, or else a
@@ -43,7 +43,7 @@ NextStep find_refinement(const model::Model& model, AdditionJudge& judge);
 /// cycle, jumps). Where what is left may be a random walk, formulas alone are asked. `data` has the
 /// rows of the training runs of `judge`, which is of `model`.
 NextStep find_next_step(const model::Model& model, const Diagnosis& diagnosis,
-                        const DiagnosisData& data, AdditionJudge& judge,
+                        const DiagnosisData& data, const AdditionJudge& judge,
                         const DiagnosisSettings& settings = {});
 
 }  // namespace fogcomp::diagnosis

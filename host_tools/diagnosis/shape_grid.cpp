@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "diagnosis/decision_rules.hpp"
@@ -107,9 +108,9 @@ std::vector<Place> halved(std::vector<Place> places) {
   return finer;
 }
 
-// Makes the grid of one parameter; the others keep their values in `term`.
-void add_grid(const ShapeMaker& make, const model::EffectTerm& term,
-              const model::ShapeParameter& parameter, std::vector<Candidate::Shape>& shapes) {
+// The grid of one parameter; the others keep their values in `term`.
+std::vector<Candidate::Shape> grid_of(const ShapeMaker& make, const model::EffectTerm& term,
+                                      const model::ShapeParameter& parameter) {
   std::vector<Place> places;
   for (int i = 0; i < kFirstGridPoints; ++i) {
     places.push_back({static_cast<double>(i) / (kFirstGridPoints - 1)});
@@ -124,9 +125,11 @@ void add_grid(const ShapeMaker& make, const model::EffectTerm& term,
     made = places.size();
     if (made < kMaxGridPoints) places = halved(std::move(places));
   }
+  std::vector<Candidate::Shape> shapes;
   for (Place& place : places) {
     if (place.shape) shapes.push_back(std::move(*place.shape));
   }
+  return shapes;
 }
 
 }  // namespace
@@ -149,7 +152,10 @@ std::vector<Candidate::Shape> all_shapes(const ShapeMaker& make, const model::Ef
     }
     starts = std::move(more);
   }
-  for (const model::EffectTerm& start : starts) add_grid(make, start, parameters[0], shapes);
+  for (const model::EffectTerm& start : starts) {
+    std::vector<Candidate::Shape> grid = grid_of(make, start, parameters[0]);
+    std::move(grid.begin(), grid.end(), std::back_inserter(shapes));
+  }
   return shapes;
 }
 

@@ -79,8 +79,8 @@ std::vector<std::size_t> best_rows(const series::Rows& rows, const Eigen::Vector
 // Steps of which each is moved at most once.
 class Steps {
  public:
-  Steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows)
-      : shapes_(shapes), rows_(rows), moved_(shapes.size(), false) {}
+  Steps(std::vector<Candidate::Shape> shapes, const series::Rows& rows)
+      : shapes_(std::move(shapes)), rows_(rows), moved_(shapes_.size(), false) {}
 
   /// Takes the place of the nearest step of the same run.
   void place(Candidate::Shape placed) {
@@ -94,21 +94,24 @@ class Steps {
     shapes_[nearest] = std::move(placed);
     moved_[nearest] = true;
   }
+  std::vector<Candidate::Shape> take() { return std::move(shapes_); }
 
  private:
   std::size_t away(std::size_t i, const Candidate::Shape& placed) const {
     return std::max(shapes_[i].row, placed.row) - std::min(shapes_[i].row, placed.row);
   }
 
-  std::vector<Candidate::Shape>& shapes_;
+  std::vector<Candidate::Shape> shapes_;
   const series::Rows& rows_;
   std::vector<bool> moved_;
 };
 
 }  // namespace
 
-void place_steps(std::vector<Candidate::Shape>& shapes, const ShapeSpace& space,
-                 const Residualizer& residualizer, const Eigen::MatrixXf& smooth_columns) {
+std::vector<Candidate::Shape> placed_steps(std::vector<Candidate::Shape> shapes,
+                                           const ShapeSpace& space,
+                                           const Residualizer& residualizer,
+                                           const Eigen::MatrixXf& smooth_columns) {
   const series::Rows& rows = space.series.rows();
   const Eigen::MatrixXd smooth = smooth_columns.cast<double>();
   const Eigen::MatrixXd nothing(smooth.rows(), 0);
@@ -120,7 +123,7 @@ void place_steps(std::vector<Candidate::Shape>& shapes, const ShapeSpace& space,
       std::max(1.0, left.col(1).squaredNorm() / static_cast<double>(rows.size()));
   const Eigen::MatrixXd drops = residualizer.chi2_drops_of_steps(rows, left);
   const model::EffectTerm step = shapes.front().term;
-  Steps steps(shapes, rows);
+  Steps steps(std::move(shapes), rows);
   const auto place = [&](Eigen::Index which, const Eigen::MatrixXd& beside, double min_drop) {
     for (const std::size_t row : best_rows(rows, drops.col(which))) {
       auto placed = step_shape(space, step, row);
@@ -134,10 +137,12 @@ void place_steps(std::vector<Candidate::Shape>& shapes, const ShapeSpace& space,
   };
   place(0, nothing, rules::kMinMovedChi2Drop);
   place(1, smooth, rules::kMinPlacedChi2Drop * roughness);
+  return steps.take();
 }
 
-void remove_gradual_steps(std::vector<Candidate::Shape>& shapes, const series::Rows& rows,
-                          const fit::NoiseWeightedFit& fit) {
+std::vector<Candidate::Shape> without_gradual_steps(std::vector<Candidate::Shape> shapes,
+                                                    const series::Rows& rows,
+                                                    const fit::NoiseWeightedFit& fit) {
   const noise::Whitening whitening(fit::noise_beside(rows, fit), rows, fit.row_weights);
   const Eigen::VectorXd residual = whitening.apply(fit.residual_dph);
   std::vector<char> is_gradual(shapes.size());
@@ -149,7 +154,7 @@ void remove_gradual_steps(std::vector<Candidate::Shape>& shapes, const series::R
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     if (is_gradual[i] == 0) kept.push_back(std::move(shapes[i]));
   }
-  shapes = std::move(kept);
+  return kept;
 }
 
 }  // namespace fogcomp::diagnosis

@@ -171,7 +171,8 @@ TEST_F(CandidatesTest, AreSharpenedTowardsTheTruth) {
   const Eigen::VectorXd residual = residual_of("thermal_lag:tau=700", 40);
   CandidateList list = found("bias");
   const double before = best_gain(*find(list, "thermal_lag"), residual);
-  refine_shape_parameters(list.testable, space(), model::parse_effects("bias"), residual);
+  list.testable =
+      with_best_shapes(std::move(list.testable), space(), model::parse_effects("bias"), residual);
   const double after = best_gain(*find(list, "thermal_lag"), residual);
   EXPECT_GT(after, before);
   EXPECT_GT(after, 0.985 * residual.squaredNorm()) << before;
@@ -182,7 +183,8 @@ TEST_F(CandidatesTest, AreNotSharpenedOnWhatNoiseMightBe) {
   const Eigen::VectorXd residual = residual_of("thermal_lag:tau=700", 9);
   CandidateList list = found("bias");
   const CandidateList before = list;
-  refine_shape_parameters(list.testable, space(), model::parse_effects("bias"), residual);
+  list.testable =
+      with_best_shapes(std::move(list.testable), space(), model::parse_effects("bias"), residual);
   for (std::size_t i = 0; i < list.testable.size(); ++i) {
     for (std::size_t shape = 0; shape < list.testable[i].shapes.size(); ++shape) {
       EXPECT_EQ(list.testable[i].shapes[shape].term.shape(),

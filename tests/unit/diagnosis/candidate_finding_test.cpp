@@ -108,11 +108,11 @@ CandidateFinding finding(const std::string& effect, double lead, double probabil
   return one;
 }
 
-TEST(SortByLead, ThenByProbabilityThenByEvidenceAndEqualOnesStay) {
+TEST(SortedByLead, ThenByProbabilityThenByEvidenceAndEqualOnesStay) {
   std::vector<CandidateFinding> findings{
       finding("e", 0.1, 0.2, 1), finding("c", 0.1, 0.2, 7), finding("b", 0.1, 0.3, 0),
       finding("d", 0.1, 0.2, 1 + 1e-12), finding("a", 0.5, 0.5, 0)};
-  sort_by_lead(findings);
+  findings = sorted_by_lead(std::move(findings));
   std::string order;
   for (const CandidateFinding& one : findings) order += one.effect;
   EXPECT_EQ(order, "abced");

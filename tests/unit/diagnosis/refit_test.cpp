@@ -18,11 +18,11 @@ std::vector<std::string> names_of(const std::vector<EffectTerm>& terms) {
   return names;
 }
 
-TEST(Put, TakesTheLastPlaceAndThatOfASmallerVersion) {
+TEST(WithTerm, TakesTheLastPlaceAndThatOfASmallerVersion) {
   std::vector<EffectTerm> terms =
       model::parse_effects("bias,bias_temperature:order=2,temperature_rate");
-  put(terms, model::parse_effects("aging")[0]);
-  put(terms, model::parse_effects("bias_temperature:order=4")[0]);
+  terms = with_term(std::move(terms), model::parse_effects("aging")[0]);
+  terms = with_term(std::move(terms), model::parse_effects("bias_temperature:order=4")[0]);
   EXPECT_EQ(names_of(terms),
             (std::vector<std::string>{"bias", "temperature_rate", "aging", "bias_temperature"}));
   EXPECT_EQ(terms.back().parameters[0].value, 4);

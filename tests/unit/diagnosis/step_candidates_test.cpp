@@ -56,12 +56,11 @@ Placed place(double jump_dph, double fraction, const std::string& missing, doubl
     return residualizer(columns);
   };
   const ShapeSpace space{data.series(), project_out_model, modes};
-  placed.shapes = step_shapes(space, model::parse_effects("bias_step")[0]);
-  const std::vector<Candidate::Shape> grid = placed.shapes;
-  place_steps(placed.shapes, space, residualizer, smooth.all);
+  const std::vector<Candidate::Shape> grid =
+      step_shapes(space, model::parse_effects("bias_step")[0]);
+  placed.shapes = placed_steps(grid, space, residualizer, smooth.all);
   EXPECT_EQ(placed.shapes.size(), grid.size());
-  placed.sharp = placed.shapes;
-  remove_gradual_steps(placed.sharp, rows, fit);
+  placed.sharp = without_gradual_steps(placed.shapes, rows, fit);
   placed.jump_s = recording.time_s[at];
   placed.row_s = rows.row_s;
   return placed;

@@ -72,7 +72,7 @@ TEST(DiagnosisWords, OfSomethingFaintNameNothing) {
 
 TEST(DiagnosisWords, OfAWithdrawnNameSayWhatItLookedLike) {
   diagnosis::Diagnosis found = only_together();
-  withdraw_name(found);
+  found = without_name(std::move(found));
   EXPECT_EQ(found.verdict, diagnosis::Verdict::unknown);
   EXPECT_EQ(found.effect, "");
   EXPECT_EQ(words_of(found, {}, kFiles).verdict,
@@ -82,7 +82,7 @@ TEST(DiagnosisWords, OfAWithdrawnNameSayWhatItLookedLike) {
 TEST(DiagnosisWords, OfAFormulaInSlowNoiseSaySo) {
   diagnosis::Diagnosis found = only_together();
   found.verdict = diagnosis::Verdict::none;
-  shown_by_formulas(found, 1e-9);
+  found = shown_by_formulas(std::move(found), 1e-9);
   EXPECT_EQ(found.verdict, diagnosis::Verdict::unknown);
   EXPECT_EQ(found.nothing, 1e-9);
   EXPECT_EQ(words_of(found, {}, kFiles).verdict,
