@@ -11,7 +11,7 @@
 #include "cli/command.hpp"
 #include "cli/gyro_calibration.hpp"
 #include "findings/json.hpp"
-#include "fit/lot_file.hpp"
+#include "fit/lot.hpp"
 #include "report/report.hpp"
 #include "support/input_error.hpp"
 #include "support/output_file.hpp"

@@ -5,8 +5,9 @@
 #include <utility>
 
 #include "compare/comparison.hpp"
+#include "compare/decision_rules.hpp"
 #include "noise/noise_floor.hpp"
-#include "series/drift_uncertainty.hpp"
+#include "series/signal_series.hpp"
 #include "support/text.hpp"
 #include "support/units.hpp"
 
@@ -24,6 +25,18 @@ double noise_variance(const model::Model& model, double row_s, double run_s, dou
       std::pow(known.flicker_dph, 2) / kPi * (1 + std::log(std::max(1.0, run_s / row_s)));
   const double walk = std::pow(known.walk_dph_per_rth, 2) * since_start_s / kSecondsPerHour;
   return white + flicker + walk + std::pow(known.turn_on_dph, 2);
+}
+
+struct Delay {
+  Eigen::VectorXd drift_dph;  // per row: as the board computes it, less the gyro's own
+  Eigen::VectorXd weights;
+};
+
+Delay delay_of(const model::Model& model, const runs::Run& run) {
+  series::SignalSeries series(model);
+  series.add(run.blocks);
+  return {series.drift_dph(model.terms) - series.drift_dph(model.terms, series::Reading::of_gyro),
+          series.rows().weights};
 }
 
 }  // namespace
@@ -125,6 +138,47 @@ std::string TurnOn::doubt_words() const {
   return differs_words() +
          ": turn-on biases, noise slower than a recording, or a drift that it lacks; each "
          "temperature in two of the recordings, or one recording over all of them, would tell";
+}
+
+void BoardError::add(const BoardError& other) {
+  const auto pooled = [&](double own, double others) {
+    const double square = rows * own * own + other.rows * others * others;
+    return std::sqrt(square / std::max(rows + other.rows, 1e-300));
+  };
+  rms_dph = pooled(rms_dph, other.rms_dph);
+  without_delay_dph = pooled(without_delay_dph, other.without_delay_dph);
+  rows += other.rows;
+}
+
+bool BoardError::delay_matters() const {
+  return rms_dph - without_delay_dph > rules::kTellsApart * rms_dph;
+}
+
+std::string delay_words(const BoardError& error) {
+  return format(
+      "as the board computes it, the model leaves %.4g deg/h rms; without the board's delay (block "
+      "means, derivative filter) it would leave %.4g",
+      error.rms_dph, error.without_delay_dph);
+}
+
+BoardError board_error(const model::Model& model, const runs::Run& run,
+                       const Comparison& comparison) {
+  model::Model averaging = model;
+  averaging.average_s = comparison.rows.row_s;
+  const Delay delay = delay_of(averaging, run);
+  BoardError error{comparison.whole.rms_dph, 0, 0};
+  double square = 0;
+  const std::vector<double> residuals = comparison.residuals_dph();
+  for (std::size_t i = 0; i < comparison.size(); ++i) {
+    if (comparison.outlier[i]) continue;
+    const auto row = static_cast<Eigen::Index>(i);
+    const double weight = comparison.rows.weights[row];
+    const double residual = residuals[i] + delay.drift_dph[row];
+    square += weight * residual * residual;
+    error.rows += weight;
+  }
+  error.without_delay_dph = std::sqrt(square / std::max(error.rows, 1e-300));
+  return error;
 }
 
 }  // namespace fogcomp::compare

@@ -4,13 +4,32 @@
 #include <string>
 #include <vector>
 
-#include "compare/board_delay.hpp"
 #include "compare/comparison.hpp"
 #include "compare/residual_analysis.hpp"
 #include "model/model.hpp"
 #include "runs/run.hpp"
 
 namespace fogcomp::compare {
+
+/// Error of a model as the board computes it, and without the board's delay with the gyro's own
+/// values: rms of the rows that count, deg/h.
+struct BoardError {
+  double rms_dph = 0;
+  double without_delay_dph = 0;
+  double rows = 0;  ///< total duration, in full rows
+
+  /// Combines several runs.
+  void add(const BoardError& other);
+  /// Whether the delay makes more than 1 % of the error: then both are printed.
+  bool delay_matters() const;
+};
+
+/// "as the board computes it the residual is 1062, without the board's delay (...) 166.8 deg/h".
+std::string delay_words(const BoardError& error);
+
+/// `comparison`: of this model on this run.
+BoardError board_error(const model::Model& model, const runs::Run& run,
+                       const Comparison& comparison);
 
 /// What a model promises of a run that it was not fitted to, and whether it holds: means over ten
 /// minutes, by which white noise is small beside the drift.
@@ -24,7 +43,7 @@ struct PredictiveBand {
   double share_within(double sigmas) const;
 };
 
-/// The standard deviation is that of the drift (series/drift_uncertainty.hpp) and of the noise:
+/// The standard deviation is that of the drift (series/signal_series.hpp) and of the noise:
 /// white, flicker over the run, a random walk since its start, and the bias of another power-on.
 /// Nothing if the model does not know its uncertainty, or the run is shorter than two means.
 std::optional<PredictiveBand> band_of(const model::Model& model, const runs::Run& run);

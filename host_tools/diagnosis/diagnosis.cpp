@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "diagnosis/candidates.hpp"
 #include "diagnosis/decision_rules.hpp"
 #include "diagnosis/evidence_space.hpp"
 #include "diagnosis/late_ripple.hpp"
 #include "diagnosis/model_fit.hpp"
 #include "diagnosis/residual_place.hpp"
-#include "diagnosis/shape_grid.hpp"
 #include "judge/explanations.hpp"
 #include "model/catalogue.hpp"
 #include "model/shape_limits.hpp"

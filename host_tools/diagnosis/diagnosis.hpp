@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/board_delay.hpp"
+#include "compare/model_on_runs.hpp"
 #include "diagnosis/candidate_finding.hpp"
 #include "diagnosis/diagnosis_data.hpp"
 #include "diagnosis/experiment.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "recording/recording.hpp"
-#include "series/required_inputs.hpp"
+#include "series/signal_series.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <tuple>
 
-#include "diagnosis/shape_grid.hpp"
+#include "diagnosis/candidates.hpp"
 #include "diagnosis/step_candidates.hpp"
 #include "fit/inexact_terms.hpp"
 #include "fit/predict.hpp"

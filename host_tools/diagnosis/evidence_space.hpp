@@ -6,7 +6,6 @@
 #include "diagnosis/candidates.hpp"
 #include "diagnosis/diagnosis_data.hpp"
 #include "diagnosis/structure.hpp"
-#include "diagnosis/visible_part.hpp"
 #include "judge/explanations.hpp"
 
 namespace fogcomp::diagnosis {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/shape_grid.hpp"
+#include "diagnosis/candidates.hpp"
 #include "model/catalogue.hpp"
 
 namespace fogcomp::diagnosis {

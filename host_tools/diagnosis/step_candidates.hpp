@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "diagnosis/candidates.hpp"
-#include "diagnosis/visible_part.hpp"
+#include "diagnosis/structure.hpp"
 
 namespace fogcomp::diagnosis {
 

@@ -1,6 +1,6 @@
 #include "findings/json.hpp"
 #include "findings/text.hpp"
-#include "fit/prior_update.hpp"
+#include "fit/identify.hpp"
 #include "support/evidence.hpp"
 #include "support/text.hpp"
 

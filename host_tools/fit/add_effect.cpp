@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "fit/addition_verdict.hpp"
-#include "runs/row_length.hpp"
-#include "series/required_inputs.hpp"
+#include "runs/run.hpp"
+#include "series/signal_series.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 

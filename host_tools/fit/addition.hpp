@@ -10,7 +10,6 @@
 #include "fit/cross_validation.hpp"
 #include "fit/fit_model.hpp"
 #include "fit/known_regressors.hpp"
-#include "fit/out_of_sample.hpp"
 #include "recording/mask.hpp"
 
 namespace fogcomp::fit {
@@ -44,7 +43,7 @@ struct AdditionVerdict {
     std::optional<OutOfSample> alone;   ///< without the others; nothing if not determined
     std::optional<OutOfSample> beside;  ///< when the others are already there
   };
-  double row_s = 0;  ///< rows in which it was judged (runs/row_length.hpp)
+  double row_s = 0;  ///< rows in which it was judged (runs/run.hpp)
   /// In these rows, of the whole model: rms of the training runs.
   double fitted_before_dph = 0;
   double fitted_after_dph = 0;

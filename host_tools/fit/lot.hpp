@@ -48,4 +48,12 @@ using Refit = std::function<Sister(std::size_t gyro, const Prior& prior)>;
 /// that is no prior or has other effects, and like prior_of().
 Lot learn_lot(const std::vector<OwnModel>& gyros, const Refit& refit);
 
+/// A lot as text: a line for each sister with what her recordings say, a CRC-32 of them, then the
+/// mean gyro's model file (host_tools/REFERENCE.md, "Lot file").
+std::string lot_text(const Lot& lot);
+
+/// Parses lot_text(). `file` is its name for errors: InputError for a file that is no lot or is
+/// damaged.
+Lot parse_lot(const std::string& text, const std::string& file);
+
 }  // namespace fogcomp::fit

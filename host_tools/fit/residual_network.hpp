@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "fit/cross_validation.hpp"
 #include "fit/identify.hpp"
-#include "fit/out_of_sample.hpp"
 #include "network/network_training.hpp"
 #include "series/signal_series.hpp"
 

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "judge/at_noise.hpp"
 #include "judge/rivals.hpp"
 
 namespace fogcomp::judge {

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "judge/at_noise.hpp"
 #include "judge/likelihood.hpp"
 #include "judge/rivals.hpp"
 #include "support/parallel.hpp"

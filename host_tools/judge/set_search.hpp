@@ -3,7 +3,6 @@
 #include <array>
 #include <vector>
 
-#include "judge/at_noise.hpp"
 #include "judge/likelihood.hpp"
 #include "judge/rivals.hpp"
 

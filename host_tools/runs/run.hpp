@@ -18,7 +18,7 @@ namespace fogcomp::runs {
 /// What fit, add, compare and diagnose use of a recording: its blocks of 1 s, its segments and its
 /// noise floors. A two-hundredth of a 200 Hz recording's memory, so that many runs fit.
 struct Run {
-  std::string file;                  ///< `a.csv + b.csv` if joined from several (joined_runs.hpp)
+  std::string file;                  ///< `a.csv + b.csv` if joined from several (runs.hpp)
   std::vector<std::string> files;    ///< these; one else
   std::vector<std::uint64_t> marks;  ///< recording::sample_marks
   std::size_t refused_rows = 0;      ///< left out because the board would refuse them
@@ -63,5 +63,20 @@ Run without_cuts(Run run, const std::vector<recording::Cut>& cuts);
 /// an input of the model.
 series::SignalSeries series_of(const model::Model& model, const std::vector<Run>& runs,
                                series::Phase phase = series::Phase::board);
+
+/// Rows in which residuals are diagnosed and additions are judged.
+struct RowLength {
+  double row_s = 0;
+  std::string why;  ///< a line where it is neither the usual one nor the model's, else ""
+};
+
+/// The shortest of rules::kRowLengths_s, seconds, that does not make too many rows of so many
+/// seconds.
+double sufficient_row_s(double all_s);
+
+/// The row length for these runs: whatever `model_row_s`, that of the model's fit, so that no
+/// verdict depends on it (rules::kRowLengths_s). Only where it makes the same rows, or where a run
+/// is so short that longer rows would be too few (rules::kMinRowsToJudge), `model_row_s` itself.
+RowLength row_length(const std::vector<Run>& runs, double model_row_s);
 
 }  // namespace fogcomp::runs

@@ -35,7 +35,7 @@ struct Runs {
 };
 
 /// Reads files one after another; only the blocks stay in memory. A file with the rows of an
-/// earlier one is left out; one that continues another is joined to its run (joined_runs.hpp).
+/// earlier one is left out; one that continues another is joined to its run (join_continued()).
 /// `row_lengths_s`: as run_of() takes them; notes are about the first. Throws InputError like
 /// read_recording() and run_of(), for a mask or cut that lies in no run, and for a holdout with
 /// rows of a training run, which cannot judge.
@@ -45,5 +45,15 @@ Runs read_runs(const std::vector<std::string>& training, const std::vector<std::
 /// The same for runs that only judge, a model fitted to `training` if that is known.
 Runs read_holdouts(const std::vector<std::string>& files, const recording::ReadOptions& options,
                    const std::vector<double>& row_lengths_s, const std::vector<Run>& training = {});
+
+struct NotedRuns {
+  std::vector<Run> runs;
+  std::vector<std::string> notes;  ///< a line each
+};
+
+/// Joins files of one run, in any order: a file that continues another on the same clock without a
+/// gap. A logger that starts a file every hour restarts neither the gyro nor its temperatures. A
+/// note for each joined file.
+NotedRuns join_continued(std::vector<Run> runs);
 
 }  // namespace fogcomp::runs

@@ -5,13 +5,16 @@
 #include <limits>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "model/catalogue.hpp"
 #include "model/drift_model.hpp"
 #include "model/input_value.hpp"
+#include "model/shape_parameter.hpp"
 #include "recording/decision_rules.hpp"
 #include "series/block_walk.hpp"
-#include "series/required_inputs.hpp"
+#include "series/term_columns.hpp"
+#include "support/input_error.hpp"
 #include "support/parallel.hpp"
 
 namespace fogcomp::series {
@@ -31,6 +34,50 @@ void run_without_noise(const BlockSeries& series, const MeasuredTemperature& own
   };
   run_blocks(series, means_with(series.first, series.blocks[0].number), means_of, model,
              [](const BlockSeries::Block&) {});
+}
+
+// Of the gyro's drift by each unknown, in the order of the covariance.
+Eigen::MatrixXd unknown_columns(const model::Model& model, const SignalSeries& series) {
+  std::vector<model::EffectTerm> terms;
+  for (const model::EffectTerm& term : model.terms) {
+    if (!model::is_found_event(term)) terms.push_back(model::of_gyro(term));
+  }
+  const std::vector<model::ShapeParameter> shapes = model::shape_parameters(terms);
+  const std::vector<ColumnRange> ranges = columns_of(terms, series.rows().row_s);
+  Eigen::MatrixXd columns(series.rows().size(), model::unknowns_of(model));
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    columns.middleCols(ranges[i].first, ranges[i].count) =
+        series.regressors(terms[i], Reading::of_gyro);
+  }
+  Eigen::Index at = ranges.back().first + ranges.back().count;
+  for (const model::ShapeParameter& shape : shapes) {
+    const model::EffectTerm& term = terms[shape.term];
+    const auto drift_of = [&](const model::EffectTerm& moved) -> Eigen::VectorXd {
+      return series.regressors(moved, Reading::of_gyro) * term.coefficients();
+    };
+    columns.col(at++) = model::derivative_by_unit(shape, term, drift_of) /
+                        shape.slope(term.parameters[shape.index].value);
+  }
+  return columns;
+}
+
+std::string remedy(fog::Input input) {
+  switch (input) {
+    case fog::Input::elapsed:
+      return "time_s must be seconds since power-on and begins below 0 here";
+    case fog::Input::input_rate:
+      return "add it, give --latitude, or leave the effect out";
+    default:
+      return "add it, or leave the effect out";
+  }
+}
+
+void require(const std::string& who, fog::InputMask needs, const BlockSeries& series) {
+  for (const fog::InputDescription& input : fog::kInputTable) {
+    if (!has(needs & ~series.inputs, input.input)) continue;
+    throw InputError(series.file,
+                     who + " needs the column " + input.column + "; " + remedy(input.input));
+  }
 }
 
 }  // namespace
@@ -399,6 +446,26 @@ Eigen::MatrixXd SignalSeries::network_inputs(const std::vector<model::RealInput>
   };
   return row_means(
       [&](const Run& run) { return Part(inputs, run.track(Reading::of_sensor).block_s); });
+}
+
+Eigen::VectorXd drift_sigma_dph(const model::Model& model, const SignalSeries& series) {
+  const Eigen::MatrixXd columns = unknown_columns(model, series);
+  const Eigen::VectorXd of_delay =
+      series.drift_dph(model.terms) - series.drift_dph(model.terms, Reading::of_gyro);
+  const Eigen::VectorXd variance =
+      (columns * model.uncertainty->covariance).cwiseProduct(columns).rowwise().sum();
+  return (variance.cwiseMax(0) + of_delay.cwiseAbs2()).cwiseSqrt();
+}
+
+void require_inputs(const std::vector<model::EffectTerm>& terms, const BlockSeries& series) {
+  for (const model::EffectTerm& term : terms) {
+    require(term.name, model::info_of(term).needs, series);
+  }
+}
+
+void require_inputs(const model::Model& model, const BlockSeries& series) {
+  require_inputs(model.terms, series);
+  require("the network", model.network.needs(), series);
 }
 
 }  // namespace fogcomp::series

@@ -160,4 +160,15 @@ class SignalSeries {
   Thermometer thermometer_;
 };
 
+/// Standard deviation of the drift that a board subtracts in each row, deg/h: of coefficients and
+/// shapes, and what the delay of its derivative changes; without the noise of the rate. Requires
+/// Model::uncertainty; `series`: in Phase::board.
+Eigen::VectorXd drift_sigma_dph(const model::Model& model, const SignalSeries& series);
+
+/// Throws InputError with file, column and effect if a recording lacks an input of a term. To be
+/// called before a model is run over a recording: missing columns would be zeros.
+void require_inputs(const std::vector<model::EffectTerm>& terms, const BlockSeries& series);
+/// The same, including the network.
+void require_inputs(const model::Model& model, const BlockSeries& series);
+
 }  // namespace fogcomp::series

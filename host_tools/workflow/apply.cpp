@@ -9,8 +9,7 @@
 #include "model/model_file.hpp"
 #include "recording/columns.hpp"
 #include "series/block_walk.hpp"
-#include "series/drift_uncertainty.hpp"
-#include "series/required_inputs.hpp"
+#include "series/signal_series.hpp"
 #include "workflow/reading.hpp"
 
 namespace fogcomp::workflow {

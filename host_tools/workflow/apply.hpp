@@ -36,7 +36,7 @@ struct ApplyOutcome {
 
 /// Applies a model to a recording, row by row: measured values, contribution of each effect and of
 /// the network, their sum, compensated rate, and the standard deviation of the drift if the model
-/// knows it (series/drift_uncertainty.hpp). Computed like on the board: a drift is valid for a
+/// knows it (series/signal_series.hpp). Computed like on the board: a drift is valid for a
 /// block of 1 s and uses earlier data only; in double or, on_board, the integers of replay().
 /// Throws InputError like compare() and replay().
 ApplyOutcome apply(const ApplyRequest& request, const SeriesSink& sink,

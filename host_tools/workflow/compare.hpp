@@ -20,7 +20,7 @@ struct CompareRequest {
 };
 
 /// Applies every model to every run, in the same rows. A run with the rows of an earlier one is
-/// left out, one that continues another is joined to it (runs/joined_runs.hpp), with a note.
+/// left out, one that continues another is joined to it (runs/runs.hpp), with a note.
 /// Throws InputError if a run lacks an input of a model, and for models of different scale factors
 /// if `reading` has none.
 std::vector<compare::ModelOnRuns> compare(const CompareRequest& request,

@@ -6,7 +6,7 @@
 #include "fit/turn_on_bias.hpp"
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
-#include "runs/row_length.hpp"
+#include "runs/run.hpp"
 #include "support/text.hpp"
 
 namespace fogcomp::workflow {

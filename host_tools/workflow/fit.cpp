@@ -8,7 +8,7 @@
 #include "network/network_inputs.hpp"
 #include "recording/recording_writer.hpp"
 #include "runs/runs.hpp"
-#include "series/required_inputs.hpp"
+#include "series/signal_series.hpp"
 #include "support/text.hpp"
 #include "workflow/prior.hpp"
 #include "workflow/reading.hpp"

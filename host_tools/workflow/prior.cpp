@@ -5,7 +5,7 @@
 
 #include "compare/comparison.hpp"
 #include "fit/informed_fit.hpp"
-#include "fit/lot_file.hpp"
+#include "fit/lot.hpp"
 #include "fit/noise_weighted_fit.hpp"
 #include "model/model_file.hpp"
 #include "runs/runs.hpp"

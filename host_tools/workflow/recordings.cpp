@@ -8,7 +8,7 @@
 #include "noise/noise_floor.hpp"
 #include "recording/reading.hpp"
 #include "recording/segments.hpp"
-#include "runs/row_length.hpp"
+#include "runs/run.hpp"
 #include "support/input_error.hpp"
 #include "support/text.hpp"
 #include "workflow/fit.hpp"

@@ -1,4 +1,4 @@
-#include "compare/trained_range.hpp"
+#include "compare/comparison.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/shape_grid.hpp"
+#include "diagnosis/candidates.hpp"
 #include "unit/diagnosis/made_evidence.hpp"
 
 namespace fogcomp::diagnosis {

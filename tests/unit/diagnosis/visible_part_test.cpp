@@ -1,4 +1,4 @@
-#include "diagnosis/visible_part.hpp"
+#include "diagnosis/structure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <random>
 
-#include "fit/lot_file.hpp"
 #include "model/effect_list.hpp"
 #include "model/model_file.hpp"
 #include "support/evidence.hpp"

@@ -7,7 +7,7 @@
 #include <functional>
 #include <set>
 
-#include "judge/at_noise.hpp"
+#include "judge/rivals.hpp"
 #include "support/random.hpp"
 #include "support/units.hpp"
 

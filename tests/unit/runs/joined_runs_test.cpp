@@ -1,4 +1,4 @@
-#include "runs/joined_runs.hpp"
+#include "runs/runs.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "runs/row_length.hpp"
+#include "runs/run.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "series/edge_values.hpp"
+#include "series/block_series.hpp"
 
 #include <gtest/gtest.h>
 
