@@ -53,8 +53,9 @@ inline constexpr std::array<FormMeaningDescription, 14> kFormMeanings{{
      "a coil's first heat, of which something remains: glue cures on, a joint or a winding "
      "settles; conditioning above the highest operating temperature before the calibration "
      "prevents it"},
-    {FormMeaning::interference, "sin(x/p)",
-     "interference or a 2 pi reset: a spurious path, a reset error that goes with the rate"},
+    {FormMeaning::interference, "sin(x/p), sin(T/p+c)*dTdt",
+     "interference or a 2 pi reset: a spurious path, also one that a gradient feeds; a reset error "
+     "that goes with the rate"},
     {FormMeaning::late_interference, "sin(lag(T,tau)/p+c)",
      "interference in a path away from the sensor (coupler, modulator), warmed later than it"},
     {FormMeaning::late_scale_factor, "dTdt*W, W*exp(-t/tau)",

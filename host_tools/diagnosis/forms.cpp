@@ -29,6 +29,10 @@ constexpr double kKinkMargin = 0.1;
 constexpr double kMinPeriod = 0.1;
 constexpr double kMaxPeriod = 2;
 
+// Half a turn, as a coefficient has either sign. The two phases that the search begins with are a
+// quarter of a turn apart.
+const std::string kPhaseBounds = "?c[-2,2]";
+
 constexpr std::string_view kDegC = "degC";
 
 struct VaryingSignal {
@@ -103,6 +107,9 @@ std::vector<VaryingSignal> varying_signals(const series::SignalSeries& series,
   return signals;
 }
 
+std::string period_text(double span) {
+  return format("?p[%.4g,%.4g]", kMinPeriod * span, kMaxPeriod * span);
+}
 std::string lag_text(const std::string& text) {
   return "lag(" + text + "," + kLagBounds + ")";
 }
@@ -138,7 +145,6 @@ void Formulas::add_late(const VaryingSignal& signal) {
 void Formulas::add_own(const VaryingSignal& signal) {
   const std::string& name = signal.symbol;
   const std::string x = signal.text();
-  const double span = signal.span();
   add_late(signal);
   if (x != "T") {
     if (signal.is_extension) add(FormMeaning::input, name + "_itself", name);
@@ -150,7 +156,7 @@ void Formulas::add_own(const VaryingSignal& signal) {
       add(sizes, name + "_signed_square", x + "*abs(" + x + ")");
     }
     add(FormMeaning::interference, name + "_sine",
-        format("sin(6.2832*%s/?p[%.4g,%.4g])", x.c_str(), kMinPeriod * span, kMaxPeriod * span));
+        format("sin(6.2832*%s/%s)", x.c_str(), period_text(signal.span()).c_str()));
   }
   const FormMeaning kink = x == "dTdt"   ? FormMeaning::one_direction
                            : name == "W" ? FormMeaning::scale_factor
@@ -194,6 +200,10 @@ void Formulas::add_products(const VaryingSignal& a, const VaryingSignal& b) {
         x + "*" + y);
   }
   add(meanings.linear_in_b, name + "squared_" + other, x + "^2*" + y);
+  if (x == "T") {
+    add(FormMeaning::interference, "T_sine_" + other,
+        format("sin(6.2832*T/%s+%s)*", period_text(a.span()).c_str(), kPhaseBounds.c_str()) + y);
+  }
   add(meanings.linear_in_a, name + other + "_squared", x + "*" + y + "^2");
   if (!a.has_zero) {
     const std::string about = "(" + a.symbol + "-" + a.somewhere() + ")";

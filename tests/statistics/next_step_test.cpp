@@ -103,12 +103,26 @@ TEST(NextStep, IsTheFormOfWhatTheCatalogueLacks) {
     hidden.coefficients_dph = {std::ldexp(1.5 * fog::test::kQuietNoise.white_dph / typical,
                                           hidden.expression->scale_log2)};
     const Asked asked(kBasic, {recording_with({hidden}, 1)});
-    EXPECT_EQ(asked.found.verdict, Verdict::unknown) << form;
+    EXPECT_EQ(asked.found.verdict, Verdict::unknown) << form << ": " << asked.found.effect;
     ASSERT_TRUE(asked.next.addition) << form;
     EXPECT_TRUE(asked.next.describes) << form;
     ASSERT_FALSE(asked.next.forms.empty()) << form;
     EXPECT_EQ(asked.next.forms[0].text, form);
     EXPECT_TRUE(asked.add_accepts()) << form;
+  }
+}
+
+// Whatever its phase: the search begins with two. One of 1.5 times the noise.
+TEST(NextStep, IsARippleOverTheTemperatureThatGoesWithItsRate) {
+  for (const double phase : {0.0, 0.8, 1.6, 2.4}) {
+    model::EffectTerm hidden = written_term(format("x = sin(6.2832*T/44+%g)*dTdt", phase));
+    hidden.coefficients_dph = {
+        std::ldexp(6 * fog::test::kQuietNoise.white_dph, hidden.expression->scale_log2)};
+    const Asked asked(kBasic, {recording_with({hidden}, 1)});
+    EXPECT_EQ(asked.found.verdict, Verdict::unknown) << phase;
+    ASSERT_FALSE(asked.next.forms.empty()) << phase;
+    EXPECT_EQ(asked.next.forms[0].text, "sin(6.2832*T/p+c)*dTdt") << phase;
+    EXPECT_TRUE(asked.add_accepts()) << phase;
   }
 }
 

@@ -37,7 +37,7 @@ TEST(Forms, AreOfTheSignalsThatVaryAndHaveNamesOfTheirOwn) {
   for (const char* text :
        {"dTdt^2", "abs(dTdt)", "T^2*dTdt", "T*dTdt^2", "lag(dTdt^2,tau)", "lag(dTdt,tau)^2",
         "abs(lag(dTdt,tau))", "lag(lag(dTdt,tau),tau)^2", "(T-c)^2*dTdt", "max(T-c,0)",
-        "highest(T)", "max(highest(T)-c,0)", "sin(6.2832*dTdt/p)"}) {
+        "highest(T)", "max(highest(T)-c,0)", "sin(6.2832*dTdt/p)", "sin(6.2832*T/p+c)*dTdt"}) {
     EXPECT_TRUE(has_text(found, text)) << text;
   }
   EXPECT_FALSE(has_text(found, "T*dTdt")) << "the catalogue has it";
@@ -74,6 +74,7 @@ TEST(Forms, OfAnInputRateGoWithTimeSincePowerOnAndWithTheTemperature) {
   const std::vector<Formula> found = formulas_over(series, inputs | bit_of(fog::Input::elapsed));
   EXPECT_TRUE(has_text(found, "W*exp(-t/tau)"));
   EXPECT_TRUE(has_text(found, "(T-c)*abs(W)"));
+  EXPECT_TRUE(has_text(found, "sin(6.2832*T/p+c)*W"));
   EXPECT_FALSE(has_text(found, "(T-c)*W")) << "the catalogue has it";
   EXPECT_FALSE(has_text(formulas_over(series, inputs), "W*exp(-t/tau)")) << "unknown power-on";
 }
