@@ -23,22 +23,22 @@ AdditionRequest refinement(const model::EffectTerm& term, const std::string& set
   return request;
 }
 
-// Frees what the formula of a term leaves out or keeps: all together or, if that is refused, the
-// one that leaves least out of sample.
+// Frees one thing that the formula of a term leaves out or keeps: the one that leaves least out of
+// sample. All together only where that is clearly better.
 std::optional<TriedAddition> refined(const model::EffectTerm& term, const AdditionJudge& judge) {
-  std::optional<TriedAddition> best;
-  const auto try_one = [&](const std::string& settings) {
-    AdditionRequest request = refinement(term, settings);
-    if (!judge.may_help(request)) return false;
-    TriedAddition tried = judge(std::move(request));
-    if (tried.accepted && (!best || tried.score.gain > best->score.gain)) best = std::move(tried);
-    return true;
-  };
   const std::vector<std::string> settings = model::possible_refinements(term);
-  if (settings.empty() || !try_one(join(settings, ",")) || best || settings.size() == 1) {
-    return best;
+  const AdditionRequest together = refinement(term, join(settings, ","));
+  if (settings.empty() || !judge.may_help(together)) return std::nullopt;
+  std::optional<TriedAddition> best;
+  for (const std::string& one : settings) {
+    const AdditionRequest request = refinement(term, one);
+    if (settings.size() > 1 && !judge.may_help(request)) continue;
+    TriedAddition tried = judge(request);
+    if (tried.accepted && (!best || tried.score.gain > best->score.gain)) best = std::move(tried);
   }
-  for (const std::string& one : settings) try_one(one);
+  if (settings.size() == 1) return best;
+  TriedAddition all = judge(together);
+  if (all.accepted && (!best || all.is_clearly_better(*best))) best = std::move(all);
   return best;
 }
 
