@@ -19,9 +19,9 @@ struct Formula {
 /// Formulas outside the catalogue. For every signal of
 /// `inputs` that varies on these rows: an extension input itself, squares, cubes, magnitudes,
 /// products of up to three factors of two signals (for a temperature also its distance from a
-/// fitted reference, and a ripple over it), a lag before or after it, a kink and a sine of it; of the temperature its
-/// highest value so far. Parameter bounds follow from the range of the signal. Without those that
-/// an effect of the catalogue contains on these rows.
+/// fitted reference, and a ripple over it), a lag before or after it, a kink and a sine of it; of
+/// the temperature its highest value so far. Parameter bounds follow from the range of the signal.
+/// Without those that an effect of the catalogue contains on these rows.
 std::vector<Formula> formulas_over(const series::SignalSeries& series, fog::InputMask inputs);
 
 /// An expression for the reader: parameters by name, without bounds.
