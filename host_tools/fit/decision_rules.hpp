@@ -4,7 +4,7 @@
 
 /// All thresholds of a fit: unit, origin, and the test that examines the decision (in
 /// tests/unit/fit unless a folder is named). Constants that only define a search grid or its cost,
-/// and published constants of trainers (network/TRAINING.md), are next to their use.
+/// and published constants of trainers (network/README.md), are next to their use.
 namespace fogcomp::fit::rules {
 
 // ---- Warnings of a fit about its effects ------------------------------------------------------

@@ -63,7 +63,7 @@ class BestWeights {
 };
 
 /// Gradient descent with momentum and adaptive learning rate, starting at `first`: rules and
-/// constants of MATLAB's traingdx (network/TRAINING.md).
+/// constants of MATLAB's traingdx (network/README.md).
 TrainerResult descend(const TrainingProblem& problem, const TrainerSettings& settings,
                       const Eigen::VectorXd& first);
 
