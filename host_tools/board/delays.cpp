@@ -5,6 +5,8 @@
 #include <complex>
 #include <limits>
 
+#include "board/table_parts.hpp"
+#include "denoise/filters.hpp"
 #include "model/catalogue.hpp"
 #include "support/text.hpp"
 
@@ -37,14 +39,16 @@ double slowest_lag_s(const model::EffectTerm& term) {
   return slowest;
 }
 
+using Taps = fog::Span<const std::int32_t>;
+
 // Of small signals; `frequency` in cycles per sample.
-double small_signal_gain(const fog::DenoiseParameters& denoise, double frequency) {
+double small_signal_gain(Taps low, std::size_t levels, double frequency) {
   double gain = 1;
-  for (std::size_t level = 0; level < denoise.levels(); ++level) {
+  for (std::size_t level = 0; level < levels; ++level) {
     const double radians = 2 * M_PI * std::ldexp(frequency, static_cast<int>(level));
     std::complex<double> response = 0;
     double phase = 0;
-    for (const std::int32_t tap : denoise.low()) {
+    for (const std::int32_t tap : low) {
       response += std::ldexp(tap, -fog::kTapFraction) * std::polar(1.0, phase);
       phase -= radians;
     }
@@ -54,13 +58,13 @@ double small_signal_gain(const fog::DenoiseParameters& denoise, double frequency
 }
 
 // 1 at a frequency of 0, and at most a half where the coarsest level is decimated.
-double minus_3db_cycles(const fog::DenoiseParameters& denoise) {
+double minus_3db_cycles(Taps low, std::size_t levels) {
   constexpr int kBisections = 40;
   double below = 0;
-  double above = std::ldexp(0.5, -static_cast<int>(denoise.levels()));
+  double above = std::ldexp(0.5, -static_cast<int>(levels));
   for (int i = 0; i < kBisections; ++i) {
     const double middle = (below + above) / 2;
-    (small_signal_gain(denoise, middle) > M_SQRT1_2 ? below : above) = middle;
+    (small_signal_gain(low, levels, middle) > M_SQRT1_2 ? below : above) = middle;
   }
   return below;
 }
@@ -97,7 +101,31 @@ RateResponse denoised_response(const fog::ModelParameters& parameters) {
   if (denoise.levels() == 0) return {0, 0, std::numeric_limits<double>::infinity()};
   const double period_s = 1e-6 * parameters.acquisition.sample_period_us;
   const std::size_t delay = fog::denoise_delay(denoise.taps(), denoise.levels());
-  return {delay, static_cast<double>(delay) * period_s, minus_3db_cycles(denoise) / period_s};
+  return {delay, static_cast<double>(delay) * period_s,
+          minus_3db_cycles(denoise.low(), denoise.levels()) / period_s};
+}
+
+RateResponse response_told(std::uint32_t delay_and_tap, double period_s) {
+  const std::size_t delay = delay_and_tap & UINT16_MAX;
+  RateResponse told{delay, static_cast<double>(delay) * period_s, std::nan("")};
+  for (const std::string& wavelet : denoise::wavelet_names()) {
+    const std::vector<std::int32_t> low = low_pass_words(wavelet);
+    const std::int32_t differs = low[low.size() / 2] ^ static_cast<std::int32_t>(delay_and_tap);
+    for (std::size_t levels = 1; levels <= fog::kMaxLevels; ++levels) {
+      if (fog::denoise_delay(low.size(), levels) != delay || differs >> 16 != 0) continue;
+      told.minus_3db_hz = minus_3db_cycles({low.data(), low.size()}, levels) / period_s;
+    }
+  }
+  return told;
+}
+
+std::string late_text(const RateResponse& response) {
+  return format("%s late (%zu samples)", delay_text(response.delay_s).c_str(),
+                response.delay_samples) +
+         (std::isnan(response.minus_3db_hz)
+              ? ", bandwidth not known to this tool"
+              : format(", -3 dB at %.3g Hz for what is below its thresholds",
+                       response.minus_3db_hz));
 }
 
 std::string rate_words(const fog::ModelParameters& parameters) {
@@ -107,11 +135,7 @@ std::string rate_words(const fog::ModelParameters& parameters) {
   const std::string frames = sends_kvh ? "KVH frames: " : "compact frames: ";
   const RateResponse response = denoised_response(parameters);
   if (chosen || response.delay_samples == 0) return frames + undelayed;
-  return frames + (sends_kvh ? "" : undelayed + ", and ") +
-         format(
-             "denoised, %s late (%zu samples), -3 dB at %.3g Hz for what is below its "
-             "thresholds",
-             delay_text(response.delay_s).c_str(), response.delay_samples, response.minus_3db_hz);
+  return frames + (sends_kvh ? "" : undelayed + ", and ") + "denoised, " + late_text(response);
 }
 
 }  // namespace fogcomp::board

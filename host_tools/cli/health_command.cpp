@@ -43,11 +43,8 @@ double period_s(const fog::HealthRecord& r) {
   return 1e-6 * r[Word::sample_period];
 }
 
-std::string delay_in_words(const fog::HealthRecord& r) {
-  const std::uint32_t samples = r[Word::rate_delay];
-  if (samples == 0) return "undelayed";
-  return format("%s late (%u samples of %s)", board::delay_text(samples * period_s(r)).c_str(),
-                samples, board::delay_text(period_s(r)).c_str());
+board::RateResponse rate_response(const fog::HealthRecord& r) {
+  return board::response_told(r[Word::rate_delay], period_s(r));
 }
 
 // Empty if the board does not know it.
@@ -79,13 +76,16 @@ void print_words(const fog::HealthRecord& r, const std::vector<std::string>& com
   std::printf("memory        %s\n",
               r.memory_good ? "good" : "FAILS: no rate is valid; replace the processor");
   std::printf("model         %s\n", model_in_words(r).c_str());
-  std::printf("rate          %s\n", delay_in_words(r).c_str());
+  const board::RateResponse rate = rate_response(r);
+  std::printf("rate          %s\n",
+              rate.delay_samples == 0 ? "undelayed" : board::late_text(rate).c_str());
   std::printf("checked       image %s, memory %s since the start\n",
               counted(r[Word::image_passes], "time").c_str(),
               counted(r[Word::memory_passes], "time").c_str());
   std::printf("last start    %s\n", r.reset_cause.data());
-  std::printf("samples       %u, %u without a valid rate, %u after a gap or late\n",
-              r[Word::samples], r[Word::invalid_rates], r[Word::sequence_gaps]);
+  std::printf("samples       %u of %s, %u without a valid rate, %u after a gap or late\n",
+              r[Word::samples], board::delay_text(period_s(r)).c_str(), r[Word::invalid_rates],
+              r[Word::sequence_gaps]);
   std::printf("sensor line   %s that were no frame\n",
               counted(r[Word::discarded_bytes], "byte").c_str());
   std::printf("flags now     %s\n", in_words(board::flag_names(r.status_last())).c_str());
@@ -97,6 +97,7 @@ void print_words(const fog::HealthRecord& r, const std::vector<std::string>& com
 Json as_json(const fog::HealthRecord& r, const std::vector<std::string>& complaints) {
   const auto count = [&](Word word) { return static_cast<std::int64_t>(r[word]); };
   const fog::ModelError error = model_error(r);
+  const board::RateResponse rate = rate_response(r);
   Json object = Json::object();
   object.set("healthy", complaints.empty())
       .set("complaints", complaints)
@@ -110,7 +111,8 @@ Json as_json(const fog::HealthRecord& r, const std::vector<std::string>& complai
       .set("model_finding", fog::describe(error))
       .set("model_crc32", format("%08x", r[Word::model]))
       .set("gyro_serial", serial_of(r))
-      .set("rate_delay_s", r[Word::rate_delay] * period_s(r))
+      .set("rate_delay_s", rate.delay_s)
+      .set("rate_minus_3db_hz", rate.minus_3db_hz)
       .set("sample_period_s", period_s(r))
       .set("image_checks", count(Word::image_passes))
       .set("memory_tests", count(Word::memory_passes))
