@@ -1,6 +1,7 @@
 #include "board/board_table.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 
 #include "board/board_texts.hpp"
@@ -155,16 +156,12 @@ InputLimits input_limits(const model::Model& model, fog::Input input) {
 }
 
 void write_input_limits(TableWriter& out, const model::Model& model) {
-  const fog::InputMask needs = model::needs_of(model);
-  std::vector<fog::Input> inputs;
-  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    if (has(needs, fog::extension_input(i))) inputs.push_back(fog::extension_input(i));
-  }
+  const fog::InputMask needs = model::needs_of(model) & fog::kAllExtensionInputs;
   out.note("inputs of extension records");
-  out.integer(static_cast<std::int64_t>(inputs.size()), "inputs");
-  for (const fog::Input input : inputs) {
-    const fog::InputDescription& description = description_of(input);
-    const InputLimits limits = input_limits(model, input);
+  out.integer(static_cast<std::int64_t>(std::bitset<fog::kInputs>(needs).count()), "inputs");
+  for (const fog::InputDescription& description : fog::kInputTable) {
+    if (!has(needs, description.input)) continue;
+    const InputLimits limits = input_limits(model, description.input);
     out.note(format("%s: %.6g to %.6g %s, steps of more than %.4g to be confirmed",
                     description.name, limits.min, limits.max, description.unit, limits.step));
     for (const double limit : {limits.min, limits.max, limits.step}) {

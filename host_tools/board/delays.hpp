@@ -35,8 +35,7 @@ struct RateResponse {
 /// 1993, section 4.2).
 RateResponse denoised_response(const fog::ModelParameters& parameters);
 
-/// From a board's health record: fog::HealthWord::rate_delay. Its bandwidth is NaN for a rate
-/// without delay and for a filter that denoise/filters.hpp does not have.
+/// From fog::HealthWord::rate_delay. The bandwidth of no filter, or of an unknown one, is NaN.
 RateResponse response_told(std::uint32_t delay_and_tap, double period_s);
 
 /// "2325 ms late (465 samples), -3 dB at 2.85 Hz ...".

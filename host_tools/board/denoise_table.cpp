@@ -35,7 +35,10 @@ std::vector<std::int64_t> mirrored(const std::vector<std::int64_t>& low) {
   return high;
 }
 
-void write_synthesis(TableWriter& out, const std::vector<double>& filter) {
+void write_filters(TableWriter& out, const std::vector<double>& filter) {
+  const std::vector<std::int64_t> low = rounded_taps(filter, fog::kTapFraction);
+  out.note("low-pass taps / sqrt 2, times 2^31");
+  for (const std::int64_t tap : low) out.integer(tap, "a tap");
   out.note("synthesis taps, times 2^15, two to a word: low-pass + 65536 * high-pass, backwards");
   const std::vector<std::int64_t> coarse = rounded_taps(filter, fog::kSynthesisTapFraction);
   const std::vector<std::int64_t> coarse_high = mirrored(coarse);
@@ -45,12 +48,6 @@ void write_synthesis(TableWriter& out, const std::vector<double>& filter) {
 }
 
 }  // namespace
-
-std::vector<std::int32_t> low_pass_words(const std::string& wavelet) {
-  const std::vector<std::int64_t> taps =
-      rounded_taps(denoise::lowpass_filter(wavelet), fog::kTapFraction);
-  return {taps.begin(), taps.end()};
-}
 
 void write_denoise(TableWriter& out, const model::Model& model, double period_s) {
   const model::DenoiseSettings& denoise = model.denoise;
@@ -63,9 +60,7 @@ void write_denoise(TableWriter& out, const model::Model& model, double period_s)
   out.integer(static_cast<std::int64_t>(denoise.rule), "threshold rule");
   out.integer(denoise.hard ? 1 : 0, "threshold mode");
   if (denoise.levels == 0) return;
-  out.note("low-pass taps / sqrt 2, times 2^31");
-  for (const std::int32_t tap : low_pass_words(denoise.wavelet)) out.integer(tap, "a tap");
-  write_synthesis(out, denoise::lowpass_filter(denoise.wavelet));
+  write_filters(out, denoise::lowpass_filter(denoise.wavelet));
   const double sigma = model.noise_dph_rthz / std::sqrt(period_s);
   const double universal = std::sqrt(2 * std::log(fog::kThresholdBlock));
   out.note(format("thresholds, level 1 first (white noise %.4g deg/h per sample)", sigma));

@@ -89,9 +89,6 @@ class TableWriter {
 
 void write_network(TableWriter& out, const model::RealNetwork& network, double block_s);
 
-/// The low-pass taps of a table.
-std::vector<std::int32_t> low_pass_words(const std::string& wavelet);
-
 void write_denoise(TableWriter& out, const model::Model& model, double period_s);
 
 /// Throws InputError if the noise could exceed the 16 bits of the board's denoiser. `first`: first
