@@ -20,6 +20,14 @@ namespace {
 
 SampleCounts counted;
 
+// HealthWord::rate_delay.
+std::uint32_t delay_and_filter() {
+  const std::uint32_t delay = pipeline().rate_delay();
+  const Span<const std::int32_t> low = model().parameters.denoise.low();
+  constexpr std::uint32_t kUpperHalf = 0xFFFF0000U;
+  return delay == 0 ? 0 : delay | (static_cast<std::uint32_t>(low[low.size / 2]) & kUpperHalf);
+}
+
 // Reads the values that are not counted; in the order of the words.
 HealthRecord health_now() {
   const hal::ProcessorNumber processor = hal::processor_number();
@@ -37,8 +45,8 @@ HealthRecord health_now() {
        test.image_passes(), test.memory_passes(),
        static_cast<std::uint32_t>(platform::stack_bytes_reserved() | platform::stack_bytes_unused()
                                                                          << 16U),
-       pipeline().rate_delay(), used.parameters.acquisition.sample_period_us,
-       FOG_BUILD_VERSION_NUMBER, FOG_BUILD_SOURCES, processor[0], processor[1], processor[2]},
+       delay_and_filter(), used.parameters.acquisition.sample_period_us, FOG_BUILD_VERSION_NUMBER,
+       FOG_BUILD_SOURCES, processor[0], processor[1], processor[2]},
       {}};
   if (used.error == ModelError::none) {
     __builtin_memcpy(&record[HealthWord::serial], used.serial(), 4 * kSerialWords);

@@ -14,6 +14,8 @@
 // Cost of processing in.bin, in instructions: mean and maximum of the bytes that complete a sample
 // (all stages, frames, health and self-test; without the serial line), of any kSensorFrameBytes
 // consecutive bytes, the time of a sample, and of as many as the buffer of the sensor line holds.
+// And of the start: self-test, table, pipeline; where there is a requests.bin, of passes of the
+// main loop that answer requests of the output port.
 // For QEMU's netduinoplus2 with `-icount shift=0,sleep=off` (tests/target/sample_cost.sh).
 namespace fog::app {
 namespace {
@@ -86,15 +88,38 @@ SampleTime time_of_byte() {
   return true;
 }
 
+// Requests of the output port, which come after the console has said so, to the last.
+void report_requests() {
+  constexpr std::uint32_t kIdlePasses = 1'000'000;
+  constexpr std::uint32_t kIdleInstructions = 500;
+  platform::open_lines(sensor_line(), output_line());
+  hal::write_console("requests, please\r\n");
+  Cost requests;
+  bool asked = false;
+  for (std::uint32_t idle = 0; idle < kIdlePasses || !asked; ++idle) {
+    const std::uint32_t start = platform::instruction_count();
+    answer_requests();
+    const std::uint32_t ticks = platform::instruction_count() - start;
+    if (ticks < kIdleInstructions) continue;
+    requests.add(ticks);
+    asked = true;
+    idle = 0;
+  }
+  requests.report("requests");
+}
+
 }  // namespace
 
 void run() {
   platform::start_board();
-  self_test().run_all();
   platform::start_instruction_counter();
+  const std::uint32_t at_start = platform::instruction_count();
+  Cost start_tests;
+  self_test().run_all();
+  Pipeline& product = pipeline();
+  start_tests.add(platform::instruction_count() - at_start);
   samples_alone = (needs_of(model().parameters) & kAllExtensionInputs) == 0U;
   const semihosting::File input = semihosting::open("in.bin", semihosting::Mode::kRead);
-  Pipeline& product = pipeline();
   Cost samples;
   CostOfBytes<kSensorFrameBytes> any_frame;
   std::size_t size = input == semihosting::kNoFile ? 0 : chunk.size();
@@ -113,6 +138,10 @@ void run() {
   self_tests.report("self-test");
   any_frame.report("any 16 bytes");
   any_buffer.report("any 1024 bytes");
+  start_tests.report("start");
+  if (semihosting::open("requests.bin", semihosting::Mode::kRead) != semihosting::kNoFile) {
+    report_requests();
+  }
   semihosting::exit(0);
 }
 

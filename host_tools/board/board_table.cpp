@@ -1,6 +1,7 @@
 #include "board/board_table.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 
 #include "board/board_texts.hpp"
@@ -118,7 +119,8 @@ void write_thermal(TableWriter& out, const model::Model& model, const Timing& ti
 // Limits of an input: half its trained span beyond the trained range, where the error of a
 // coefficient counts at most twice as much as at its ends. Steps larger than in training have to be
 // confirmed; for a temperature the physical limit is used. An input that was constant in training,
-// or not recorded then, is not limited.
+// or not recorded then, is not limited. But a gyro without light measures nothing, so a light power
+// of 0 is a monitor's that has failed, also where training had one.
 struct InputLimits {
   double min;
   double max;
@@ -133,14 +135,16 @@ InputLimits input_limits(const model::Model& model, fog::Input input) {
   if (trained && trained->range.min < trained->range.max) {
     const double margin = (trained->range.max - trained->range.min) / 2;
     limits = {trained->range.min - margin, trained->range.max + margin, trained->step};
-    // The drift follows the logarithm of the light: without light there is none.
-    if (input == fog::Input::light_power && trained->range.min > 0) {
+    if (input == fog::Input::light_power && trained->range.min > 0) {  // its logarithm counts
       const double ratio = std::sqrt(trained->range.max / trained->range.min);
       limits.min = trained->range.min / ratio;
       limits.max = trained->range.max * ratio;
     }
   }
   if (temperature) limits.step = std::ldexp(fog::kTemperatureStep.raw(), -16);
+  if (input == fog::Input::light_power) {
+    limits.min = std::max(limits.min, std::ldexp(1, -fog::ExtensionValue::fractional_bits));
+  }
   limits.min = std::max(limits.min, temperature ? recording::kColdestDegc : -kMax);
   limits.max = std::min(limits.max, temperature ? recording::kWarmestDegc : kMax);
   limits.step = std::min(limits.step, kMax);
@@ -152,16 +156,12 @@ InputLimits input_limits(const model::Model& model, fog::Input input) {
 }
 
 void write_input_limits(TableWriter& out, const model::Model& model) {
-  const fog::InputMask needs = model::needs_of(model);
-  std::vector<fog::Input> inputs;
-  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    if (has(needs, fog::extension_input(i))) inputs.push_back(fog::extension_input(i));
-  }
+  const fog::InputMask needs = model::needs_of(model) & fog::kAllExtensionInputs;
   out.note("inputs of extension records");
-  out.integer(static_cast<std::int64_t>(inputs.size()), "inputs");
-  for (const fog::Input input : inputs) {
-    const fog::InputDescription& description = description_of(input);
-    const InputLimits limits = input_limits(model, input);
+  out.integer(static_cast<std::int64_t>(std::bitset<fog::kInputs>(needs).count()), "inputs");
+  for (const fog::InputDescription& description : fog::kInputTable) {
+    if (!has(needs, description.input)) continue;
+    const InputLimits limits = input_limits(model, description.input);
     out.note(format("%s: %.6g to %.6g %s, steps of more than %.4g to be confirmed",
                     description.name, limits.min, limits.max, description.unit, limits.step));
     for (const double limit : {limits.min, limits.max, limits.step}) {

@@ -5,6 +5,7 @@
 #include <complex>
 #include <limits>
 
+#include "denoise/filters.hpp"
 #include "model/catalogue.hpp"
 #include "support/text.hpp"
 
@@ -37,15 +38,17 @@ double slowest_lag_s(const model::EffectTerm& term) {
   return slowest;
 }
 
+using Taps = std::vector<double>;  // of a low-pass filter; their sum is 1
+
 // Of small signals; `frequency` in cycles per sample.
-double small_signal_gain(const fog::DenoiseParameters& denoise, double frequency) {
+double small_signal_gain(const Taps& low, std::size_t levels, double frequency) {
   double gain = 1;
-  for (std::size_t level = 0; level < denoise.levels(); ++level) {
+  for (std::size_t level = 0; level < levels; ++level) {
     const double radians = 2 * M_PI * std::ldexp(frequency, static_cast<int>(level));
     std::complex<double> response = 0;
     double phase = 0;
-    for (const std::int32_t tap : denoise.low()) {
-      response += std::ldexp(tap, -fog::kTapFraction) * std::polar(1.0, phase);
+    for (const double tap : low) {
+      response += tap * std::polar(1.0, phase);
       phase -= radians;
     }
     gain *= std::norm(response);
@@ -54,15 +57,20 @@ double small_signal_gain(const fog::DenoiseParameters& denoise, double frequency
 }
 
 // 1 at a frequency of 0, and at most a half where the coarsest level is decimated.
-double minus_3db_cycles(const fog::DenoiseParameters& denoise) {
+double minus_3db_cycles(const Taps& low, std::size_t levels) {
   constexpr int kBisections = 40;
   double below = 0;
-  double above = std::ldexp(0.5, -static_cast<int>(denoise.levels()));
+  double above = std::ldexp(0.5, -static_cast<int>(levels));
   for (int i = 0; i < kBisections; ++i) {
     const double middle = (below + above) / 2;
-    (small_signal_gain(denoise, middle) > M_SQRT1_2 ? below : above) = middle;
+    (small_signal_gain(low, levels, middle) > M_SQRT1_2 ? below : above) = middle;
   }
   return below;
+}
+
+RateResponse response_of(const Taps& low, std::size_t levels, double period_s) {
+  const std::size_t delay = fog::denoise_delay(low.size(), levels);
+  return {delay, static_cast<double>(delay) * period_s, minus_3db_cycles(low, levels) / period_s};
 }
 
 }  // namespace
@@ -95,9 +103,34 @@ std::string delay_text(double seconds) {
 RateResponse denoised_response(const fog::ModelParameters& parameters) {
   const fog::DenoiseParameters& denoise = parameters.denoise;
   if (denoise.levels() == 0) return {0, 0, std::numeric_limits<double>::infinity()};
-  const double period_s = 1e-6 * parameters.acquisition.sample_period_us;
-  const std::size_t delay = fog::denoise_delay(denoise.taps(), denoise.levels());
-  return {delay, static_cast<double>(delay) * period_s, minus_3db_cycles(denoise) / period_s};
+  Taps low;
+  for (const std::int32_t tap : denoise.low()) low.push_back(std::ldexp(tap, -fog::kTapFraction));
+  return response_of(low, denoise.levels(), 1e-6 * parameters.acquisition.sample_period_us);
+}
+
+RateResponse response_told(std::uint32_t delay_and_tap, double period_s) {
+  const std::size_t delay = delay_and_tap & UINT16_MAX;
+  const double tap = std::ldexp(static_cast<std::int32_t>(delay_and_tap), -fog::kTapFraction);
+  for (const std::string& wavelet : denoise::wavelet_names()) {
+    Taps low = denoise::lowpass_filter(wavelet);
+    for (double& one : low) one /= M_SQRT2;
+    if (std::abs(low[low.size() / 2] - tap) > std::ldexp(1, -15)) continue;
+    for (std::size_t levels = 1; levels <= fog::kMaxLevels; ++levels) {
+      if (fog::denoise_delay(low.size(), levels) != delay) continue;
+      return response_of(low, levels, period_s);
+    }
+  }
+  return {delay, static_cast<double>(delay) * period_s, std::nan("")};
+}
+
+std::string late_text(const RateResponse& response) {
+  const std::string bandwidth =
+      std::isnan(response.minus_3db_hz)
+          ? "by a filter unknown to this tool"
+          : format("-3 dB at %.3g Hz for what is below its thresholds", response.minus_3db_hz);
+  return format("%s late (%zu samples), ", delay_text(response.delay_s).c_str(),
+                response.delay_samples) +
+         bandwidth;
 }
 
 std::string rate_words(const fog::ModelParameters& parameters) {
@@ -107,11 +140,7 @@ std::string rate_words(const fog::ModelParameters& parameters) {
   const std::string frames = sends_kvh ? "KVH frames: " : "compact frames: ";
   const RateResponse response = denoised_response(parameters);
   if (chosen || response.delay_samples == 0) return frames + undelayed;
-  return frames + (sends_kvh ? "" : undelayed + ", and ") +
-         format(
-             "denoised, %s late (%zu samples), -3 dB at %.3g Hz for what is below its "
-             "thresholds",
-             delay_text(response.delay_s).c_str(), response.delay_samples, response.minus_3db_hz);
+  return frames + (sends_kvh ? "" : undelayed + ", and ") + "denoised, " + late_text(response);
 }
 
 }  // namespace fogcomp::board

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "core/pipeline/model_parameters.hpp"
@@ -33,6 +34,12 @@ struct RateResponse {
 /// the levels k, where H is the low-pass filter (Vaidyanathan, Multirate Systems and Filter Banks,
 /// 1993, section 4.2).
 RateResponse denoised_response(const fog::ModelParameters& parameters);
+
+/// From fog::HealthWord::rate_delay. The bandwidth of no filter, or of an unknown one, is NaN.
+RateResponse response_told(std::uint32_t delay_and_tap, double period_s);
+
+/// "2325 ms late (465 samples), -3 dB at 2.85 Hz ...".
+std::string late_text(const RateResponse& response);
 
 /// A delay as users of a board read it: "2325 ms"; from 10 s on "15.5 s", "77.5 min", "2.6 h".
 std::string delay_text(double seconds);

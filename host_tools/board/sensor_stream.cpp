@@ -94,10 +94,9 @@ StreamSource::StreamSource(const std::string& path, const recording::ReadOptions
   recording_ = recording::read_recording(*file, all_rows);
   if (has(needs, fog::Input::elapsed)) warn_of_late_start(recording_, watch_);
   warn_of_restart(recording_, watch_);
-  for (std::size_t i = 0; i < fog::kExtensionInputs; ++i) {
-    const fog::Input input = fog::extension_input(i);
-    if (!has(extension_, input) || !recording_[input].empty()) continue;
-    throw InputError(path, std::string("has no column ") + description_of(input).column +
+  for (const fog::InputDescription& input : fog::kInputTable) {
+    if (!has(extension_, input.input) || !recording_[input.input].empty()) continue;
+    throw InputError(path, std::string("has no column ") + input.column +
                                ", which the model needs; replay a recording that has it");
   }
 }

@@ -214,13 +214,14 @@ NetworkError verify_network(const model::Model& model, const fog::ModelParameter
   const double even_share = std::pow(kMaxPoints, 1 / static_cast<double>(inputs.size()));
   const std::size_t per_input =
       std::min(kMaxPerInput, static_cast<std::size_t>(even_share)) / 2 * 2 - 1;
-  std::vector<std::size_t> place(inputs.size(), 0);
+  const auto steps = static_cast<double>(per_input - 1);
+  const double points = std::pow(steps + 1, inputs.size());
   fog::ScaledInputs on_board_inputs{};
   Eigen::VectorXd values(static_cast<Eigen::Index>(inputs.size()));
-  for (bool more = true; more;) {
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-      const double share =
-          2 * static_cast<double>(place[i]) / static_cast<double>(per_input - 1) - 1;
+  for (; static_cast<double>(error.points) < points; ++error.points) {
+    std::size_t place = error.points;
+    for (std::size_t i = 0; i < inputs.size(); ++i, place /= per_input) {
+      const double share = 2 * static_cast<double>(place % per_input) / steps - 1;
       const NetworkInputFormat format = network_input_format(inputs[i].signal, block_s);
       const std::int32_t raw =
           board_value(inputs[i].centre + kBeyond * share * inputs[i].half_range, format);
@@ -232,12 +233,6 @@ NetworkError verify_network(const model::Model& model, const fog::ModelParameter
         std::ldexp(static_cast<double>(drift.raw()), -fog::DriftSum::fractional_bits);
     error.worst_dph =
         std::max(error.worst_dph, std::abs(on_board - model.network.drift_dph(values)));
-    ++error.points;
-    more = false;
-    for (std::size_t i = 0; i < inputs.size() && !more; ++i) {
-      place[i] = (place[i] + 1) % per_input;
-      more = place[i] != 0;
-    }
   }
   return error;
 }

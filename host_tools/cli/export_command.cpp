@@ -1,6 +1,7 @@
 // fogcomp export: model -> C header of weights, or table for the generic image.
 
 #include <cstdio>
+#include <filesystem>
 
 #include "board/autopilot.hpp"
 #include "board/table_files.hpp"
@@ -20,10 +21,6 @@ namespace {
 using workflow::ExportOutcome;
 
 enum class Format : std::uint8_t { header, table, px4, ardupilot };
-
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
 
 void print_json(const ExportOutcome& header, const std::string& output, bool is_table) {
   const board::QuantizationError& error = header.quantization;
@@ -113,8 +110,9 @@ struct ExportCommand : Command {
     request.board.serial = serial.value();
     if (uid.given()) request.board.processor = board::parse_processor_number(uid.value());
     const bool is_table = format.value() == Format::table;
-    const bool is_hex = ends_with(output.value(), ".hex");
-    if (is_table && !is_hex && !ends_with(output.value(), ".bin")) {
+    const std::string ending = std::filesystem::path(output.value()).extension().string();
+    const bool is_hex = ending == ".hex";
+    if (is_table && !is_hex && ending != ".bin") {
       fail("-o " + output.value() + ": a table is a .bin or a .hex");
     }
     const ExportOutcome exported = workflow::export_header(request);
@@ -139,9 +137,7 @@ struct ExportCommand : Command {
                board::autopilot_parameters(autopilot, {axis(arguments[0]), axis(further.value()[0]),
                                                        axis(further.value()[1])}));
     if (json.given()) {
-      Json result = Json::object();
-      result.set("header", output.value());
-      std::puts(result.text().c_str());
+      std::puts(Json::object().set("header", output.value()).text().c_str());
     } else {
       std::printf("%s: the gyro's parameters, X, Y and Z\n", output.value().c_str());
     }

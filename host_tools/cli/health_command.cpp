@@ -22,17 +22,13 @@ std::string in_words(const std::vector<std::string>& names) {
 
 using Word = fog::HealthWord;
 
-fog::ModelError model_error(const fog::HealthRecord& record) {
-  return static_cast<fog::ModelError>(record.model_error);
+std::string error_text(std::uint8_t error) {
+  return fog::describe(static_cast<fog::ModelError>(error));
 }
 
 std::string version_of(const fog::HealthRecord& r) {
   const std::uint32_t version = r[Word::version];
   return format("%u.%u.%u", version >> 16U, (version >> 8U) & 0xFFU, version & 0xFFU);
-}
-
-std::string sources_of(const fog::HealthRecord& r) {
-  return format("%08x", r[Word::sources]);
 }
 
 std::string serial_of(const fog::HealthRecord& r) {
@@ -43,13 +39,6 @@ double period_s(const fog::HealthRecord& r) {
   return 1e-6 * r[Word::sample_period];
 }
 
-std::string delay_in_words(const fog::HealthRecord& r) {
-  const std::uint32_t samples = r[Word::rate_delay];
-  if (samples == 0) return "undelayed";
-  return format("%s late (%u samples of %s)", board::delay_text(samples * period_s(r)).c_str(),
-                samples, board::delay_text(period_s(r)).c_str());
-}
-
 // Empty if the board does not know it.
 std::string processor_of(const fog::HealthRecord& r) {
   const auto* const words = &r.words[static_cast<std::size_t>(Word::processor)];
@@ -58,9 +47,8 @@ std::string processor_of(const fog::HealthRecord& r) {
 }
 
 std::string model_in_words(const fog::HealthRecord& r) {
-  const fog::ModelError error = model_error(r);
-  if (error != fog::ModelError::none) {
-    return std::string("REFUSED, ") + fog::describe(error) + ": no rate is valid; export it again";
+  if (r.model_error != 0) {
+    return "REFUSED, " + error_text(r.model_error) + ": no rate is valid; export it again";
   }
   const std::string serial = serial_of(r);
   return format("good, CRC-32 %08x", r[Word::model]) +
@@ -71,7 +59,7 @@ void print_words(const fog::HealthRecord& r, const std::vector<std::string>& com
   const std::string processor = processor_of(r);
   std::printf("board         %s\n",
               complaints.empty() ? "healthy" : ("NOT HEALTHY: " + join(complaints, "; ")).c_str());
-  std::printf("firmware      %s, sources %s\n", version_of(r).c_str(), sources_of(r).c_str());
+  std::printf("firmware      %s, sources %08x\n", version_of(r).c_str(), r[Word::sources]);
   std::printf("processor     %s\n", processor.empty() ? "says no number" : processor.c_str());
   std::printf("image         %s, seal %08x\n",
               r.image_intact ? "intact" : "DAMAGED: no rate is valid; flash it again",
@@ -79,13 +67,16 @@ void print_words(const fog::HealthRecord& r, const std::vector<std::string>& com
   std::printf("memory        %s\n",
               r.memory_good ? "good" : "FAILS: no rate is valid; replace the processor");
   std::printf("model         %s\n", model_in_words(r).c_str());
-  std::printf("rate          %s\n", delay_in_words(r).c_str());
+  const board::RateResponse rate = board::response_told(r[Word::rate_delay], period_s(r));
+  std::printf("rate          %s\n",
+              rate.delay_samples == 0 ? "undelayed" : board::late_text(rate).c_str());
   std::printf("checked       image %s, memory %s since the start\n",
               counted(r[Word::image_passes], "time").c_str(),
               counted(r[Word::memory_passes], "time").c_str());
   std::printf("last start    %s\n", r.reset_cause.data());
-  std::printf("samples       %u, %u without a valid rate, %u after a gap or late\n",
-              r[Word::samples], r[Word::invalid_rates], r[Word::sequence_gaps]);
+  std::printf("samples       %u of %s, %u without a valid rate, %u after a gap or late\n",
+              r[Word::samples], board::delay_text(period_s(r)).c_str(), r[Word::invalid_rates],
+              r[Word::sequence_gaps]);
   std::printf("sensor line   %s that were no frame\n",
               counted(r[Word::discarded_bytes], "byte").c_str());
   std::printf("flags now     %s\n", in_words(board::flag_names(r.status_last())).c_str());
@@ -96,21 +87,22 @@ void print_words(const fog::HealthRecord& r, const std::vector<std::string>& com
 
 Json as_json(const fog::HealthRecord& r, const std::vector<std::string>& complaints) {
   const auto count = [&](Word word) { return static_cast<std::int64_t>(r[word]); };
-  const fog::ModelError error = model_error(r);
-  Json object = Json::object();
-  object.set("healthy", complaints.empty())
+  const board::RateResponse rate = board::response_told(r[Word::rate_delay], period_s(r));
+  return Json::object()
+      .set("healthy", complaints.empty())
       .set("complaints", complaints)
       .set("firmware_version", version_of(r))
-      .set("firmware_sources", sources_of(r))
+      .set("firmware_sources", format("%08x", r[Word::sources]))
       .set("processor", processor_of(r))
       .set("image_intact", r.image_intact)
       .set("image_seal", format("%08x", r[Word::image]))
       .set("memory_good", r.memory_good)
-      .set("model_good", error == fog::ModelError::none)
-      .set("model_finding", fog::describe(error))
+      .set("model_good", r.model_error == 0)
+      .set("model_finding", error_text(r.model_error))
       .set("model_crc32", format("%08x", r[Word::model]))
       .set("gyro_serial", serial_of(r))
-      .set("rate_delay_s", r[Word::rate_delay] * period_s(r))
+      .set("rate_delay_s", rate.delay_s)
+      .set("rate_minus_3db_hz", rate.minus_3db_hz)
       .set("sample_period_s", period_s(r))
       .set("image_checks", count(Word::image_passes))
       .set("memory_tests", count(Word::memory_passes))
@@ -123,18 +115,13 @@ Json as_json(const fog::HealthRecord& r, const std::vector<std::string>& complai
       .set("flags_seen", board::flag_names(r.status_seen()))
       .set("stack_bytes", static_cast<std::int64_t>(r[Word::stack] & 0xFFFFU))
       .set("stack_unused_bytes", static_cast<std::int64_t>(r[Word::stack] >> 16U));
-  return object;
-}
-
-std::string error_text(const fog::SlotRecord& slot) {
-  return fog::describe(static_cast<fog::ModelError>(slot.error));
 }
 
 void print_slots(const fog::SlotsRecord& record) {
   for (std::size_t i = 0; i < record.slots.size(); ++i) {
     const fog::SlotRecord& slot = record.slots[i];
     const std::string serial = board::serial_text(slot.serial.data());
-    std::string text = error_text(slot);
+    std::string text = error_text(slot.error);
     if (slot.model != 0) {
       text += format(", sequence %u, model CRC-32 %08x, table %08x", slot.sequence, slot.model,
                      slot.table);
@@ -147,7 +134,7 @@ void print_slots(const fog::SlotsRecord& record) {
 Json slots_json(const fog::SlotsRecord& record) {
   return json_array(record.slots, [&](const fog::SlotRecord& slot) {
     return Json::object()
-        .set("finding", error_text(slot))
+        .set("finding", error_text(slot.error))
         .set("in_use", record.used < record.slots.size() && &slot == &record.slots[record.used])
         .set("sequence", static_cast<std::int64_t>(slot.sequence))
         .set("model_crc32", format("%08x", slot.model))

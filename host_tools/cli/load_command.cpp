@@ -1,4 +1,4 @@
-// fogcomp load: loads loads a table into a board with the generic image.
+// fogcomp load: loads a table into a board with the generic image.
 
 #include <cstdio>
 #include <string>
@@ -26,11 +26,7 @@ board::BoardTable read_table(const std::string& file) {
 }
 
 std::string serial_of(const board::BoardTable& table) {
-  std::array<std::uint32_t, fog::kSerialWords> words{};
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    words[i] = static_cast<std::uint32_t>(table.words[fog::kIdentityAt + i]);
-  }
-  return board::serial_text(words.data());
+  return board::serial_text(reinterpret_cast<const std::uint32_t*>(&table.words[fog::kIdentityAt]));
 }
 
 void print_json(const board::LoadedTable& loaded) {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "board/delays.hpp"
 #include "board/table_files.hpp"
 #include "model/catalogue.hpp"
 #include "model/drift_model.hpp"
@@ -12,15 +11,6 @@
 
 namespace fogcomp::workflow {
 namespace {
-
-std::string file_name(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  return slash == std::string::npos ? path : path.substr(slash + 1);
-}
-
-std::uint32_t data_hash(const model::Model& model) {
-  return model.history.empty() ? 0 : model.history.back().data_hash;
-}
 
 // The bias that a model with this event has.
 std::string bias_at(const model::EffectTerm& event) {
@@ -127,7 +117,8 @@ ExportOutcome board_header(const model::Model& model, const std::string& file,
   const board::BoardTable table = board::make_board_table(model, board);
   const fog::ModelParameters parameters = board::read_board_table(table, file);
   const BoardErrors errors = verify_board(model, parameters, file, allow_error);
-  return {board::header_text(table, file_name(file), data_hash(model)),
+  const std::uint32_t data_hash = model.history.empty() ? 0 : model.history.back().data_hash;
+  return {board::header_text(table, file.substr(file.rfind('/') + 1), data_hash),
           table,
           errors.quantization,
           errors.network,

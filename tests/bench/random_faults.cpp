@@ -1,7 +1,7 @@
 // random_faults [FIRST COUNT]: schedules of random faults of 10^6 samples and more each, by seed;
 // prints those after which a rate was trusted though its drift was off by more than 0.05 deg/h, or
-// though the gyro stood or leapt, and how many. One takes 0.3 to 0.6 s of CPU, 10^4 take an hour or
-// two.
+// though the gyro stood or leapt, or a denoised rate was valid though it was another sample's than
+// its delay says, and how many. One takes 0.3 to 0.6 s of CPU, 10^4 an hour or two.
 #include <cstdio>
 #include <cstdlib>
 

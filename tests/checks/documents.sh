@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # documents.sh ROOT: every relative link of every Markdown page leads to a file, every #anchor to a heading. Every file
 # and folder of the tree that a page or a comment names is there, and every constant that a page names. Commands of pages
-# name scripts, presets, targets, test labels, subcommands and options that exist. Lines have at most 120 columns, but
+# name scripts, presets, targets, test labels, subcommands and options that exist. Tests that a page names exist, and each
+# row of a table of promises names one. Lines have at most 120 columns, but
 # for tables. Every deciding number of a diagnosis stands in DIAGNOSIS.md by its name, and no other. CITATION.cff has the
 # version of the build.
 set -euo pipefail
@@ -71,6 +72,31 @@ def check_comments():
             said = comment.search(line)
             for word in source_name.findall(said[1]) if said else []:
                 check_place(path, number, word)
+
+
+tests = set()  # Suite.Name, and Suite.* for each
+for path in of_type("_test.cpp"):
+    for suite, name in re.findall(r"^TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\)", read(path), re.M):
+        tests |= {f"{suite}.{name}", f"{suite}.*"}
+
+
+def check_test(page, number, word):
+    if re.fullmatch(r"[A-Z]\w*[a-z]\w*\.(?:[A-Z]\w+|\*)", word) and word not in tests:
+        problems.append(f"{page}:{number}: no test is {word}")
+
+
+def check_promises(page):
+    """Rows of tables of promises name a test: its promise's keeper."""
+    in_table = False
+    for number, line in enumerate(read(page).splitlines(), 1):
+        if line.startswith("| promise | test |"):
+            in_table = True
+        elif not line.startswith("|"):
+            in_table = False
+        elif in_table and not line.startswith("|--"):
+            named = re.findall(r"`([^`]+)`", line.split(" | ")[1])
+            if not any(word in tests or word.endswith(".sh") for word in named):
+                problems.append(f"{page}:{number}: no test keeps this promise")
 
 
 # What commands may name: presets and targets, labels of tests and what their names are made of, subcommands.
@@ -185,6 +211,7 @@ def check_link(page, number, target):
 
 
 def check_page(page):
+    check_promises(page)
     for number, line in enumerate(read(page).splitlines(), 1):
         if len(line) > 120 and not line.lstrip().startswith("|"):
             problems.append(f"{page}:{number}: {len(line)} columns")
@@ -197,6 +224,7 @@ def check_page(page):
             for word in code.split() if block.kind != "code" else []:
                 check_place(page, number, word.rstrip(".,;:"))
                 check_constant(page, number, word)
+                check_test(page, number, word.rstrip(",;:"))
         if block.kind != "code":
             for link in re.finditer(r"\]\(([^)\s]+)\)", block.without_code()):
                 check_link(page, block.line_at(link.start()), link[1])

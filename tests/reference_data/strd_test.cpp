@@ -68,7 +68,9 @@ series::BlockSeries blocks_of(const StrdSet& set, bool log_response) {
 
 class Strd : public testing::TestWithParam<PosedModel> {
  protected:
-  Strd() {
+  /// `spoilt`: by which an observation is wrong, of itself.
+  explicit Strd(double spoilt = 0) {
+    set_.rows[set_.rows.size() / 2][0] *= 1 + spoilt;
     series_.add(blocks_of(set_, GetParam().log_response));
     noise::NoiseModel white;
     white.row_s = 1;
@@ -219,6 +221,24 @@ TEST_P(Strd, FromBothStarts_IsCertified) {
   }
 }
 
+// Whether the test above would notice.
+TEST_P(Strd, StaysAtNearerStart_IsNotCertified) {
+  const Values values = estimates(problem(1)).first;
+  EXPECT_LT(right_digits(values, set_.certified), expected_digits(GetParam().set).values);
+}
+
+class SpoiltStrd : public Strd {
+ protected:
+  SpoiltStrd() : Strd(1e-6) {}
+};
+
+TEST_P(SpoiltStrd, OneObservationIsWrong_IsNotCertified) {
+  const Values values = estimates(stepped(closer(searched(problem(0))))).first;
+  EXPECT_LT(right_digits(values, set_.certified), expected_digits(GetParam().set).values);
+}
+
+INSTANTIATE_TEST_SUITE_P(Nist, SpoiltStrd, testing::ValuesIn(fog::test::posed_models()),
+                         [](const auto& one) { return one.param.set; });
 INSTANTIATE_TEST_SUITE_P(Nist, Strd, testing::ValuesIn(fog::test::posed_models()),
                          [](const auto& one) { return one.param.set; });
 

@@ -14,6 +14,7 @@
 #include "core/compensation/drift_model.hpp"
 #include "core/pipeline/model_needs.hpp"
 #include "support/board_image.hpp"
+#include "support/denoised_judge.hpp"
 #include "support/faulty_line.hpp"
 #include "support/sample_models.hpp"
 
@@ -30,6 +31,9 @@ struct DriftVerdict {
   std::uint64_t false_frames = 0;   ///< that do not say what the board has found
   std::uint64_t trusted_wrong = 0;  ///< trusted, though the gyro stands or leaps
   double trusted_wrong_at_s = 0;    ///< the last of them
+  std::uint64_t denoised_valid = 0;
+  std::uint64_t denoised_wrong = 0;  ///< valid, and not those of the samples that they stand for
+  double denoised_wrong_at_s = 0;    ///< the last of them
 };
 
 /// What a board is made for.
@@ -49,6 +53,8 @@ struct TestedBoard {
   bool judged_by_validity = false;
   /// The input beside the temperature that the model needs.
   std::optional<InputCourse> input{};
+  /// It does not affect the drift, and needs most of the time. Of generic images.
+  fogcomp::model::DenoiseSettings denoise{"sym8", 0, ThresholdRule::fixed, false};
 };
 
 /// A board with the faults, and the drift model twice: without faults or losses; and without
@@ -59,13 +65,13 @@ class DriftUnderFaults {
   explicit DriftUnderFaults(const fogcomp::model::Model& model, double max_degc_per_min = 3,
                             const TestedBoard& setting = {})
       : table_(fogcomp::board::make_board_table(
-            trained_within(trained_in_part(trained_for(without_denoiser(model), max_degc_per_min),
+            trained_within(trained_in_part(trained_for(denoised(model, setting), max_degc_per_min),
                                            setting.trained_part),
                            setting.trained),
             settings_of(setting))),
         parameters_(fogcomp::board::read_board_table(table_, "test")),
         true_table_(fogcomp::board::make_board_table(
-            trained_for(without_denoiser(model), max_degc_per_min), settings_of(setting))),
+            trained_for(denoised(model, setting), max_degc_per_min), settings_of(setting))),
         true_parameters_(fogcomp::board::read_board_table(true_table_, "test")),
         max_degc_per_min_(max_degc_per_min),
         setting_(setting),
@@ -81,17 +87,24 @@ class DriftUnderFaults {
                 setting_.has_reset_clock);
     Clock clock(seed + 2);
     Judge judge(parameters_, setting_.judged_by_validity);
+    DenoisedJudge denoised(parameters_.denoise, setting_.denoise.wavelet);
     while (static_cast<double>(line.time_us()) < duration_s * 1e6) {
       if (board.be(worst_of(resets.at(static_cast<double>(line.time_us()) * 1e-6)))) {
         judge.forget_gyro();
       }
       const std::vector<FaultyLine::Arrival>& arrivals = line.next();
+      denoised.begin_sample();
       if (arrivals.empty()) board.wait();
       for (const FaultyLine::Arrival& arrival : arrivals) {
         const std::optional<OutputSample> answer =
             board.process(arrival, clock.at(arrival.time_us, setting_.has_clock));
+        if (!answer) denoised.take_damaged();
         if (!answer) continue;
         const OutputSample& out = *answer;
+        if (!denoised.take(out)) {
+          ++judge.verdict.denoised_wrong;
+          judge.verdict.denoised_wrong_at_s = static_cast<double>(arrival.time_us) * 1e-6;
+        }
         witnesses.advance_to(arrival.time_us, temperature_error(arrival, out),
                              input_error(arrival));
         judge.take(out, static_cast<double>(arrival.time_us) * 1e-6, witnesses.error_dph(out),
@@ -102,6 +115,7 @@ class DriftUnderFaults {
     }
     judge.end(witnesses.explained_dph());
     judge.verdict.false_frames = board.false_frames();
+    judge.verdict.denoised_valid = denoised.valid();
     return judge.verdict;
   }
 
@@ -209,9 +223,8 @@ class DriftUnderFaults {
     Reset off_ = Reset::none;
   };
 
-  // It does not affect the drift, and needs most of the time.
-  static fogcomp::model::Model without_denoiser(fogcomp::model::Model model) {
-    model.denoise.levels = 0;
+  static fogcomp::model::Model denoised(fogcomp::model::Model model, const TestedBoard& setting) {
+    model.denoise = setting.denoise;
     return model;
   }
   // A network that is clamped is flagged: here it has been trained for what the coil does.
@@ -376,9 +389,10 @@ class DriftUnderFaults {
     static constexpr double kRoundingDph = 0.01;
     static constexpr double kLongestBlocksS = 2;
 
-    // Without a denoiser both rates are the same.
     bool is_trusted(const OutputSample& out) const {
-      return out.compensated_valid() && (by_validity_ || out.status == Status::none);
+      constexpr Status kOfDenoised =
+          Status::denoised_invalid | Status::denoised_refused | Status::denoiser_filling;
+      return out.compensated_valid() && (by_validity_ || !has_any(out.status, ~kOfDenoised));
     }
 
     struct Suspect {

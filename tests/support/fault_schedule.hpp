@@ -208,6 +208,7 @@ class FaultScheduler {
       } while (chance(0.4));  // with what else
     }
     if (chance(0.3)) schedule.board.trained_part = uniform(0.2, 1);
+    if (board_.image == ImageKind::generic && chance(0.4)) schedule.board.denoise = denoiser();
     return schedule;
   }
 
@@ -245,6 +246,14 @@ class FaultScheduler {
     return {chance(0.6) ? logarithmic(10, 120) : 0, chance(0.6) ? logarithmic(2, 8) : 0,
             chance(0.4) ? logarithmic(10, 200) : 0};
   }
+
+  fogcomp::model::DenoiseSettings denoiser() {
+    constexpr std::array kWavelets{"haar", "db4", "sym8"};
+    constexpr int kMaxLevels = 6;
+    return {kWavelets[random_() % kWavelets.size()],
+            1 + static_cast<int>(random_() % std::uint64_t{kMaxLevels}), rule(), chance(0.5)};
+  }
+  ThresholdRule rule() { return static_cast<ThresholdRule>(random_() % 3U); }
 
   Fault fault(double from_s) {
     const FaultDraw& draw = kFaultDraws[random_() % kDraws];
@@ -284,6 +293,11 @@ inline std::string complaint(const DriftVerdict& verdict) {
     text += fogcomp::format("a gyro that stands or leaps was trusted at %.2f s; ",
                             verdict.trusted_wrong_at_s);
   }
+  if (verdict.denoised_wrong > 0) {
+    text += fogcomp::format("%llu denoised rates are another sample's, the last at %.2f s; ",
+                            static_cast<unsigned long long>(verdict.denoised_wrong),
+                            verdict.denoised_wrong_at_s);
+  }
   if (verdict.false_frames > 0) text += "frames say something else than the board has found; ";
   return text;
 }
@@ -301,6 +315,10 @@ inline void print(const FaultSchedule& schedule) {
   }
   if (board.trained_part != 1) {
     std::printf("  network and expressions trained for %.3f of it\n", board.trained_part);
+  }
+  if (board.denoise.levels > 0) {
+    std::printf("  denoised by %s x %d, rule %d\n", board.denoise.wavelet.c_str(),
+                board.denoise.levels, static_cast<int>(board.denoise.rule));
   }
   if (schedule.memory.any()) {
     std::printf("  lag of %.1f s, loop of %.2f degC, warm-up of %.1f s\n", schedule.memory.lag_s,

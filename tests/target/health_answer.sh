@@ -29,8 +29,9 @@ status=0
 "$fogcomp" health "$scratch/output" --timeout 30 --json | tee "$folder/good.json" || true
 grep -q '^image  *intact' "$folder/good.txt"
 grep -qE '^board  *NOT HEALTHY: (no samples come|rate not valid now \([a-z_, ]*\))$' "$folder/good.txt"
-grep -qx 'rate  *2325 ms late (465 samples of 5 ms)' "$folder/good.txt"
+grep -qx 'rate  *2325 ms late (465 samples), -3 dB at 2.85 Hz for what is below its thresholds' "$folder/good.txt"
 grep -q '"healthy":false,"complaints":\["' <(tr -d ' \n' <"$folder/good.json")
+grep -q '"rate_delay_s":2.325,"rate_minus_3db_hz":2.84' <(tr -d ' \n' <"$folder/good.json")
 # The checked-in model has no serial: the console names no gyro.
 tr -d '\r' <"$scratch/console" | grep -qxE 'model 0x[0-9a-f]{8}: good' ||
   fail "console: $(cat "$scratch/console")"

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint8_t kSync0 = 0xC3;
 constexpr std::uint8_t kSync1 = 0x99;
-constexpr std::uint8_t kLayout = 3;
+constexpr std::uint8_t kLayout = 4;
 
 constexpr std::size_t kLayoutAt = 2;
 constexpr std::size_t kFlags = 3;

@@ -21,7 +21,8 @@ enum class HealthWord : std::uint8_t {
   image_passes,            ///< checks of the whole image since the start
   memory_passes,           ///< tests of the whole memory since the start
   stack,                   ///< size in bytes; from bit 16 on: bytes never written since the start
-  rate_delay,              ///< of the KVH frames' rate, or without them the denoised one; samples
+  rate_delay,              ///< of the KVH frames' rate, or without them the denoised one; samples;
+                           ///< from bit 16 on: of the denoiser's low-pass filter tap n / 2 of n
   sample_period,           ///< of the model, us
   version,                 ///< of the firmware: 1.2.3 is 010203
   sources,                 ///< 32 bits of the SHA-256 of the image's sources, without the model

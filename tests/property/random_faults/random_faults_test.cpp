@@ -16,6 +16,7 @@ using fog::test::FaultScheduler;
 TEST(RandomFaults, LeaveNoTrustedRateWithAWrongDrift) {
   double trusted = 0;
   double samples = 0;
+  std::uint64_t denoised = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const FaultSchedule schedule = FaultScheduler(seed).draw();
     const DriftVerdict verdict = run(schedule, seed);
@@ -23,9 +24,49 @@ TEST(RandomFaults, LeaveNoTrustedRateWithAWrongDrift) {
     EXPECT_EQ(complaint(verdict), "") << "seed " << seed;
     trusted += static_cast<double>(verdict.trusted);
     samples += static_cast<double>(verdict.samples);
+    denoised += verdict.denoised_valid;
   }
-  std::printf("%.1f %% of the rates trusted\n", 100 * trusted / samples);
+  std::printf("%.1f %% of the rates trusted, %.1f million denoised\n", 100 * trusted / samples,
+              1e-6 * static_cast<double>(denoised));
   EXPECT_GT(trusted, samples / 4) << "or the test says little";
+  EXPECT_GT(denoised, 1'000'000U) << "or the test says little";
+}
+
+// What a board sends that turns and loses samples, with a mark that ends as early as this. `slip`:
+// it leaves out the loss.
+bool judged_right(std::uint64_t lost, std::uint64_t early, std::uint64_t slip) {
+  constexpr std::uint64_t kGapAt = 100;
+  constexpr std::int32_t kPerSample = 180 * 1024;
+  const fogcomp::board::BoardTable table = fog::test::denoiser_table({"db4", 2});
+  const fog::ModelParameters parameters = fogcomp::board::read_board_table(table, "test");
+  const std::uint64_t delay = fog::denoise_delay(8, 2);
+  fog::test::DenoisedJudge judge(parameters.denoise, "db4");
+  bool right = true;
+  for (std::uint64_t time = 0; time < 2 * kGapAt; ++time) {
+    judge.begin_sample();
+    if (time >= kGapAt && time < kGapAt + lost) continue;
+    const auto turned = [](std::uint64_t samples) {
+      return fog::Rate::from_raw(static_cast<std::int32_t>(samples) * kPerSample);
+    };
+    fog::OutputSample out;
+    out.compensated = turned(time);
+    const bool after = time >= kGapAt + lost;
+    const bool marked = after && time < kGapAt + lost + delay - early;
+    const bool old = after && time < kGapAt + lost + delay;
+    out.denoised = turned(time < delay ? 0 : time - delay - (old ? slip : 0));
+    out.status = fog::status_if(time < delay, fog::Status::denoiser_filling) |
+                 fog::status_if(marked, fog::Status::denoised_invalid);
+    right = judge.take(out) && right;
+  }
+  return right && judge.valid() > kGapAt;
+}
+
+TEST(DenoisedJudge, MarkEndsASampleTooEarly_Found) {
+  for (const std::uint64_t lost : {1U, 2U, 30U}) {
+    EXPECT_TRUE(judged_right(lost, 0, lost)) << lost;
+    EXPECT_FALSE(judged_right(lost, 1, lost)) << lost;
+    EXPECT_FALSE(judged_right(lost, 20, lost)) << lost;
+  }
 }
 
 // From schedule 4071: a jump of a sensor that drifts is bridged from one wrong temperature to the

@@ -79,11 +79,17 @@ std::pair<double, double> light_limits(double min, double max) {
 }
 
 // The drift follows the logarithm of the light, so its margin is a ratio, and no light at all is a
-// fault. Training that reached 0 has no ratio: half its span, as with other inputs.
-TEST(ExportLimits, Light_TrainedAboveNothing_RefusesNothing) {
+// fault, whatever was trained. Training that reached 0 has no ratio: half its span, as with other
+// inputs. Training at one power has no limit but the least that a record can say.
+TEST(ExportLimits, Light_WhateverWasTrained_NoneIsRefused) {
+  const double least = std::ldexp(1, -16);
   EXPECT_EQ(light_limits(100, 400), std::pair(50.0, 800.0));
   EXPECT_NEAR(light_limits(1, 400).first, 0.05, 1e-5);
-  EXPECT_EQ(light_limits(0, 400), std::pair(-200.0, 600.0));
+  EXPECT_EQ(light_limits(0, 400), std::pair(least, 600.0));
+  EXPECT_EQ(light_limits(-7, 293), std::pair(least, 443.0));
+  EXPECT_EQ(light_limits(0, 0).first, least);
+  EXPECT_EQ(light_limits(250, 250).first, least);
+  EXPECT_THROW(light_limits(-400, -200), InputError) << "a unit or a sign is wrong";
 }
 
 }  // namespace

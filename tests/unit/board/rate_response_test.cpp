@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/denoise/any_denoiser.hpp"
+#include "denoise/filters.hpp"
 #include "support/sample_models.hpp"
 #include "support/text.hpp"
 
@@ -131,6 +132,26 @@ TEST(RateResponse, BandwidthIsThatOfASmallSine) {
     const double measured = measured_minus_3db_hz(setting);
     EXPECT_NEAR(said.minus_3db_hz / measured, 1, 0.002) << name_of(setting);
   }
+}
+
+// Several filters may be as late; of each the health record has a tap.
+TEST(RateResponse, ToldByHealthRecord_IsThatOfTheTable) {
+  for (const std::string& wavelet : denoise::wavelet_names()) {
+    for (const int levels : {1, 2, 3, 5, 6, 10}) {
+      const BoardDenoiser board({wavelet.c_str(), levels, 200}, 0);
+      const RateResponse tables = denoised_response(board.parameters());
+      const fog::Span<const std::int32_t> low = board.parameters().denoise.low();
+      const auto tap = static_cast<std::uint32_t>(low[low.size / 2]) & 0xFFFF0000U;
+      const auto delay = static_cast<std::uint32_t>(tables.delay_samples);
+      const RateResponse told = response_told(delay | tap, 0.005);
+      EXPECT_EQ(late_text(told), late_text(tables)) << wavelet << " x " << levels;
+      EXPECT_NEAR(told.minus_3db_hz / tables.minus_3db_hz, 1, 1e-6);
+      const RateResponse other = response_told(delay | (tap ^ 0x40000000U), 0.005);
+      EXPECT_TRUE(std::isnan(other.minus_3db_hz)) << wavelet << " x " << levels;
+      EXPECT_EQ(other.delay_s, tables.delay_s);
+    }
+  }
+  EXPECT_TRUE(std::isnan(response_told(0, 0.005).minus_3db_hz));
 }
 
 TEST(RateResponse, SineBeyondTheThresholdsPasses) {

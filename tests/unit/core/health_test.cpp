@@ -375,7 +375,7 @@ TEST(HealthRecord, HasTheLayoutOfItsSpecification) {
     ASSERT_EQ(sent.size(), 112U);
     EXPECT_EQ(sent[0], 0xC3);
     EXPECT_EQ(sent[1], 0x99);
-    EXPECT_EQ(sent[2], 3);
+    EXPECT_EQ(sent[2], 4);
     EXPECT_EQ(sent[3], flags);
     for (std::size_t i = 4; i < 107; ++i) EXPECT_EQ(sent[i], i == 91 ? 0 : i - 3) << i;
     EXPECT_EQ(sent[107], 0);

@@ -244,6 +244,8 @@ TEST(ModelLimits, EveryNumberIsAcceptedUpToItsLimitsAndRefusedBeyond) {
       {"T shift", 0, 21},  // 1000 * 2^21 is the last below 2^31
       {"hidden shift", 0, 16},
       {"output shift", 0, 16},
+      {"weight 2", 0, 0},  // of no input
+      {"weight 3", 0, 0},
       {"linear", 0, 1},
       {"rule", 0, 2},
       {"mode", 0, 1},

@@ -117,7 +117,7 @@ bool tells_delay(const std::vector<std::uint8_t>& sent) {
   fog::HealthRecord record;
   return sent.size() == fog::kHealthResponseBytes &&
          fog::decode_health_response(sent.data(), record) &&
-         record[fog::HealthWord::rate_delay] == fog::denoise_delay(16, 5) &&
+         (record[fog::HealthWord::rate_delay] & 0xFFFFU) == fog::denoise_delay(16, 5) &&
          record[fog::HealthWord::sample_period] == board.period_us;
 }
 
