@@ -230,7 +230,6 @@ std::vector<Candidate> with_shapes(std::vector<Candidate> candidates) {
 std::vector<Candidate> with_best_shapes(std::vector<Candidate> candidates, const ShapeSpace& space,
                                         const std::vector<model::EffectTerm>& terms,
                                         const Eigen::VectorXd& residual) {
-  constexpr double kMinChi2Drop = 100;
   constexpr double kLeading = 0.5;
   std::vector<std::size_t> best;
   std::vector<double> chi2_drop;
@@ -239,8 +238,8 @@ std::vector<Candidate> with_best_shapes(std::vector<Candidate> candidates, const
     chi2_drop.push_back(candidate.shapes[best.back()].chi2_drop(residual));
   }
   if (chi2_drop.empty()) return candidates;
-  const double needed =
-      std::max(kMinChi2Drop, kLeading * *std::max_element(chi2_drop.begin(), chi2_drop.end()));
+  const double needed = std::max(rules::kMinMovedChi2Drop,
+                                 kLeading * *std::max_element(chi2_drop.begin(), chi2_drop.end()));
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const bool grown = has_name(terms, candidates[i].effect);
     if (chi2_drop[i] < needed || grown || candidates[i].is_event()) continue;

@@ -17,8 +17,7 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Bounds of a lag: from barely visible in a row to still visible in a programme of hours.
-const std::string kLagBounds = "?tau[20,6000]";
+const std::string kLagBounds = format("?tau[%g,%g]", kShortestLag_s, kLongestLag_s);
 // A zero that is further from the range than so many times its width is no special value: the
 // square and the cube of such a signal are straight lines on these rows.
 constexpr double kFarZero = 2;

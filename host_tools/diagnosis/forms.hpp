@@ -10,6 +10,10 @@
 
 namespace fogcomp::diagnosis {
 
+/// Lags that are tried: from barely visible in a row to still visible in a programme of hours.
+inline constexpr double kShortestLag_s = 20;
+inline constexpr double kLongestLag_s = 6000;
+
 /// A formula outside the catalogue, as an expression without coefficients.
 struct Formula {
   model::EffectTerm term;

@@ -6,6 +6,7 @@
 #include <complex>
 #include <vector>
 
+#include "diagnosis/forms.hpp"
 #include "model/catalogue.hpp"
 #include "model/effect_list.hpp"
 #include "support/evidence.hpp"
@@ -15,10 +16,7 @@
 namespace fogcomp::diagnosis {
 namespace {
 
-// Lags from barely visible in a row to visible in a programme of hours, a fifth apart.
-constexpr double kMinLag_s = 20;
-constexpr double kMaxLag_s = 6000;
-constexpr std::size_t kLags = 32;
+constexpr std::size_t kLags = 32;  // a fifth apart
 // Turns per degC, as polarization_ripple has them; half a turn over 100 degC between neighbours.
 constexpr double kMinFrequency = 1 / 60.0;
 constexpr double kMaxFrequency = 1 / 2.0;
@@ -31,7 +29,7 @@ constexpr double kPeriodRange = 1.15;
 
 double lag_of(std::size_t i) {
   const double share = static_cast<double>(i) / (kLags - 1);
-  return kMinLag_s * std::pow(kMaxLag_s / kMinLag_s, share);
+  return kShortestLag_s * std::pow(kLongestLag_s / kShortestLag_s, share);
 }
 
 constexpr double kFrequencyStep = (kMaxFrequency - kMinFrequency) / (kFrequencies - 1);

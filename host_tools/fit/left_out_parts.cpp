@@ -80,16 +80,15 @@ std::vector<double> values_of(fog::Input input, const series::Rows& rows) {
 }  // namespace
 
 Folds stretches_in_turn(const series::Rows& rows) {
-  constexpr std::size_t kParts = 5;
   constexpr double kStretches = 50;
-  Folds folds{std::vector<Part>(kParts), "", true};
+  Folds folds{std::vector<Part>(kPartsInTurn), "", true};
   std::size_t first_part = 0;
   for (const recording::RowRange& run : rows.runs()) {
     const double share = static_cast<double>(run.size()) / static_cast<double>(rows.size());
     const auto wanted = static_cast<std::size_t>(std::max(1.0, std::round(kStretches * share)));
     const std::size_t stretches = std::min(wanted, run.size());
     for (std::size_t i = 0; i < stretches; ++i) {
-      folds.parts[(first_part + i) % kParts].push_back(
+      folds.parts[(first_part + i) % kPartsInTurn].push_back(
           {run.first + i * run.size() / stretches, run.first + (i + 1) * run.size() / stretches});
     }
     ++first_part;

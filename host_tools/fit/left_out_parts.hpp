@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,11 @@ struct Folds {
   bool within = false;  ///< in each part some rows of every run
 };
 
-/// Stretches of time in five parts in turn. Every part contains some of each phase of the run, so
-/// that it is interpolated, not extrapolated. Each run begins with another part, so that its start
-/// is left out while the starts of the others are not.
+inline constexpr std::size_t kPartsInTurn = 5;
+
+/// Stretches of time in kPartsInTurn parts in turn. Every part contains some of each phase of the
+/// run, so that it is interpolated, not extrapolated. Each run begins with another part, so that
+/// its start is left out while the starts of the others are not.
 Folds stretches_in_turn(const series::Rows& rows);
 
 /// Each recording.

@@ -9,8 +9,7 @@ ResidualNetwork train_on_residual(const series::Rows& rows, const Eigen::MatrixX
                                   const Eigen::VectorXd& target_dph,
                                   const Identification& identified,
                                   const network::NetworkSettings& settings, bool judge) {
-  constexpr double kParts = 5;
-  const double trainings = judge ? 1 + kParts : 1;
+  const double trainings = judge ? 1 + static_cast<double>(kPartsInTurn) : 1;
   double done_before = 0;
   network::NetworkSettings training = settings;
   if (settings.training.go_on) {

@@ -42,6 +42,11 @@ class ModeBands {
   Eigen::ArrayXd count_;
 };
 
+/// The largest levels of slow noise that are tried, as noise_density() takes them: they exceed the
+/// white noise in nearly all modes.
+inline constexpr double kMostFlicker = 16;
+inline constexpr double kMostWalk = 4;
+
 /// Products summed over the bands with these weights: a matrix of `rows` rows.
 Eigen::MatrixXd weighted(const Eigen::MatrixXd& products, const Eigen::VectorXd& weights,
                          Eigen::Index rows);

@@ -17,9 +17,7 @@ namespace {
 constexpr double kBandsPerOctave = 12;
 constexpr double kHardlySeen = 0.03;
 constexpr double kStepOfFlicker = 2;
-constexpr double kMaxFlicker = 16;
 constexpr double kStepOfWalk = 4;
-constexpr double kMaxWalk = 4;
 constexpr double kStepOfTemperature = 2;
 constexpr double kMaxTemperature = 256;
 constexpr double kRounding = 1e-14;
@@ -76,9 +74,9 @@ class Problem {
   std::vector<Solution> solve() {
     const double slowest = bands_.angle().minCoeff();
     const std::vector<double> flickers =
-        geometric(kHardlySeen * slowest, kMaxFlicker, kStepOfFlicker);
+        geometric(kHardlySeen * slowest, kMostFlicker, kStepOfFlicker);
     const std::vector<double> walks =
-        geometric(kHardlySeen * slowest * slowest, kMaxWalk, kStepOfWalk);
+        geometric(kHardlySeen * slowest * slowest, kMostWalk, kStepOfWalk);
     const double expected = most_of_temperature_ / white_;
     const std::vector<double> temperatures =
         expected < kHardlySeen ? std::vector<double>{expected}

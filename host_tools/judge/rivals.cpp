@@ -18,9 +18,7 @@ constexpr double kTiny = 1e-300;
 
 constexpr double kHardlyVisible = 0.1;  // of the white noise, in the slowest mode
 constexpr double kFactorOfFlicker = 4;
-constexpr double kMostFlicker = 16;
 constexpr double kFactorOfWalk = 8;
-constexpr double kMostWalk = 4;
 constexpr int kTurnOns = 2;
 constexpr double kFactorOfTurnOn = 256;
 constexpr double kLeastTurnOn = 0.01;
