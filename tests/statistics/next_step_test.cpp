@@ -141,9 +141,10 @@ TEST(NextStep, IsASensitivityToASupplyThatHardlyVaries) {
   EXPECT_TRUE(asked.add_accepts());
 }
 
-// Neither the catalogue nor a formula of its inputs describes this.
+// Neither the catalogue nor a formula of its inputs describes a ripple that is denser where it is
+// warm.
 TEST(NextStep, IsANetworkWhereNothingElseHoldsAndAnotherRunShowsThatItDoes) {
-  model::EffectTerm hidden = written_term("x = sin(T/6)*tanh(4*dTdt)");
+  model::EffectTerm hidden = written_term("x = sin(T^2/300+2)*tanh(4*dTdt)");
   hidden.coefficients_dph = {std::ldexp(0.1, hidden.expression->scale_log2)};
   const recording::Recording first = recording_with({hidden}, 1);
   const Asked of_one(kBasic, {first});
