@@ -9,6 +9,7 @@ namespace {
 constexpr std::uint8_t kSync0 = 0xC3;
 constexpr std::uint8_t kSync1 = 0x99;
 constexpr std::uint8_t kLayout = 4;
+constexpr std::uint8_t kLayoutWithoutFilter = 3;  // 0 where the filter is now
 
 constexpr std::size_t kLayoutAt = 2;
 constexpr std::size_t kFlags = 3;
@@ -42,7 +43,9 @@ HealthResponse encode_health_response(const HealthRecord& record) {
 }
 
 bool decode_health_response(const std::uint8_t* bytes, HealthRecord& record) {
-  if (bytes[0] != kSync0 || bytes[1] != kSync1 || bytes[kLayoutAt] != kLayout) return false;
+  const std::uint8_t layout = bytes[kLayoutAt];
+  if (bytes[0] != kSync0 || bytes[1] != kSync1) return false;
+  if (layout != kLayout && layout != kLayoutWithoutFilter) return false;
   if (load_le32(bytes + kCrc) != crc32(bytes, kCrc)) return false;
   const bool texts_end = bytes[kSerialEnd] == 0 && bytes[kResetCauseEnd] == 0;
   if ((bytes[kFlags] & kUnusedFlags) != 0U || !texts_end) return false;

@@ -152,6 +152,8 @@ TEST(RateResponse, ToldByHealthRecord_IsThatOfTheTable) {
     }
   }
   EXPECT_TRUE(std::isnan(response_told(0, 0.005).minus_3db_hz));
+  EXPECT_TRUE(std::isnan(response_told(465, 0.005).minus_3db_hz))
+      << "an image that tells no filter";
 }
 
 TEST(RateResponse, SineBeyondTheThresholdsPasses) {

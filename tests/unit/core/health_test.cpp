@@ -393,6 +393,18 @@ TEST(HealthRecord, HasTheLayoutOfItsSpecification) {
   }
 }
 
+TEST(HealthRecord, OfAnEarlierImage_IsRead) {
+  fog::HealthRecord record = some_record();
+  record[Word::rate_delay] = 465;
+  fog::HealthResponse response = fog::encode_health_response(record);
+  response[2] = 3;
+  const std::uint32_t crc = fog::crc32(response.data(), 108);
+  for (std::size_t i = 0; i < 4; ++i) response[108 + i] = static_cast<std::uint8_t>(crc >> (8 * i));
+  fog::HealthRecord got;
+  ASSERT_TRUE(fog::decode_health_response(response.data(), got));
+  EXPECT_EQ(got.words, record.words);
+}
+
 // Each with a good CRC: sync, layout, a flag that no board has, a serial number and a reset cause
 // without an end.
 TEST(HealthRecord, LeavesAloneWhatItRefuses) {
