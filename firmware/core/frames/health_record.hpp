@@ -69,7 +69,8 @@ using HealthResponse = std::array<std::uint8_t, kHealthResponseBytes>;
 HealthResponse encode_health_response(const HealthRecord& record);
 
 /// Reads kHealthResponseBytes bytes, also of images that do not tell their filter. Returns false,
-/// and changes nothing, unless sync, layout and CRC are right, all other flags are 0, and serial number and reset cause are terminated.
+/// and changes nothing, unless sync, layout and CRC are right, all other flags are 0, and serial
+/// number and reset cause are terminated.
 bool decode_health_response(const std::uint8_t* bytes, HealthRecord& record);
 
 }  // namespace fog
