@@ -29,13 +29,15 @@ int InfoCommand::run() const {
   workflow::InfoRequest request{arguments.front(), recording.value(), average.find()};
   request.reading.limits = limits.value();
   ReportFile page(report);
-  const auto [run, summary, prospect] = workflow::info(request, Watch().observer());
-  findings::Document document = findings::info_findings(run, summary, prospect);
+  const workflow::InfoOutcome found = workflow::info(request, Watch().observer());
+  findings::Document document =
+      findings::info_findings(found.recording, found.summary, found.prospect);
   document.read_with(recording.given_words());
   page.fill(document);
   page.commit();
   print_found(
-      json, [&] { return findings::info_json(run, summary, prospect); }, document, true);
+      json, [&] { return findings::info_json(found.recording, found.summary, found.prospect); },
+      document, true);
   return 0;
 }
 

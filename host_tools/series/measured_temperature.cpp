@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "series/block_walk.hpp"
 #include "series/temperature_smoother.hpp"
@@ -18,6 +19,7 @@ constexpr double kFinest_degc = 1e-4;  // of noise: what is finer costs digits
 // Noise of a thermometer, in steps: between sharper edges the moments lose their digits, and the
 // rate jumps.
 constexpr double kSharpest = 0.01;
+constexpr double kNotRead = std::numeric_limits<double>::quiet_NaN();
 
 // Readings between restarts; the first block counts as one.
 struct Part {
@@ -33,12 +35,13 @@ std::vector<Part> parts_of(const BlockSeries& series) {
     part.readings.interval_s = series.block_s;
     for (std::size_t i = first; i < end; ++i) {
       const BlockSeries::Block& block = series.blocks[i];
-      part.readings.degc.resize(static_cast<std::size_t>(block.number - part.first_number), NAN);
+      part.readings.degc.resize(static_cast<std::size_t>(block.number - part.first_number),
+                                kNotRead);
       const bool is_read = block.has_reading || i == first;
-      part.readings.degc.push_back(is_read ? block.means.temperature : double{NAN});
+      part.readings.degc.push_back(is_read ? block.means.temperature : kNotRead);
     }
     const std::int64_t last = series.blocks[end - 1].number - part.first_number;
-    part.readings.degc.resize(static_cast<std::size_t>(last) + 1, NAN);
+    part.readings.degc.resize(static_cast<std::size_t>(last) + 1, kNotRead);
   });
   return parts;
 }

@@ -244,7 +244,7 @@ Bounds with_fraction(const Interval<Raw, kBits>& value, const char* operation) {
   constexpr int kDropped = kBits - To::fractional_bits;
   const auto changed = [](Int128 raw) {
     if constexpr (kDropped > 0) return (raw + (Int128{1} << (kDropped - 1))) >> kDropped;
-    return raw << (kDropped < 0 ? -kDropped : 0);
+    return raw * (Int128{1} << (kDropped < 0 ? -kDropped : 0));
   };
   const auto result = Interval<Wide, To::fractional_bits>::checked(
       changed(value.low()), changed(value.high()), operation);

@@ -234,7 +234,7 @@ class FaultyLine {
     using Kind = Fault::Kind;
     const InputCourse& course = *setting_.input;
     double value = now.true_input = course.at(time_s, now.true_degc);
-    now.record = {{course.input, {}}};
+    now.record = LineRecord{ExtensionRecord{course.input, {}}};
     bool comes = true;
     const std::vector<Fault*>& present = faults_.at(time_s);
     if (!has(present, Kind::input_frozen)) frozen_input_.reset();

@@ -103,7 +103,7 @@ struct FormatChange {
     return saturate_to<Fixed<std::int32_t, 28>>(wide).raw() ==
                clipped<std::int32_t>(rounded_shifted(wide.raw(), 22)) &&
            saturate_to<Fixed<std::int32_t, 31>>(Fixed<std::int32_t, 25>::from_raw(a)).raw() ==
-               clipped<std::int32_t>(Int128{a} << 6);
+               clipped<std::int32_t>(Int128{a} * 64);
   }
 };
 
@@ -132,7 +132,7 @@ struct Share {
     using Raw = Fixed<std::int32_t, 0>;
     const std::int32_t whole = std::max(1, b & INT32_MAX);
     const std::int32_t part = a % (whole == INT32_MAX ? whole : whole + 1);
-    const Int128 lsbs = (Int128{part} << 31) -
+    const Int128 lsbs = (Int128{part} * (Int128{1} << 31)) -
                         Int128{ShareOf(Raw::from_raw(whole))(Raw::from_raw(part)).raw()} * whole;
     return lsbs > Int128{-3} * whole && lsbs < Int128{3} * whole;
   }

@@ -35,7 +35,7 @@ class LotTest : public testing::Test {
     model::Model model = fog::test::model_of(model::parse_effects("bias,temperature_rate"));
     for (Eigen::Index i = 0; i < 2; ++i)
       model.terms[static_cast<std::size_t>(i)].coefficients_dph = {{values[i], kSisterSigma}};
-    model.uncertainty.emplace();
+    model.uncertainty = model::Model::Uncertainty{};
     model.uncertainty->covariance = kSisterSigma * kSisterSigma * Eigen::Matrix2d::Identity();
     return model;
   }
