@@ -24,6 +24,18 @@ namespace fogcomp::diagnosis {
 namespace {
 
 constexpr double kTheSame = 0.98;
+// Far from its range of action an effect is negligible (a glass transition 80 degC away: e^-40): to
+// make 0.5 deg/h its coefficient would exceed 5e5 deg/h, the largest that a board stores.
+constexpr double kMinRegressor = 1e-6;
+constexpr double kAlike = 0.85;
+constexpr int kFirstGridPoints = 7;
+constexpr std::size_t kMaxGridPoints = 72;  // grid points of one parameter
+constexpr double kEdgeResolution =
+    0.02;  // resolution, in units of the range, of the limit of visibility
+// Shapes at these two explain more than 85 % of each other, whatever the further parameter.
+constexpr std::array<double, 2> kOtherPlaces{0.3, 0.7};
+constexpr std::size_t kGridParameters =
+    3;  // parameters with a grid; further ones of an expression stay in the middle
 
 std::size_t best_of(const std::vector<Candidate::Shape>& shapes, const Eigen::VectorXd& residual) {
   const auto less = [&](const Candidate::Shape& a, const Candidate::Shape& b) {
@@ -195,20 +207,6 @@ Candidate::Shape optimised(const ShapeMaker& make, const std::vector<Candidate::
   }
   return shape;
 }
-
-// Far from its range of action an effect is negligible (a glass transition 80 degC away: e^-40): to
-// make 0.5 deg/h its coefficient would exceed 5e5 deg/h, the largest that a board stores.
-constexpr double kMinRegressor = 1e-6;
-constexpr double kAlike = 0.85;
-constexpr double kRank = 1e-8;
-constexpr int kFirstGridPoints = 7;
-constexpr std::size_t kMaxGridPoints = 72;  // grid points of one parameter
-constexpr double kEdgeResolution =
-    0.02;  // resolution, in units of the range, of the limit of visibility
-// Shapes at these two explain more than 85 % of each other, whatever the further parameter.
-constexpr std::array<double, 2> kOtherPlaces{0.3, 0.7};
-constexpr std::size_t kGridParameters =
-    3;  // parameters with a grid; further ones of an expression stay in the middle
 
 // The size of an expression's one column relative to that of its variation, which alone shows: a
 // supply of 5.0 to 5.1 V hardly differs from a bias. 0 for a constant, of which nothing shows.

@@ -43,6 +43,9 @@ struct CandidateList {
   std::vector<Untestable> untestable;
 };
 
+/// Rank threshold of orthonormal() for the model's columns, and what others are beside them.
+inline constexpr double kRank = 1e-8;
+
 /// Whitens regressors and projects the model out of them (rows x any number, same shape returned).
 /// `visible`: fraction of each column that remains, 0..1.
 struct VisiblePart {

@@ -40,9 +40,11 @@ struct PossibleColumns {
 };
 
 // Without bases, which only the search needs: they are half of its memory.
-Candidate without_bases(Candidate candidate) {
-  for (Candidate::Shape& shape : candidate.shapes) shape.basis.resize(0, 0);
-  return candidate;
+std::vector<Candidate> without_bases(std::vector<Candidate> candidates) {
+  for (Candidate& candidate : candidates) {
+    for (Candidate::Shape& shape : candidate.shapes) shape.basis.resize(0, 0);
+  }
+  return candidates;
 }
 
 std::vector<Candidate> with_steps_in_place(std::vector<Candidate> candidates,
@@ -51,7 +53,6 @@ std::vector<Candidate> with_steps_in_place(std::vector<Candidate> candidates,
                                            const Residualizer& residualizer,
                                            const VisibleStructure& smooth) {
   for (Candidate& candidate : candidates) {
-    candidate = without_bases(std::move(candidate));
     if (!candidate.is_event()) continue;
     candidate.shapes = without_gradual_steps(
         placed_steps(std::move(candidate.shapes), space, residualizer, smooth.all),
@@ -78,8 +79,8 @@ PossibleColumns possible_columns(const DiagnosisData& data, const fit::NoiseWeig
       found.smooth = visible_structure(space.series.rows(), residualizer);
     }
   });
-  found.candidates.testable = with_steps_in_place(std::move(found.candidates.testable), space, fit,
-                                                  residualizer, found.smooth);
+  found.candidates.testable = with_steps_in_place(
+      without_bases(std::move(found.candidates.testable)), space, fit, residualizer, found.smooth);
   return found;
 }
 

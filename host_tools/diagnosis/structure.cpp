@@ -59,8 +59,6 @@ Eigen::VectorXd beyond_play(const series::Rows& rows, const Eigen::VectorXd& x, 
   return beyond;
 }
 
-constexpr double kRankThreshold = 1e-8;
-
 }  // namespace
 
 Eigen::MatrixXd smooths_in_time(const series::Rows& rows) {
@@ -166,7 +164,7 @@ Residualizer::Residualizer(const series::Rows& rows, const fit::NoiseWeightedFit
   columns.bottomRightCorner(priors_, priors_)
       .diagonal()
       .setConstant(std::sqrt(1 + fit::rules::kModelFormTolerance * excess));
-  basis_ = orthonormal(columns, kRankThreshold);
+  basis_ = orthonormal(columns, kRank);
   residual_ = without_model(with_priors(fit.whitened_measured));
 }
 
